@@ -1,0 +1,27 @@
+# Packages are found once here, as system includes; targets link what they use by name.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+if(NOT LEITSTAND_CORE_ONLY)
+    find_package(CLI11 REQUIRED)
+    find_package(nlohmann_json REQUIRED)
+    # Debian's VTK Qt module links Qt 5: components are listed one by one and never include it. VTK goes
+    # first and PCL must not find it again, since PCL asks for that very module.
+    find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMath CommonTransforms
+        FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage RenderingAnnotation RenderingCore
+        RenderingFreeType RenderingOpenGL2 glew)
+    set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
+    find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features io)
+    unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
+endif()
+if(LEITSTAND_WINDOW)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg Test)
+    find_package(OpenGL REQUIRED COMPONENTS EGL)
+endif()
+if(LEITSTAND_BENCHMARKS)
+    find_package(benchmark REQUIRED)
+    find_package(nanoflann REQUIRED)
+endif()

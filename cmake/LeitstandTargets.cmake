@@ -1,0 +1,44 @@
+# What every target of ours has in common: C++20, warnings as errors, sanitizers, ccache, bin/.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        ${CCACHE_PROGRAM})
+endif()
+set(CMAKE_PCH_INSTANTIATE_TEMPLATES ON)
+
+if(LEITSTAND_SANITIZE)
+    add_compile_options(-fsanitize=${LEITSTAND_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1)
+    add_link_options(-fsanitize=${LEITSTAND_SANITIZE})
+endif()
+
+function(leitstand_warnings target)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Werror)
+    target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
+endfunction()
+
+# leitstand_library(name FOLDERS a b ... [PUBLIC libs] [PRIVATE libs] [QT])
+# Takes every .cpp and .h of the folders.
+function(leitstand_library name)
+    cmake_parse_arguments(ARG "QT" "" "FOLDERS;PUBLIC;PRIVATE" ${ARGN})
+    set(sources)
+    foreach(folder ${ARG_FOLDERS})
+        file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
+        list(APPEND sources ${found})
+    endforeach()
+    add_library(${name} STATIC ${sources})
+    leitstand_warnings(${name})
+    target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+    if(ARG_QT)
+        set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    endif()
+endfunction()

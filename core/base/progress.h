@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+namespace leitstand {
+
+/// How a long piece of work reports how far it is, and learns that nobody wants it any more.
+struct Progress {
+    std::function<void(double fraction)> report;  ///< 0 to 1, called on the worker's thread; may be empty
+    std::stop_token stop;                         ///< asked often enough to end within some 100 ms
+
+    void done(double fraction) const {
+        if (report) report(fraction);
+    }
+    [[nodiscard]] bool cancelled() const { return stop.stop_requested(); }
+};
+
+}  // namespace leitstand

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/progress.h"
+#include "core/mapping/map.h"
+#include "core/mapping/registration_settings.h"
+
+namespace leitstand {
+
+/// Registers scans one after another into a map: label, filter, reduce, align, add (paper, section 2.1).
+/// One thread at a time.
+class Mapper {
+public:
+    explicit Mapper(RegistrationSettings settings);
+    ~Mapper();
+    Mapper(Mapper&&) noexcept;
+    Mapper& operator=(Mapper&&) noexcept;
+
+    /// Adds @p scan at its registered pose; returns false, and adds nothing, when @p progress was cancelled.
+    /// A scan that cannot be aligned enters at its guess with converged false.
+    bool add(const ScanPtr& scan, const Progress& progress = {});
+
+    /// The map so far, a snapshot.
+    [[nodiscard]] MapPtr map() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/registration/icp.h"
+#include "core/search/search.h"
+
+namespace leitstand {
+
+/// Filter for organised scans before the voxel grid.
+enum class ScanFilter : std::uint8_t { None, Median };
+
+/// Where the first pose of an alignment comes from.
+enum class GuessSource : std::uint8_t {
+    Odometry,  ///< the odometry's step since the previous scan, on top of that scan's registered pose;
+               ///< identity step for scans without odometry
+    Identity,  ///< the registered pose of the previous scan
+    Poses,     ///< RegistrationSettings::guessPoses, taken literally
+};
+
+/// What a scan is matched against.
+enum class Reference : std::uint8_t { Previous, Map };
+
+/// All that decides how a row of scans is registered; the defaults of `leitstandctl register`.
+struct RegistrationSettings {
+    double reduce = 0.10;                    ///< edge of the voxel grid, 0: all points [m]
+    ScanFilter filter = ScanFilter::None;    ///< the paper's median and reduction filter
+    double minRange = 0.4, maxRange = 30.0;  ///< nearer and farther points are left out [m]
+    SearchMethod search = SearchMethod::KdTree;
+    double epsilon = 0.5;  ///< of approximate and forest search
+    Minimizer minimizer = Minimizer::Gicp;
+    std::vector<double> maxDistances = {0.5};  ///< schedule of maximum pair distances [m]
+    int maxIterations = 500;                   ///< a scan, over all stages
+    GuessSource guess = GuessSource::Odometry;
+    std::vector<Pose> guessPoses;  ///< for GuessSource::Poses: scan in first scan, one a scan
+    Reference reference = Reference::Previous;
+    int threads = 0;  ///< 0: one per core
+};
+
+}  // namespace leitstand

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+#include <QWidget>
+
+#include "core/mapping/map.h"
+#include "widgets/map_view/map_view_settings.h"
+
+namespace leitstand {
+
+/// A point of the map under the cursor.
+struct PickedPoint {
+    Eigen::Vector3d pointInMap;  ///< [m]
+    int scan = -1;               ///< its scan's position in Map::scans
+    Label label = Label::Unlabelled;
+};
+
+/// Two picked points.
+struct Measurement {
+    Eigen::Vector3d from, to;  ///< in the map's frame [m]
+};
+
+/// Shows a map. A plain raster widget: VTK draws in its own EGL context on one render thread; the widget
+/// paints the picture last drawn. Mouse: left turns, middle or Shift+left shifts, wheel and right zooms.
+/// GUI thread only.
+class MapView final : public QWidget {
+    Q_OBJECT
+public:
+    explicit MapView(QWidget* parent = nullptr);
+    ~MapView() override;
+
+    /// Shows @p map; scans already shown only move, new ones are added. The camera frames the first map.
+    void setMap(MapPtr map);
+    /// Hides the scans whose entry is false; scans beyond the end are shown.
+    void setVisible(std::vector<bool> scanIsVisible);
+    using QWidget::setVisible;
+
+    void setSettings(const MapViewSettings& settings);
+    [[nodiscard]] const MapViewSettings& settings() const;
+
+    void setCamera(CameraPreset preset);
+
+    /// While on, left clicks pick the two ends of a measurement; Esc or off removes it.
+    void setMeasuring(bool on);
+    [[nodiscard]] std::optional<Measurement> measurement() const;
+
+    /// The point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first.
+    [[nodiscard]] std::optional<PickedPoint> pick(const QPoint& position) const;
+    /// Where a map point is drawn now, in widget coordinates; nothing when behind the camera.
+    [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& pointInMap) const;
+
+    /// The picture in full detail, drawn now with everything set so far; waits for the render thread.
+    [[nodiscard]] QImage picture();
+    /// Whether the picture on screen shows everything set so far in full detail.
+    [[nodiscard]] bool settled() const;
+
+signals:
+    void measured(const leitstand::Measurement& measurement);
+    void hovered(const std::optional<leitstand::PickedPoint>& point);
+    /// The render thread could not start; nothing will be drawn. In the user's language.
+    void failed(const QString& why);
+    /// The picture on screen is complete.
+    void becameSettled();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

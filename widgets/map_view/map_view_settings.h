@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace leitstand {
+
+/// The three looks of the paper's Figure 4.
+enum class MapLook : std::uint8_t { Points, Voxels, Top };
+
+/// What the colour of a point tells.
+enum class MapColouring : std::uint8_t { Label, Scan, Height, Range };
+
+/// Which poses are shown.
+enum class MapPoses : std::uint8_t { Registered, Guess };
+
+enum class CameraPreset : std::uint8_t { Reset, Top, Side };
+
+enum class Theme : std::uint8_t { Dark, Light };
+
+/// How the map is drawn.
+struct MapViewSettings {
+    MapLook look = MapLook::Points;
+    MapColouring colouring = MapColouring::Label;
+    MapPoses poses = MapPoses::Registered;
+    double voxelSize = 0.10;          ///< edge, 0.05 to 0.5 [m]
+    std::optional<double> minHeight;  ///< points below are hidden, in the map's frame [m]
+    std::optional<double> maxHeight;  ///< points above are hidden, in the map's frame [m]
+    Theme theme = Theme::Dark;
+
+    bool operator==(const MapViewSettings&) const = default;
+};
+
+}  // namespace leitstand
