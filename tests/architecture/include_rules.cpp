@@ -1,0 +1,158 @@
+#include "tests/architecture/include_rules.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace leitstand::test {
+namespace {
+
+struct Rule {
+    std::string_view folder;                ///< longest matching folder decides
+    std::vector<std::string_view> project;  ///< folders of ours that may be included
+    std::vector<std::string_view> foreign;  ///< libraries that may be included
+};
+
+const std::vector<Rule>& rules() {
+    static const std::vector<std::string_view> coreLibraries = {"Eigen", "tbb",    "fmt",
+                                                                "pcl",   "opencv", "zbar"};
+    static const std::vector<std::string_view> core = {"core/base",         "core/scan",    "core/search",
+                                                       "core/registration", "core/mapping", "core/perception",
+                                                       "core/robot",        "core/mission"};
+    static const auto with = [](std::vector<std::string_view> list, std::vector<std::string_view> more) {
+        list.insert(list.end(), more.begin(), more.end());
+        return list;
+    };
+    static const std::vector<Rule> all = {
+        {"core", core, coreLibraries},
+        {"core/io",
+         with(core, {"core/io"}),
+         {"Eigen", "fmt", "pcl", "gdal", "octomap", "sqlite3", "yaml-cpp", "nlohmann"}},
+        {"transport", with(core, {"transport"}), {"Eigen", "fmt", "fastdds", "openssl"}},
+        {"robots",
+         with(core, {"transport", "robots/kurt3d", "robots/crawler", "robots/control"}),
+         {"Eigen", "fmt"}},
+        {"robots/simulation",
+         with(core, {"core/io", "transport", "robots"}),
+         {"Eigen", "fmt", "embree", "CLI"}},
+        {"widgets/models", with(core, {"widgets/models"}), {"Eigen", "fmt", "Qt"}},
+        {"widgets", with(core, {"widgets"}), {"Eigen", "fmt", "Qt", "vtk", "EGL"}},
+        {"app/session", with(core, {"core/io", "transport", "app/session"}), {"Eigen", "fmt"}},
+        {"app/cli",
+         with(core, {"core/io", "transport", "app/session", "app/cli"}),
+         {"Eigen", "fmt", "CLI", "nlohmann", "Qt"}},
+        {"app/window",
+         with(core, {"app/session", "widgets", "app/window"}),
+         {"Eigen", "fmt", "CLI", "Qt", "SDL"}},
+    };
+    return all;
+}
+
+bool inFolder(std::string_view path, std::string_view folder) {
+    return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
+}
+
+const Rule* ruleOf(std::string_view path) {
+    const Rule* best = nullptr;
+    for (const Rule& rule : rules()) {
+        if (inFolder(path, rule.folder) && (best == nullptr || rule.folder.size() > best->folder.size())) {
+            best = &rule;
+        }
+    }
+    return best;
+}
+
+/// The header between quotes or angle brackets of an #include line.
+std::optional<std::string_view> includedHeader(std::string_view line) {
+    const auto skipBlanks = [&line] {
+        while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+    };
+    skipBlanks();
+    if (!line.starts_with('#')) return std::nullopt;
+    line.remove_prefix(1);
+    skipBlanks();
+    if (!line.starts_with("include")) return std::nullopt;
+    const auto begin = line.find_first_of("\"<");
+    const auto end = line.find_last_of("\">");
+    if (begin == std::string_view::npos || end <= begin) return std::nullopt;
+    return line.substr(begin + 1, end - begin - 1);
+}
+
+bool isProject(std::string_view header) {
+    for (const std::string_view top : {"core/", "transport/", "robots/", "widgets/", "app/", "tests/"}) {
+        if (header.starts_with(top)) return true;
+    }
+    return false;
+}
+
+/// The library a header belongs to; empty for the standard library, the C library and the compiler.
+std::string_view libraryOf(std::string_view header) {
+    static const std::vector<std::pair<std::string_view, std::string_view>> prefixes = {
+        {"Eigen/", "Eigen"},
+        {"tbb/", "tbb"},
+        {"oneapi/", "tbb"},
+        {"fmt/", "fmt"},
+        {"pcl/", "pcl"},
+        {"opencv2/", "opencv"},
+        {"zbar", "zbar"},
+        {"vtk", "vtk"},
+        {"EGL/", "EGL"},
+        {"CLI/", "CLI"},
+        {"nlohmann/", "nlohmann"},
+        {"gdal", "gdal"},
+        {"octomap/", "octomap"},
+        {"sqlite3", "sqlite3"},
+        {"yaml-cpp/", "yaml-cpp"},
+        {"fastdds/", "fastdds"},
+        {"fastrtps/", "fastdds"},
+        {"openssl/", "openssl"},
+        {"embree3/", "embree"},
+        {"SDL2/", "SDL"},
+        {"Qt", "Qt"},
+        {"boost/", "boost"},
+        {"rclcpp/", "ROS"},
+    };
+    for (const auto& [prefix, library] : prefixes) {
+        if (header.starts_with(prefix)) return library;
+    }
+    if (header.size() > 1 && header[0] == 'Q' && std::isupper(static_cast<unsigned char>(header[1])) != 0) {
+        return "Qt";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> includeViolations(std::string_view path, std::string_view text) {
+    const Rule* rule = ruleOf(path);
+    if (rule == nullptr) return {fmt::format("{}: stands in no folder of design section 2", path)};
+    std::vector<std::string> found;
+    std::size_t number = 0;
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        const auto header = includedHeader(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++number;
+        if (!header) continue;
+        if (isProject(*header)) {
+            const bool allowed =
+                std::any_of(rule->project.begin(), rule->project.end(),
+                            [&](std::string_view folder) { return inFolder(*header, folder); });
+            if (!allowed)
+                found.push_back(
+                    fmt::format("{}:{}: {} may not include {}", path, number, rule->folder, *header));
+            continue;
+        }
+        const std::string_view library = libraryOf(*header);
+        if (library.empty()) continue;
+        if (std::find(rule->foreign.begin(), rule->foreign.end(), library) == rule->foreign.end()) {
+            found.push_back(
+                fmt::format("{}:{}: {} may not use {} ({})", path, number, rule->folder, library, *header));
+        }
+    }
+    return found;
+}
+
+}  // namespace leitstand::test
