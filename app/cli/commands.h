@@ -1,0 +1,17 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace leitstand::cli {
+
+// Each function adds one subcommand to @p app. When the user chose it, it runs during App::parse and sets
+// @p exitCode: 0 ok, 1 the job failed. Results go to stdout; errors, warnings and progress to stderr.
+
+/// `register`: registers scans into a map.
+void addRegister(CLI::App& app, int& exitCode);
+/// `table1`: measures Table 1 of the paper anew.
+void addTable1(CLI::App& app, int& exitCode);
+
+}  // namespace leitstand::cli

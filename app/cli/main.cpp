@@ -1,0 +1,18 @@
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+
+int main(int argc, char** argv) {
+    CLI::App app("Leitstand's work without a window: registers scans, measures, converts.", "leitstandctl");
+    app.set_version_flag("--version", LEITSTAND_VERSION);
+    app.require_subcommand(1);
+    int exitCode = 0;
+    leitstand::cli::addRegister(app, exitCode);
+    leitstand::cli::addTable1(app, exitCode);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    return exitCode;
+}

@@ -1,0 +1,143 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/register_options.h"
+#include "app/cli/register_report.h"
+#include "core/io/cloud_writer.h"
+#include "core/io/scan_source.h"
+#include "core/io/tum.h"
+#include "core/mapping/mapper.h"
+
+namespace leitstand::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void complain(ProgressLine& line, const std::string& text) {
+    line.clear();
+    fmt::print(stderr, "leitstandctl: {}\n", text);
+}
+
+/// A scan's file that could be read, and its place among the files.
+struct LoadedScan {
+    ScanPtr scan;
+    std::size_t position = 0;
+};
+
+/// Reads all files that can be read; complains about the others and counts them in @p broken.
+std::vector<LoadedScan> load(const std::vector<std::filesystem::path>& files, const std::stop_token& stop,
+                             ProgressLine& line, int& broken) {
+    std::vector<LoadedScan> scans;
+    for (std::size_t i = 0; i < files.size() && !stop.stop_requested(); ++i) {
+        line.show("reading " + files[i].filename().string(), double(i) / double(files.size()));
+        auto reading = readScan(files[i]);
+        if (!reading) {
+            complain(line, reading.error().text);
+            ++broken;
+            continue;
+        }
+        for (const std::string& warning : reading->warnings) complain(line, warning);
+        scans.push_back({std::make_shared<const Scan>(std::move(reading).value().scan), i});
+    }
+    return scans;
+}
+
+/// Keeps the guess poses of the scans that could be read; an error when there are not as many poses as files.
+Result<void> matchGuesses(RegistrationSettings& settings, const std::vector<LoadedScan>& scans,
+                          std::size_t files) {
+    if (settings.guess != GuessSource::Poses) return {};
+    if (settings.guessPoses.size() != files) {
+        return Error{fmt::format("--guess: expected {} poses, one a scan, found {}", files,
+                                 settings.guessPoses.size())};
+    }
+    std::vector<Pose> kept;
+    for (const LoadedScan& scan : scans) kept.push_back(settings.guessPoses[scan.position]);
+    settings.guessPoses = kept;
+    return {};
+}
+
+bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& line) {
+    bool ok = true;
+    const auto report = [&](const Result<void>& written) {
+        if (written) return;
+        complain(line, written.error().text);
+        ok = false;
+    };
+    if (!options.posesFile.empty()) {
+        std::vector<TimedPose> poses;
+        for (std::size_t i = 0; i < map.scans.size(); ++i) {
+            const Time stamp = map.scans[i].scan->end;
+            // Scans without a time are numbered in seconds: TUM lines must have rising stamps.
+            poses.push_back(
+                {stamp == Time{} ? Time(std::chrono::seconds(i)) : stamp, map.scans[i].poseInMap});
+        }
+        report(writeTum(options.posesFile, poses));
+    }
+    if (!options.mapFile.empty()) {
+        std::vector<PlacedScan> placed;
+        for (const MapScan& scan : map.scans) placed.push_back({scan.scan, scan.poseInMap});
+        report(writeMapCloud(options.mapFile, placed));
+    }
+    return ok;
+}
+
+int runRegister(const RegisterOptions& options) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    auto settings = resolvedSettings(options);
+    const auto files = listScans(options.sources);
+    if (!settings || !files) {
+        complain(line, !settings ? settings.error().text : files.error().text);
+        return 1;
+    }
+    int broken = 0;
+    const auto started = Clock::now();
+    const std::vector<LoadedScan> scans = load(*files, interrupt.token(), line, broken);
+    RegistrationSettings chosen = *settings;
+    if (const auto matched = matchGuesses(chosen, scans, files->size()); !matched) {
+        complain(line, matched.error().text);
+        return 1;
+    }
+    Mapper mapper(chosen);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const auto show = [&](double fraction) {
+            line.show("registering " + scans[i].scan->name, (double(i) + fraction) / double(scans.size()));
+        };
+        if (!mapper.add(scans[i].scan, {show, interrupt.token()})) break;
+    }
+    const MapPtr map = mapper.map();
+    const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    line.clear();
+    fmt::print("{}", options.json ? registerJson(*map, seconds) + "\n" : registerTable(*map, seconds));
+    const bool written = writeOutputs(options, *map, line);
+    if (interrupt.token().stop_requested()) {
+        complain(line,
+                 fmt::format("interrupted: {} of {} scans are registered", map->scans.size(), files->size()));
+        return 1;
+    }
+    return written && broken == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void addRegister(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("register", "registers 3D scans into one map");
+    const auto options = std::make_shared<RegisterOptions>();
+    declareRegisterOptions(*command, *options);
+    command->final_callback([options, &exitCode] {
+        if (options->range[0] >= options->range[1]) {
+            throw CLI::ValidationError("--range", "the nearest range must be below the farthest");
+        }
+        exitCode = runRegister(*options);
+    });
+}
+
+}  // namespace leitstand::cli
