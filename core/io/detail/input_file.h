@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "core/base/result.h"
+
+namespace leitstand::detail {
+
+/// A regular file opened for reading; nothing of it is kept in memory.
+class InputFile {
+public:
+    /// Opens @p path; an error when it is absent, a directory or not readable.
+    [[nodiscard]] static Result<InputFile> open(const std::filesystem::path& path);
+
+    /// Reads up to @p count bytes; fewer only at the end of the file.
+    [[nodiscard]] Result<std::size_t> read(char* to, std::size_t count);
+    /// Goes to byte @p offset.
+    [[nodiscard]] Result<void> seek(std::uint64_t offset);
+
+    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+    [[nodiscard]] std::uint64_t size() const { return m_size; }  ///< when it was opened [bytes]
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::filesystem::path m_path;
+    std::unique_ptr<std::FILE, Close> m_file;
+    std::uint64_t m_size = 0;
+};
+
+}  // namespace leitstand::detail

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace leitstand::detail {
+
+/// A file that appears whole or not at all: written beside its target under a temporary name and renamed at
+/// the end.
+class OutputFile {
+public:
+    /// Creates the temporary file; an error when the folder is absent or not writable.
+    [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& target);
+    OutputFile(OutputFile&&) noexcept = default;
+    OutputFile& operator=(OutputFile&&) = delete;
+    ~OutputFile();
+
+    /// Appends @p bytes; the first failure is kept and told by commit().
+    void write(std::string_view bytes);
+    /// Brings everything to the disk and puts it in the target's place.
+    [[nodiscard]] Result<void> commit();
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    OutputFile() = default;
+    [[nodiscard]] Error problem(int number) const;
+
+    std::filesystem::path m_target, m_temporary;
+    std::unique_ptr<std::FILE, Close> m_file;
+    int m_failed = 0;  // errno of the first failure
+};
+
+/// Writes @p text to @p target, whole or not at all.
+[[nodiscard]] Result<void> writeWhole(const std::filesystem::path& target, std::string_view text);
+
+}  // namespace leitstand::detail
