@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+namespace leitstand {
+
+/// Sums over point pairs: all that a closed form needs. Coordinates may stand in any two frames.
+struct PairSums {
+    std::size_t count = 0;
+    Eigen::Vector3d source = Eigen::Vector3d::Zero();   ///< sum of the source points [m]
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();   ///< sum of the target points [m]
+    Eigen::Matrix3d product = Eigen::Matrix3d::Zero();  ///< sum of source * target^T [m^2]
+    double squaredDistances = 0.0;  ///< sum over the pairs, where the source stands now [m^2]
+
+    void add(const Eigen::Vector3d& sourcePoint, const Eigen::Vector3d& targetPoint);
+    PairSums& operator+=(const PairSums& other);
+
+    [[nodiscard]] Eigen::Vector3d sourceMean() const { return source / static_cast<double>(count); }
+    [[nodiscard]] Eigen::Vector3d targetMean() const { return target / static_cast<double>(count); }
+    /// Sum of (source - mean) * (target - mean)^T: the matrix H of equation (7) in the paper, transposed
+    /// [m^2].
+    [[nodiscard]] Eigen::Matrix3d covariance() const;
+    /// Root of the mean squared distance of the pairs [m]; 0 without pairs.
+    [[nodiscard]] double rms() const;
+};
+
+}  // namespace leitstand
