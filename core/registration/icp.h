@@ -43,17 +43,34 @@ struct IcpTimes {
 /// What an alignment found and how far it is to be trusted.
 struct IcpResult {
     Pose pose = Pose::Identity();  ///< source in target
-    bool converged = false;        ///< true for Converged and for a LimitCycle below 1 mm and 0.02 degrees
+    bool converged = false;        ///< Converged, or a LimitCycle smaller than 1 mm and 0.02 degrees
     IcpStop stop = IcpStop::IterationLimit;
     int iterations = 0;
-    double rms = 0.0;          ///< of the pairs at the end [m]
-    double inlierRatio = 0.0;  ///< pairs within the last maxDistance over source points
-    double overlap = 0.0;      ///< source points with a partner within 10 cm, over source points
-    Eigen::Matrix<double, 6, 6> information =
-        Eigen::Matrix<double, 6, 6>::Zero();  ///< of the pose, translation
-                                              ///< first, per pair
-    double certainty = 0.0;                   ///< smallest eigenvalue of the normalised information, 0 to 1
+    double rms = 0.0;          ///< distance of the pairs within the last maximum distance [m]
+    double inlierRatio = 0.0;  ///< pairs within the last maximum distance over source points
+    double overlap = 0.0;      ///< source points with a partner within OverlapDistance over source points
+    /// Information on the pose from the pairs' normals, per pair: mean of j j^T with j = [n, (q - c) x n / r]
+    /// for a source point q, the pairs' mean c and their root mean squared distance r from it; translation
+    /// first, in the target's frame. Zero when neither cloud has normals.
+    Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
+    /// Three times the smallest eigenvalue of the information: 1 when surfaces face all ways alike, 0 when a
+    /// motion is not seen at all. Below UncertainBelow a direction is to be taken as open.
+    double certainty = 0.0;
+    Eigen::Matrix<double, 6, 1> weakest =
+        Eigen::Matrix<double, 6, 1>::Zero();  ///< its eigenvector, unit length
     IcpTimes times;
+
+    static constexpr double OverlapDistance = 0.10;  ///< [m]
+    static constexpr double UncertainBelow = 0.02;
+    [[nodiscard]] bool certain() const { return certainty >= UncertainBelow; }
 };
+
+/// Moves @p source onto @p target, starting at @p guess: closest pairs, the minimiser's step, and so on,
+/// stage after stage (Besl & McKay 1992; paper, section 2.1). @p search is over @p target. Plane and Gicp
+/// want normals of the target, Gicp of the source too; without them they end at once as Degenerate. The
+/// result does not depend on the number of threads.
+[[nodiscard]] IcpResult align(const PointCloud& target, const Search& search, const PointCloud& source,
+                              const Pose& guess, const IcpSettings& settings = {},
+                              const Progress& progress = {});
 
 }  // namespace leitstand

@@ -1,0 +1,75 @@
+#include "core/registration/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace leitstand {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// The surface normal at a pair in the target's frame: the target's, or else the source's; zero when unknown.
+Eigen::Vector3d normalOf(const Pairing& pairing, const Pose& pose, std::size_t source, std::size_t target) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    if (!pairing.target().normals.empty()) normal = pairing.target().normals[target].cast<double>();
+    if (normal.squaredNorm() < 0.5 && !pairing.source().normals.empty()) {
+        normal = pose.linear() * pairing.source().normals[source].cast<double>();
+    }
+    return normal;
+}
+
+/// Mean of j j^T over the pairs within @p maxSquared, see IcpResult::information.
+Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
+                      double maxSquared) {
+    Matrix6 sum = Matrix6::Zero();
+    double radiusSquared = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pairing.partners().size(); ++i) {
+        const Partner& partner = pairing.partners()[i];
+        if (partner.index < 0 || partner.squaredDistance >= maxSquared) continue;
+        const Eigen::Vector3d normal = normalOf(pairing, pose, i, static_cast<std::size_t>(partner.index));
+        if (normal.squaredNorm() < 0.5) continue;
+        const Eigen::Vector3d arm = pose * pairing.source().points[i].cast<double>() - centre;
+        Vector6 row;
+        row << normal, arm.cross(normal);
+        sum.noalias() += row * row.transpose();
+        radiusSquared += arm.squaredNorm();
+        ++count;
+    }
+    if (count == 0 || radiusSquared <= 0.0) return Matrix6::Zero();
+    const auto n = static_cast<double>(count);
+    Vector6 scale = Vector6::Ones();
+    scale.tail<3>() *= 1.0 / std::sqrt(radiusSquared / n);
+    return scale.asDiagonal() * (sum / n) * scale.asDiagonal();
+}
+
+}  // namespace
+
+void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
+    const PairSums sums = pairing.update(result.pose, std::max(maxDistance, IcpResult::OverlapDistance));
+    const double maxSquared = maxDistance * maxDistance;
+    constexpr double overlapSquared = IcpResult::OverlapDistance * IcpResult::OverlapDistance;
+    std::size_t inliers = 0, overlapping = 0;
+    double squares = 0.0;
+    for (const Partner& partner : pairing.partners()) {
+        if (partner.index < 0) continue;
+        if (partner.squaredDistance < overlapSquared) ++overlapping;
+        if (partner.squaredDistance >= maxSquared) continue;
+        ++inliers;
+        squares += static_cast<double>(partner.squaredDistance);
+    }
+    if (inliers == 0) return;
+    const auto points = static_cast<double>(pairing.source().size());
+    result.rms = std::sqrt(squares / static_cast<double>(inliers));
+    result.inlierRatio = static_cast<double>(inliers) / points;
+    result.overlap = static_cast<double>(overlapping) / points;
+    result.information = informationOf(pairing, result.pose, sums.sourceMean(), maxSquared);
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(result.information);
+    result.certainty = std::clamp(3.0 * solver.eigenvalues()[0], 0.0, 1.0);
+    result.weakest = solver.eigenvectors().col(0);
+}
+
+}  // namespace leitstand

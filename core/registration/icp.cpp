@@ -1,0 +1,123 @@
+#include "core/registration/icp.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core/registration/closed_forms.h"
+#include "core/registration/evaluation.h"
+#include "core/registration/normal_equations.h"
+#include "core/registration/pairing.h"
+#include "core/registration/pose_history.h"
+
+namespace leitstand {
+namespace {
+
+/// Adds the time it lives to a sum.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& seconds) : m_seconds(seconds) {}
+    ~Stopwatch() { m_seconds += std::chrono::duration<double>(Clock::now() - m_start).count(); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& m_seconds;
+    Clock::time_point m_start = Clock::now();
+};
+
+/// What a minimiser makes of the pairs: a motion to put before the pose, and what the pose cost per pair.
+struct Step {
+    std::optional<Pose> motion;
+    double cost = 0.0;
+};
+
+Fit closedForm(const PairSums& sums, Minimizer minimizer) {
+    switch (minimizer) {
+        case Minimizer::Quaternion:
+            return fitByQuaternion(sums);
+        case Minimizer::Orthonormal:
+            return fitByOrthonormal(sums);
+        case Minimizer::DualQuaternion:
+            return fitByDualQuaternion(sums);
+        default:
+            return fitBySvd(sums);
+    }
+}
+
+Step minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
+    const auto count = static_cast<double>(sums.count);
+    if (minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp) {
+        const NormalEquations equations = minimizer == Minimizer::Plane
+                                              ? planeEquations(pairing, pose, sums.sourceMean())
+                                              : gicpEquations(pairing, pose, sums.sourceMean());
+        return {equations.solve(), equations.cost / count};
+    }
+    const Fit fit = closedForm(sums, minimizer);
+    const bool usable = fit.outcome == FitOutcome::Ok || fit.outcome == FitOutcome::Mirror;
+    return {usable ? std::optional(fit.pose) : std::nullopt, sums.squaredDistances / count};
+}
+
+bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer minimizer) {
+    if (minimizer == Minimizer::Gicp && source.normals.empty()) return false;
+    return (minimizer != Minimizer::Gicp && minimizer != Minimizer::Plane) || !target.normals.empty();
+}
+
+/// Runs one stage of the schedule from @p result.pose on; how it ended.
+IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settings, const Progress& progress,
+                 IcpResult& result) {
+    PoseHistory history;
+    while (result.iterations < settings.maxIterations) {
+        if (progress.cancelled()) return IcpStop::Cancelled;
+        PairSums sums;
+        {
+            const Stopwatch watch(result.times.pairing);
+            sums = pairing.update(result.pose, maxDistance);
+        }
+        if (sums.count < 3) return IcpStop::Degenerate;
+        const Stopwatch watch(result.times.minimising);
+        const Step step = minimise(pairing, sums, result.pose, settings.minimizer);
+        if (!step.motion) return IcpStop::Degenerate;
+        history.add(result.pose, step.cost);
+        const Pose next = orthonormalised(*step.motion * result.pose);
+        const double moved = std::max(distanceBetween(next, result.pose), angleBetween(next, result.pose));
+        result.pose = next;
+        ++result.iterations;
+        if (moved < settings.minStep) return IcpStop::Converged;
+        if (const std::size_t length = history.cycle(settings.minStep); length > 0) {
+            result.pose = history.best(length);
+            const PoseHistory::Extent size = history.extent(length);
+            result.converged =
+                size.distance <= PoseHistory::CycleDistance && size.angle <= PoseHistory::CycleAngle;
+            return IcpStop::LimitCycle;
+        }
+    }
+    return IcpStop::IterationLimit;
+}
+
+}  // namespace
+
+IcpResult align(const PointCloud& target, const Search& search, const PointCloud& source, const Pose& guess,
+                const IcpSettings& settings, const Progress& progress) {
+    IcpResult result;
+    result.pose = guess;
+    if (settings.maxDistances.empty() || !hasNormals(target, source, settings.minimizer)) {
+        result.stop = IcpStop::Degenerate;
+        return result;
+    }
+    Pairing pairing(target, search, source, settings.threads);
+    for (std::size_t stage = 0; stage < settings.maxDistances.size(); ++stage) {
+        progress.done(static_cast<double>(stage) / static_cast<double>(settings.maxDistances.size()));
+        result.converged = false;
+        result.stop = runStage(pairing, settings.maxDistances[stage], settings, progress, result);
+        if (result.stop == IcpStop::Converged) result.converged = true;
+        if (result.stop != IcpStop::Converged && result.stop != IcpStop::LimitCycle) break;
+    }
+    const Stopwatch watch(result.times.evaluating);
+    evaluate(pairing, settings.maxDistances.back(), result);
+    progress.done(1.0);
+    return result;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/registration/pairing.h"
+
+namespace leitstand {
+
+/// The linearised least-squares problem of a Gauss-Newton step: hessian * step = -gradient. The step moves
+/// the source in the target's frame, turning it about @p centre; translation first [m, rad].
+struct NormalEquations {
+    Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< in the target's frame [m]
+    double cost = 0.0;                                 ///< half the sum of weighted squares [m^2]
+
+    /// The motion to put before the source's pose; nothing when the pairs leave a direction open.
+    [[nodiscard]] std::optional<Pose> solve() const;
+};
+
+/// Point to plane (Chen & Medioni 1991): distances along the target's normals. Pairs without a normal are
+/// left out. @p centre: a point amid the source, in the target's frame.
+[[nodiscard]] NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarget,
+                                             const Eigen::Vector3d& centre);
+
+/// Plane to plane (Segal, Haehnel & Thrun 2009): a point is uncertain by 1 along its surface and by 1e-3
+/// across (the paper's epsilon), so the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
+/// normals.
+[[nodiscard]] NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
+                                            const Eigen::Vector3d& centre);
+
+}  // namespace leitstand

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/registration/pair_sums.h"
+#include "core/scan/scan.h"
+#include "core/search/search.h"
+
+namespace leitstand {
+
+/// A source point with its partner in the target.
+struct Partner {
+    std::int32_t index = -1;       ///< in the target cloud; -1: none near enough
+    float squaredDistance = 0.0F;  ///< [m^2]; only where there is a partner
+};
+
+/// The closest points of an ICP. Remembers every point's partner, which bounds the next search: the new
+/// partner is never farther than the old one. Refers to both clouds and the search. One thread at a time.
+class Pairing {
+public:
+    /// @p threads: 0 is one per core. Results do not depend on it.
+    Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads);
+
+    /// Finds the partners nearer than @p maxDistance [m] of the source at @p sourceInTarget; their sums with
+    /// the source points in the target's frame.
+    PairSums update(const Pose& sourceInTarget, double maxDistance);
+
+    [[nodiscard]] const std::vector<Partner>& partners() const { return m_partners; }
+    [[nodiscard]] const PointCloud& target() const { return m_target; }
+    [[nodiscard]] const PointCloud& source() const { return m_source; }
+    [[nodiscard]] int threads() const { return m_threads; }
+
+    static constexpr std::size_t Grain = 2'048;  ///< points of a chunk; sums are joined in the chunks' order
+
+private:
+    PairSums updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,
+                         const Eigen::Vector3f& translation, float maxSquaredDistance);
+
+    const PointCloud& m_target;
+    const Search& m_search;
+    const PointCloud& m_source;
+    int m_threads;
+    std::vector<Partner> m_partners;
+};
+
+}  // namespace leitstand

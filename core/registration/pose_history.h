@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/pose.h"
+
+namespace leitstand {
+
+/// The poses that an ICP went through, to tell slow progress from running in circles: with a maximum pair
+/// distance pairs can come and go for ever.
+class PoseHistory {
+public:
+    /// Notes a pose and what it costs per pair.
+    void add(const Pose& pose, double cost);
+    void clear() { m_entries.clear(); }
+
+    /// Length of the cycle that the last poses run in: they came back twice to within @p tolerance [m, rad],
+    /// or wander within CycleSize without getting anywhere; 0: no cycle.
+    [[nodiscard]] std::size_t cycle(double tolerance) const;
+    /// The cheapest of the last @p count poses.
+    [[nodiscard]] const Pose& best(std::size_t count) const;
+    /// Largest distance [m] and angle [rad] of the last @p count poses from best().
+    struct Extent {
+        double distance = 0.0, angle = 0.0;
+    };
+    [[nodiscard]] Extent extent(std::size_t count) const;
+
+    static constexpr double CycleDistance = 1e-3;        ///< [m]
+    static constexpr double CycleAngle = degrees(0.02);  ///< [rad]
+
+private:
+    struct Entry {
+        Pose pose;
+        double cost;
+    };
+    [[nodiscard]] bool wanders() const;
+    [[nodiscard]] bool repeats(std::size_t period, double tolerance) const;
+
+    std::vector<Entry> m_entries;
+};
+
+}  // namespace leitstand
