@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// Which point stands for a voxel.
+enum class VoxelPoint : std::uint8_t {
+    Nearest,   ///< the real point nearest to the centroid, with its label and normal
+    Centroid,  ///< the centroid, with the commonest label and the mean normal
+};
+
+/// One point for each cube of edge @p edge [m] that holds any; the grid begins at the frame's origin. Points
+/// that are not finite, or farther than 2^20 edges from the origin, are left out. @p edge must be above 0.
+[[nodiscard]] PointCloud voxelGrid(const PointCloud& cloud, double edge,
+                                   VoxelPoint kept = VoxelPoint::Nearest);
+
+}  // namespace leitstand
