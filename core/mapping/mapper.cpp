@@ -1,0 +1,120 @@
+#include "core/mapping/mapper.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/mapping/metascan.h"
+#include "core/mapping/scan_preparation.h"
+
+namespace leitstand {
+namespace {
+
+/// Metascans of all points are thinned to this, a scanner's noise [m].
+constexpr double FinestMetascan = 0.01;
+/// Share of a scan's work that is done once it is prepared, for the progress.
+constexpr double PreparedFraction = 0.3;
+
+IcpSettings icpSettings(const RegistrationSettings& settings) {
+    IcpSettings icp;
+    icp.maxDistances = settings.maxDistances;
+    icp.maxIterations = settings.maxIterations;
+    icp.minimizer = settings.minimizer;
+    icp.threads = settings.threads;
+    return icp;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+struct Mapper::State {
+    explicit State(RegistrationSettings chosen)
+        : settings(std::move(chosen)), metascan(settings.reduce > 0.0 ? settings.reduce : FinestMetascan) {}
+
+    /// Where @p scan is to start, in the map.
+    [[nodiscard]] Pose guessOf(const Scan& scan) const {
+        if (settings.guess == GuessSource::Poses && map.scans.size() < settings.guessPoses.size()) {
+            const Pose& first = settings.guessPoses.front();
+            return map.scans.empty() ? Pose::Identity()
+                                     : first.inverse() * settings.guessPoses[map.scans.size()];
+        }
+        if (map.scans.empty()) return Pose::Identity();
+        const MapScan& previous = map.scans.back();
+        if (settings.guess == GuessSource::Odometry && scan.hasOdometry && previous.scan->hasOdometry) {
+            return previous.poseInMap * previous.scan->sensorInOdom.inverse() * scan.sensorInOdom;
+        }
+        return previous.poseInMap;
+    }
+
+    /// Makes @p cloud what the next scan is matched against; an empty one is passed over.
+    void setTarget(PointCloud cloud, const Pose& cloudInMap) {
+        if (cloud.points.empty()) return;
+        search.reset();
+        if (settings.reference == Reference::Map) {
+            metascan.add(cloud, cloudInMap);
+        } else {
+            previousCloud = std::move(cloud);
+            targetInMap = cloudInMap;
+        }
+        search = makeSearch(target(), settings.search, settings.epsilon);
+    }
+
+    [[nodiscard]] const PointCloud& target() const {
+        return settings.reference == Reference::Map ? metascan.cloud() : previousCloud;
+    }
+
+    RegistrationSettings settings;
+    Map map;
+    PointCloud previousCloud;  // unless against the map
+    Metascan metascan;         // in the map's frame
+    Pose targetInMap = Pose::Identity();
+    std::unique_ptr<Search> search;  // over target(); none before the first scan with points
+};
+
+Mapper::Mapper(RegistrationSettings settings) : m_state(std::make_unique<State>(std::move(settings))) {}
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    if (progress.cancelled()) return false;
+    MapScan entry;
+    entry.scan = labelled(scan);
+    for (const Label label : entry.scan->labels) ++entry.labelCounts[static_cast<std::size_t>(label)];
+    if (progress.cancelled()) return false;
+    PointCloud cloud = prepared(*entry.scan, m_state->settings);
+    entry.pointsUsed = cloud.size();
+    entry.guessInMap = entry.poseInMap = m_state->guessOf(*scan);
+    progress.done(PreparedFraction);
+    if (!m_state->map.scans.empty()) {
+        entry.registered = true;
+        if (m_state->search) {
+            const Progress aligning{[&](double fraction) {
+                                        progress.done(PreparedFraction + (1.0 - PreparedFraction) * fraction);
+                                    },
+                                    progress.stop};
+            entry.icp = align(m_state->target(), *m_state->search, cloud,
+                              m_state->targetInMap.inverse() * entry.guessInMap,
+                              icpSettings(m_state->settings), aligning);
+            if (entry.icp.stop == IcpStop::Cancelled) return false;
+            if (entry.icp.stop != IcpStop::Degenerate)
+                entry.poseInMap = m_state->targetInMap * entry.icp.pose;
+        } else {
+            entry.icp.stop = IcpStop::Degenerate;
+        }
+    }
+    m_state->setTarget(std::move(cloud), entry.poseInMap);
+    entry.seconds = secondsSince(start);
+    m_state->map.scans.push_back(std::move(entry));
+    progress.done(1.0);
+    return true;
+}
+
+MapPtr Mapper::map() const {
+    return std::make_shared<const Map>(m_state->map);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,45 @@
+#include "core/mapping/scan_preparation.h"
+
+#include "core/scan/labels.h"
+#include "core/scan/median_filter.h"
+#include "core/scan/normals.h"
+#include "core/scan/range_filter.h"
+#include "core/scan/voxel_grid.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int NormalNeighbours = 20;
+
+PointCloud filtered(const Scan& scan, std::span<const Eigen::Vector3f> normals,
+                    const RegistrationSettings& settings) {
+    if (settings.filter == ScanFilter::None) {
+        return pointsInRange(scan, normals, settings.minRange, settings.maxRange);
+    }
+    MedianFilterSettings filter;
+    filter.minRange = settings.minRange;
+    filter.maxRange = settings.maxRange;
+    return medianReduced(scan, normals, filter);
+}
+
+}  // namespace
+
+ScanPtr labelled(const ScanPtr& scan) {
+    if (scan->labels.size() == scan->points.size()) return scan;
+    auto copy = std::make_shared<Scan>(*scan);
+    copy->labels = labelScan(*scan);
+    return copy;
+}
+
+PointCloud prepared(const Scan& scan, const RegistrationSettings& settings) {
+    const std::vector<Eigen::Vector3f> normals =
+        scan.organised() ? gridNormals(scan) : std::vector<Eigen::Vector3f>();
+    PointCloud cloud = filtered(scan, normals, settings);
+    if (settings.reduce > 0.0) cloud = voxelGrid(cloud, settings.reduce);
+    if (cloud.normals.empty()) {
+        cloud.normals = knnNormals(cloud.points, NormalNeighbours, Eigen::Vector3f::Zero(), settings.threads);
+    }
+    return cloud;
+}
+
+}  // namespace leitstand

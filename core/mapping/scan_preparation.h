@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/mapping/registration_settings.h"
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// @p scan with labels: itself where it has them, else a copy labelled by labelScan().
+[[nodiscard]] ScanPtr labelled(const ScanPtr& scan);
+
+/// The points of a labelled @p scan that take part in registration: within the range, filtered and reduced as
+/// @p settings say, each with its label and normal. Normals of organised scans come from the whole grid,
+/// before anything is left out; those of other scans from the neighbours among the points that are left.
+[[nodiscard]] PointCloud prepared(const Scan& scan, const RegistrationSettings& settings);
+
+}  // namespace leitstand
