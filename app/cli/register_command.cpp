@@ -8,6 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/register_options.h"
 #include "app/cli/register_report.h"
@@ -20,35 +21,6 @@ namespace leitstand::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-void complain(ProgressLine& line, const std::string& text) {
-    line.clear();
-    fmt::print(stderr, "leitstandctl: {}\n", text);
-}
-
-/// A scan's file that could be read, and its place among the files.
-struct LoadedScan {
-    ScanPtr scan;
-    std::size_t position = 0;
-};
-
-/// Reads all files that can be read; complains about the others and counts them in @p broken.
-std::vector<LoadedScan> load(const std::vector<std::filesystem::path>& files, const std::stop_token& stop,
-                             ProgressLine& line, int& broken) {
-    std::vector<LoadedScan> scans;
-    for (std::size_t i = 0; i < files.size() && !stop.stop_requested(); ++i) {
-        line.show("reading " + files[i].filename().string(), double(i) / double(files.size()));
-        auto reading = readScan(files[i]);
-        if (!reading) {
-            complain(line, reading.error().text);
-            ++broken;
-            continue;
-        }
-        for (const std::string& warning : reading->warnings) complain(line, warning);
-        scans.push_back({std::make_shared<const Scan>(std::move(reading).value().scan), i});
-    }
-    return scans;
-}
 
 /// Keeps the guess poses of the scans that could be read; an error when there are not as many poses as files.
 Result<void> matchGuesses(RegistrationSettings& settings, const std::vector<LoadedScan>& scans,
@@ -100,7 +72,7 @@ int runRegister(const RegisterOptions& options) {
     }
     int broken = 0;
     const auto started = Clock::now();
-    const std::vector<LoadedScan> scans = load(*files, interrupt.token(), line, broken);
+    const std::vector<LoadedScan> scans = loadScans(*files, interrupt.token(), line, broken);
     RegistrationSettings chosen = *settings;
     if (const auto matched = matchGuesses(chosen, scans, files->size()); !matched) {
         complain(line, matched.error().text);
