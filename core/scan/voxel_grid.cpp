@@ -1,13 +1,11 @@
 #include "core/scan/voxel_grid.h"
 
-#include "core/scan/label_votes.h"
-
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
 
 #include "core/scan/cell_table.h"
+#include "core/scan/label_votes.h"
 
 namespace leitstand {
 namespace {
@@ -82,15 +80,13 @@ std::vector<Eigen::Vector3f> meanNormals(const PointCloud& cloud, const Cells& c
 }
 
 std::vector<Label> commonestLabels(const PointCloud& cloud, const Cells& cells) {
-    std::vector<std::array<std::uint32_t, LabelCount>> counts(cells.sums.size());
+    std::vector<LabelVotes> votes(cells.sums.size());
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-        if (cells.ofPoints[i] == CellTable::Outside) continue;
-        ++counts[cells.ofPoints[i]][static_cast<std::size_t>(cloud.labels[i])];
+        if (cells.ofPoints[i] != CellTable::Outside) votes[cells.ofPoints[i]].add(cloud.labels[i]);
     }
-    std::vector<Label> labels(counts.size());
-    std::transform(counts.begin(), counts.end(), labels.begin(), [](const auto& of) {
-        return static_cast<Label>(std::max_element(of.begin(), of.end()) - of.begin());
-    });
+    std::vector<Label> labels(votes.size());
+    std::transform(votes.begin(), votes.end(), labels.begin(),
+                   [](const LabelVotes& of) { return of.commonest(); });
     return labels;
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// Counts the labels of points that become one.
+class LabelVotes {
+public:
+    void add(Label label) { ++m_votes[static_cast<std::size_t>(label)]; }
+
+    /// The commonest label; among equally common ones the last of the enumeration, so that any beats
+    /// Unlabelled.
+    [[nodiscard]] Label commonest() const {
+        const auto last = std::max_element(m_votes.rbegin(), m_votes.rend());
+        return static_cast<Label>(m_votes.rend() - last - 1);
+    }
+
+private:
+    std::array<std::uint32_t, LabelCount> m_votes{};
+};
+
+}  // namespace leitstand
