@@ -14,6 +14,11 @@ class LabelVotes {
 public:
     void add(Label label) { ++m_votes[static_cast<std::size_t>(label)]; }
 
+    LabelVotes& operator+=(const LabelVotes& other) {
+        for (std::size_t i = 0; i < m_votes.size(); ++i) m_votes[i] += other.m_votes[i];
+        return *this;
+    }
+
     /// The commonest label; among equally common ones the last of the enumeration, so that any beats
     /// Unlabelled.
     [[nodiscard]] Label commonest() const {
