@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "widgets/map_view/map_view.h"
+
+namespace leitstand {
+
+/// A picked point in words: "x 1.20  y -0.33  z 0.05 m · wall · scan001"; empty for nothing.
+[[nodiscard]] QString pickText(const std::optional<PickedPoint>& point, const Map& map);
+/// A measurement in words: "2.37 m · dx 1.20  dy -2.00  dz 0.31".
+[[nodiscard]] QString measurementText(const Measurement& measurement);
+
+}  // namespace leitstand

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QWidget>
+
+class QListView;
+
+namespace leitstand {
+
+class MessageListModel;
+
+/// What the operator was told: a quiet list whose rows can be dismissed one by one or all at once.
+class MessagesPanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// Shows @p messages, which must outlive it.
+    explicit MessagesPanel(MessageListModel& messages, QWidget* parent = nullptr);
+
+private:
+    MessageListModel& m_messages;
+    QListView* m_list;
+};
+
+}  // namespace leitstand

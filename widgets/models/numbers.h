@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+#include <QString>
+
+namespace leitstand {
+
+// Numbers as the operator reads them: of the default QLocale, with a real minus sign (U+2212).
+
+/// @p value with @p decimals digits after the point.
+[[nodiscard]] QString numberText(double value, int decimals);
+/// A whole number, thousands grouped.
+[[nodiscard]] QString countText(std::size_t count);
+/// A number of points in short: "812", "7.6 k", "0.24 M".
+[[nodiscard]] QString shortCountText(std::size_t count);
+/// A share of 1 as whole per cent: "83 %".
+[[nodiscard]] QString percentText(double share);
+/// Metres as millimetres with one digit: "12.3".
+[[nodiscard]] QString millimetresText(double metres);
+/// Radians as degrees with one digit: "-0.7 deg", in signs.
+[[nodiscard]] QString degreesText(double radians);
+/// x y z with two digits, blanks between [m].
+[[nodiscard]] QString positionText(const Eigen::Vector3d& metres);
+
+}  // namespace leitstand

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QString>
+
+#include "core/mapping/registration_settings.h"
+
+namespace leitstand {
+
+/// One of the methods to choose from.
+template <class T>
+struct Choice {
+    T value;
+    const char* key;  ///< as on leitstandctl's command line and in the remembered state
+    QString name;     ///< for the operator
+    QString hint;     ///< what it does and where it comes from
+};
+
+// The choices of the registration's settings, in the order in which they are offered.
+[[nodiscard]] std::vector<Choice<SearchMethod>> searchChoices();
+[[nodiscard]] std::vector<Choice<Minimizer>> minimizerChoices();
+[[nodiscard]] std::vector<Choice<ScanFilter>> filterChoices();
+[[nodiscard]] std::vector<Choice<GuessSource>> guessChoices();  ///< without Poses, which need a file
+[[nodiscard]] std::vector<Choice<Reference>> referenceChoices();
+
+/// The value whose key is @p key; nothing for unknown keys.
+template <class T>
+[[nodiscard]] std::optional<T> valueOf(const std::vector<Choice<T>>& choices, const QString& key) {
+    for (const Choice<T>& choice : choices) {
+        if (key == QLatin1String(choice.key)) return choice.value;
+    }
+    return std::nullopt;
+}
+/// The key of @p value; empty when it is not among the choices.
+template <class T>
+[[nodiscard]] QString keyOf(const std::vector<Choice<T>>& choices, T value) {
+    for (const Choice<T>& choice : choices) {
+        if (choice.value == value) return QLatin1String(choice.key);
+    }
+    return {};
+}
+
+/// Maximum distances as the operator writes them, "1.5, 0.5" [m]; nothing unless all are within 0.01 and 10 m
+/// and none is larger than the one before.
+[[nodiscard]] std::optional<std::vector<double>> parseSchedule(const QString& text);
+/// The way back.
+[[nodiscard]] QString scheduleText(const std::vector<double>& maxDistances);
+
+/// Whether both register alike.
+[[nodiscard]] bool sameSettings(const RegistrationSettings& a, const RegistrationSettings& b);
+
+}  // namespace leitstand

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QtCore/qnamespace.h>
+
+namespace leitstand {
+
+/// How loud something is said; text or shape says the same, colour only repeats it.
+enum class Tone { Normal, Muted, Attention };
+
+/// Item role under which models hand out a Tone, as int.
+inline constexpr int ToneRole = Qt::UserRole + 1;
+
+}  // namespace leitstand

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace leitstand {
+
+/// A spin box that shows negative numbers with a real minus sign and reads both signs.
+class NumberBox final : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    /// For values from @p low to @p high with @p decimals digits, steps of @p step and @p unit behind.
+    NumberBox(double low, double high, double step, int decimals, const QString& unit,
+              QWidget* parent = nullptr);
+
+    double valueFromText(const QString& text) const override;
+    QString textFromValue(double value) const override;
+    QValidator::State validate(QString& input, int& position) const override;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,47 @@
+#include "widgets/scans/column_fitter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QTableView>
+
+namespace leitstand {
+
+ColumnFitter::ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched)
+    : QObject(&table), m_table(table), m_givingWay(std::move(givingWay)), m_stretched(stretched) {
+    table.viewport()->installEventFilter(this);
+    const QAbstractItemModel* model = table.model();
+    connect(model, &QAbstractItemModel::dataChanged, this, &ColumnFitter::fit);
+    connect(model, &QAbstractItemModel::rowsInserted, this, &ColumnFitter::fit);
+    connect(model, &QAbstractItemModel::rowsRemoved, this, &ColumnFitter::fit);
+    fit();
+}
+
+bool ColumnFitter::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) fit();
+    return QObject::eventFilter(watched, event);
+}
+
+void ColumnFitter::fit() {
+    QHeaderView* header = m_table.horizontalHeader();
+    std::vector<int> widths;
+    int needed = 0;
+    for (int column = 0; column < header->count(); ++column) {
+        m_table.setColumnHidden(column, false);
+        m_table.resizeColumnToContents(column);
+        widths.push_back(m_table.columnWidth(column));
+        needed += widths.back();
+    }
+    const int available = m_table.viewport()->width();
+    for (const int column : m_givingWay) {
+        if (needed <= available) break;
+        m_table.setColumnHidden(column, true);
+        needed -= widths[static_cast<std::size_t>(column)];
+    }
+    const int wanted = widths[static_cast<std::size_t>(m_stretched)];
+    m_table.setColumnWidth(m_stretched, wanted + std::max(0, available - needed));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/mapping/registration_settings.h"
+
+class QAction;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace leitstand {
+
+class NumberBox;
+
+/// Edits all that decides how scans are registered.
+class RegistrationPanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// @p again and @p before are what its buttons trigger: registering again, and showing the start poses.
+    RegistrationPanel(QAction& again, QAction& before, QWidget* parent = nullptr);
+
+    /// Shows @p settings.
+    void setSettings(const RegistrationSettings& settings);
+    /// What is set; where a text cannot be read, its last readable value.
+    [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }
+
+signals:
+    /// The operator changed something.
+    void settingsChanged(const leitstand::RegistrationSettings& settings);
+
+private:
+    void addMethods(QFormLayout& form);
+    void addPoints(QFormLayout& form);
+    void addStart(QFormLayout& form);
+    QWidget* buttons(QAction& again, QAction& before);
+    void takeOver();
+    void showWhatApplies();
+
+    RegistrationSettings m_settings;
+    bool m_showing = false;  ///< while fields are filled, their signals are not the operator's
+    QComboBox* m_minimizer;
+    QComboBox* m_search;
+    NumberBox* m_epsilon;
+    QLineEdit* m_distances;
+    QLabel* m_distancesWrong;
+    QSpinBox* m_iterations;
+    NumberBox* m_reduce;
+    QComboBox* m_filter;
+    NumberBox* m_minRange;
+    NumberBox* m_maxRange;
+    QComboBox* m_guess;
+    QComboBox* m_reference;
+    QSpinBox* m_threads;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QWidget>
+
+class QGridLayout;
+
+namespace leitstand {
+
+struct MapScan;
+
+/// Captions and values of one scan, a line each.
+class ScanDetailsView final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ScanDetailsView(QWidget* parent = nullptr);
+
+    /// Shows @p scan, or nothing when null; keeps no reference to it.
+    void setScan(const MapScan* scan);
+
+private:
+    QGridLayout* m_lines;
+};
+
+}  // namespace leitstand

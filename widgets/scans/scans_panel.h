@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QWidget>
+
+class QTableView;
+
+namespace leitstand {
+
+class ScanListModel;
+class ScanDetailsView;
+
+/// The scans of the map with their tick boxes and figures, and all there is to say about the current one.
+class ScansPanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// Shows @p scans, which must outlive it.
+    explicit ScansPanel(ScanListModel& scans, QWidget* parent = nullptr);
+
+private:
+    void showCurrent();
+
+    ScanListModel& m_scans;
+    QTableView* m_table;
+    ScanDetailsView* m_details;
+};
+
+}  // namespace leitstand

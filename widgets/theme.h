@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QColor>
+
+#include "widgets/map_view/map_view_settings.h"
+
+class QApplication;
+
+namespace leitstand {
+
+/// The colours of the window; their meaning is the same in every theme.
+struct ThemeColours {
+    QColor window, pane, strip;   ///< surfaces, from back to front
+    QColor field, hover, chosen;  ///< inputs, what the pointer is on, what is selected
+    QColor line, faint;           ///< separators between panes, between rows
+    QColor text, muted;
+    QColor select;  ///< selected or controllable
+    QColor fine;
+    QColor attention;  ///< look here
+    QColor act;        ///< act now
+    QColor stop;
+};
+
+/// The colours of @p theme.
+[[nodiscard]] const ThemeColours& coloursOf(Theme theme);
+
+/// Gives all of @p application the style, font and colours of @p theme. Painters find muted text in the
+/// palette's PlaceholderText and attention in its BrightText.
+void applyTheme(QApplication& application, Theme theme);
+
+}  // namespace leitstand

@@ -1,0 +1,22 @@
+#include "widgets/tone_delegate.h"
+
+#include <QGuiApplication>
+
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->textElideMode = Qt::ElideRight;
+    const auto tone = static_cast<Tone>(index.data(ToneRole).toInt());
+    if (tone == Tone::Normal) return;
+    // Style sheets give the widget's palette their own colours, so the application's is asked.
+    const QColor ink = QGuiApplication::palette().color(tone == Tone::Muted ? QPalette::PlaceholderText
+                                                                            : QPalette::BrightText);
+    for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::HighlightedText}) {
+        option->palette.setColor(role, ink);
+    }
+}
+
+}  // namespace leitstand
