@@ -78,7 +78,8 @@ private:
                 runs.back().first = point;
                 open = true;
             }
-            extend(runs.back(), point, column, row * columns + column);
+            extend(runs.back(), point, column);
+            if (filtered[column] == ranges[column]) describe(runs.back(), row * columns + column);
         }
         return runs;
     }
@@ -88,13 +89,18 @@ private:
                (point - run.first).squaredNorm() < m_settings.longestRun * m_settings.longestRun;
     }
 
-    void extend(Run& run, const Eigen::Vector3f& point, std::size_t column, std::size_t index) const {
+    static void extend(Run& run, const Eigen::Vector3f& point, std::size_t column) {
         run.last = point;
         run.lastColumn = column;
         run.points += point.cast<double>();
+        run.count += 1.0;
+    }
+
+    /// Adds the label and normal of the point @p index; those of a replaced outlier are as wrong as its
+    /// range.
+    void describe(Run& run, std::size_t index) const {
         if (!m_normals.empty()) run.normals += m_normals[index];
         if (!m_scan.labels.empty()) run.labels.add(m_scan.labels[index]);
-        run.count += 1.0;
     }
 
     /// The free run of the raw scan before that @p run continues and is nearest to; m_open.size() if there is
