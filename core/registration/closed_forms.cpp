@@ -127,7 +127,7 @@ Fit fitByDualQuaternion(const PairSums& sums) {
     // With q the rotation, p = translation * q / 2 the dual part, and products written as matrices, the error
     // of a pair is e = (L(target) - R(source)) q - 2 p. Its squared sum is least for p = c q / (2 n) with c =
     // sum of (L(target) - R(source)), and q the eigenvector below.
-    const double n = static_cast<double>(sums.count);
+    const double n = sums.weight;
     const Eigen::Matrix4d c = leftProduct(pure(sums.target)) - rightProduct(pure(sums.source));
     const Eigen::Matrix4d a = -2.0 * quaternionProducts(sums.product) + c.transpose() * c / n;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(a);

@@ -47,16 +47,15 @@ Fit closedForm(const PairSums& sums, Minimizer minimizer) {
 }
 
 Step minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
-    const auto count = static_cast<double>(sums.count);
     if (minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp) {
         const NormalEquations equations = minimizer == Minimizer::Plane
                                               ? planeEquations(pairing, pose, sums.sourceMean())
                                               : gicpEquations(pairing, pose, sums.sourceMean());
-        return {equations.solve(), equations.cost / count};
+        return {equations.solve(), equations.cost / static_cast<double>(sums.count)};
     }
     const Fit fit = closedForm(sums, minimizer);
     const bool usable = fit.outcome == FitOutcome::Ok || fit.outcome == FitOutcome::Mirror;
-    return {usable ? std::optional(fit.pose) : std::nullopt, sums.squaredDistances / count};
+    return {usable ? std::optional(fit.pose) : std::nullopt, sums.squaredDistances / sums.weight};
 }
 
 bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer minimizer) {

@@ -4,16 +4,20 @@
 
 namespace leitstand {
 
-void PairSums::add(const Eigen::Vector3d& sourcePoint, const Eigen::Vector3d& targetPoint) {
+void PairSums::add(const Eigen::Vector3d& sourcePoint, const Eigen::Vector3d& targetPoint,
+                   double pairWeight) {
+    const Eigen::Vector3d weighted = pairWeight * sourcePoint;
     ++count;
-    source += sourcePoint;
-    target += targetPoint;
-    product.noalias() += sourcePoint * targetPoint.transpose();
-    squaredDistances += (sourcePoint - targetPoint).squaredNorm();
+    weight += pairWeight;
+    source += weighted;
+    target += pairWeight * targetPoint;
+    product.noalias() += weighted * targetPoint.transpose();
+    squaredDistances += pairWeight * (sourcePoint - targetPoint).squaredNorm();
 }
 
 PairSums& PairSums::operator+=(const PairSums& other) {
     count += other.count;
+    weight += other.weight;
     source += other.source;
     target += other.target;
     product += other.product;
@@ -22,11 +26,11 @@ PairSums& PairSums::operator+=(const PairSums& other) {
 }
 
 Eigen::Matrix3d PairSums::covariance() const {
-    return product - source * target.transpose() / static_cast<double>(count);
+    return product - source * target.transpose() / weight;
 }
 
 double PairSums::rms() const {
-    return count == 0 ? 0.0 : std::sqrt(squaredDistances / static_cast<double>(count));
+    return count == 0 ? 0.0 : std::sqrt(squaredDistances / weight);
 }
 
 }  // namespace leitstand

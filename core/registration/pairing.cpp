@@ -23,7 +23,7 @@ PairSums Pairing::update(const Pose& sourceInTarget, double maxDistance) {
 PairSums Pairing::updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,
                               const Eigen::Vector3f& translation, float maxSquaredDistance) {
     PairSums sums;
-    const bool labelled = !m_source.labels.empty();
+    const bool labelled = !m_source.labels.empty(), weighted = !m_source.weights.empty();
     for (std::size_t i = first; i < last; ++i) {
         const Eigen::Vector3f query = rotation * m_source.points[i] + translation;
         Partner& partner = m_partners[i];
@@ -42,7 +42,8 @@ PairSums Pairing::updateChunk(std::size_t first, std::size_t last, const Eigen::
         if (nearer.found()) partner = {nearer.index, nearer.squaredDistance};
         if (partner.index < 0) continue;
         sums.add(query.cast<double>(),
-                 m_target.points[static_cast<std::size_t>(partner.index)].cast<double>());
+                 m_target.points[static_cast<std::size_t>(partner.index)].cast<double>(),
+                 weighted ? static_cast<double>(m_source.weights[i]) : 1.0);
     }
     return sums;
 }

@@ -133,6 +133,7 @@ private:
 
     void finish(const Run& run) {
         m_cloud.points.push_back(run.mean());
+        m_cloud.weights.push_back(static_cast<float>(run.count));
         if (!m_normals.empty()) m_cloud.normals.push_back(run.normals.normalized());
         if (!m_scan.labels.empty()) m_cloud.labels.push_back(run.labels.commonest());
     }

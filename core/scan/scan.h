@@ -44,6 +44,7 @@ struct PointCloud {
     std::vector<Eigen::Vector3f> points;   ///< [m]
     std::vector<Eigen::Vector3f> normals;  ///< empty, or one per point: unit length, or zero where unknown
     std::vector<Label> labels;             ///< empty, or one per point
+    std::vector<float> weights;  ///< empty, or one per point: how many measured points it stands for
 
     [[nodiscard]] std::size_t size() const { return points.size(); }
 };
