@@ -1,15 +1,14 @@
 #include "core/io/uos.h"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/io/detail/numbers.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/detail/point_text.h"
-#include "core/io/detail/scan_grid.h"
 #include "core/io/detail/uos_axes.h"
 
 namespace leitstand {
@@ -52,17 +51,8 @@ void appendPoint(std::string& text, const Eigen::Vector3f& point) {
 Result<ScanReading> readUosScan(const fs::path& file3d) {
     auto read = detail::readPointText(
         file3d, {.gridHeader = true, .zeroIsNoEcho = true, .toMetres = &detail::fromUos});
-    if (!read) return read.error();
-    detail::PointText text = std::move(read).value();
-
-    ScanReading reading;
-    Scan& scan = reading.scan;
-    scan.name = file3d.stem().string();
-    scan.rows = text.rows;
-    scan.columns = text.columns;
-    scan.points = std::move(text.points);
-    scan.intensities = std::move(text.intensities);
-    detail::organise(scan);
+    if (!read) return read;
+    ScanReading reading = std::move(read).value();
     if (auto odometry = readOdometry(poseBeside(file3d), reading); !odometry) return odometry.error();
     return reading;
 }

@@ -1,15 +1,18 @@
-#include <fmt/format.h>
+#include "core/io/uos.h"
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/io/detail/line_reader.h"
 #include "core/io/detail/numbers.h"
 #include "core/io/detail/output_file.h"
+#include "core/io/detail/point_sink.h"
 #include "core/io/detail/uos_axes.h"
-#include "core/io/uos.h"
 
 namespace leitstand {
 

@@ -1,9 +1,9 @@
 #include "core/io/detail/input_file.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <system_error>
+
+#include <fmt/format.h>
 
 namespace leitstand::detail {
 

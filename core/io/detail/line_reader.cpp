@@ -1,10 +1,10 @@
 #include "core/io/detail/line_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstring>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace leitstand::detail {
 

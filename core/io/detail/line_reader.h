@@ -28,6 +28,7 @@ public:
 
     [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }  ///< of the last line, from 1
     [[nodiscard]] std::uint64_t bytesTaken() const { return m_taken; }     ///< up to the end of that line
+    [[nodiscard]] std::uint64_t fileSize() const { return m_file.size(); }
 
     /// "FILE:LINE: expected EXPECTATION, found "..."" for the last line.
     [[nodiscard]] Error mismatch(std::string_view expectation, std::string_view found) const;

@@ -2,8 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
 
 namespace leitstand::detail {
 
@@ -42,17 +40,20 @@ std::optional<double> toNumber(std::string_view field) {
     return value;
 }
 
-std::optional<Eigen::Vector3f> toPoint(double x, double y, double z) {
-    if (std::isinf(x) || std::isinf(y) || std::isinf(z)) return std::nullopt;
-    if (std::isnan(x) || std::isnan(y) || std::isnan(z)) return noEcho();
-    if (std::abs(x) > MaxCoordinate || std::abs(y) > MaxCoordinate || std::abs(z) > MaxCoordinate) {
-        return std::nullopt;
-    }
-    return Eigen::Vector3d(x, y, z).cast<float>();
+std::optional<std::size_t> toCount(std::string_view field) {
+    std::size_t value = 0;
+    const char* end = field.data() + field.size();
+    const auto parsed = std::from_chars(field.data(), end, value);
+    if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+    return value;
 }
 
-Eigen::Vector3f noEcho() {
-    return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
 }
 
 void appendNumber(std::string& text, float value) {

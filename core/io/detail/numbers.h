@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include <Eigen/Core>
-
 namespace leitstand::detail {
 
 /// What separates the fields of a line.
@@ -16,16 +14,11 @@ enum class Separators : bool { Blanks, BlanksAndCommas };  ///< commas: semicolo
 
 /// The whole of @p field as a number ("nan" and "inf" included); nothing when it is none or overflows.
 [[nodiscard]] std::optional<double> toNumber(std::string_view field);
+/// The whole of @p field as a whole number from 0 on; nothing when it is none or overflows.
+[[nodiscard]] std::optional<std::size_t> toCount(std::string_view field);
 
-/// Scans end well before this, and float32 still resolves 8 mm there [m].
-inline constexpr double MaxCoordinate = 100'000.0;
-inline constexpr std::string_view CoordinateExpectation = "finite coordinates within 100 km";
-
-/// A point [m], all NaN (no echo) when any coordinate is; nothing beyond MaxCoordinate or infinite.
-[[nodiscard]] std::optional<Eigen::Vector3f> toPoint(double x, double y, double z);
-
-/// The point that stands for "no echo".
-[[nodiscard]] Eigen::Vector3f noEcho();
+/// @p text in small letters, ASCII only.
+[[nodiscard]] std::string lowerCase(std::string_view text);
 
 /// Appends the shortest text that reads back as the very same number.
 void appendNumber(std::string& text, float value);

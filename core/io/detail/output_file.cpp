@@ -1,12 +1,13 @@
 #include "core/io/detail/output_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <system_error>
+
+#include <fmt/format.h>
 
 namespace leitstand::detail {
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "core/base/result.h"
 #include "core/io/detail/numbers.h"
+#include "core/io/scan_reading.h"
 
 namespace leitstand::detail {
 
@@ -15,20 +15,15 @@ namespace leitstand::detail {
 struct PointTextFormat {
     Separators separators = Separators::Blanks;
     bool gridHeader = false;    ///< "ROWS x COLUMNS" may stand before the first point
+    bool columnNames = false;   ///< a comment such as "# x y z intensity label" may say what the columns are
     bool zeroIsNoEcho = false;  ///< a point at the very origin
     /// The file's numbers in our axes [m].
     Eigen::Vector3d (*toMetres)(const Eigen::Vector3d& inFile) = [](const Eigen::Vector3d& p) { return p; };
 };
 
-/// The points of a text file.
-struct PointText {
-    int rows = 0, columns = 0;            ///< as the header says; 0 x 0 without
-    std::vector<Eigen::Vector3f> points;  ///< [m], our axes; NaN: no echo
-    std::vector<float> intensities;       ///< empty, or one per point
-};
-
-/// Reads @p path into memory that is reserved once. Blank lines and lines that begin with '#' are left out.
-[[nodiscard]] Result<PointText> readPointText(const std::filesystem::path& path,
-                                              const PointTextFormat& format);
+/// Reads the points, intensities and labels of @p path and the grid that they lie in, into memory that is
+/// reserved once. Blank lines and comments ("#" or "//" first) are left out.
+[[nodiscard]] Result<ScanReading> readPointText(const std::filesystem::path& path,
+                                                const PointTextFormat& format);
 
 }  // namespace leitstand::detail

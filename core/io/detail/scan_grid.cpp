@@ -1,10 +1,10 @@
 #include "core/io/detail/scan_grid.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include <Eigen/Eigenvalues>
 
 namespace leitstand::detail {
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace leitstand::detail {
+
+/// The number in a name "scanNNN.3d"; nothing for other names.
+[[nodiscard]] std::optional<std::size_t> uosNumber(const std::filesystem::path& file);
+
+/// "scan" and @p number with at least three digits.
+[[nodiscard]] std::string uosName(std::size_t number);
+
+}  // namespace leitstand::detail
