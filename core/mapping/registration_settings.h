@@ -17,7 +17,7 @@ enum class GuessSource : std::uint8_t {
     Odometry,  ///< the odometry's step since the previous scan, on top of that scan's registered pose;
                ///< identity step for scans without odometry
     Identity,  ///< the registered pose of the previous scan
-    Poses,     ///< RegistrationSettings::guessPoses, taken literally
+    Poses,     ///< RegistrationSettings::guessPoses, relative to the first of them; odometry for scans beyond
 };
 
 /// What a scan is matched against.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
+
+#include "core/base/parallel.h"
 
 namespace leitstand {
 namespace {
@@ -21,13 +24,17 @@ Eigen::Vector3d normalOf(const Pairing& pairing, const Pose& pose, std::size_t s
     return normal;
 }
 
-/// Mean of j j^T over the pairs within @p maxSquared, see IcpResult::information.
-Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
-                      double maxSquared) {
-    Matrix6 sum = Matrix6::Zero();
-    double radiusSquared = 0.0;
+/// Sums of informationOf() over a chunk of pairs.
+struct InformationSums {
+    Matrix6 products = Matrix6::Zero();
+    double squaredRadii = 0.0;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < pairing.partners().size(); ++i) {
+};
+
+InformationSums informationSums(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
+                                double maxSquared, std::size_t first, std::size_t last) {
+    InformationSums sums;
+    for (std::size_t i = first; i < last; ++i) {
         const Partner& partner = pairing.partners()[i];
         if (partner.index < 0 || partner.squaredDistance >= maxSquared) continue;
         const Eigen::Vector3d normal = normalOf(pairing, pose, i, static_cast<std::size_t>(partner.index));
@@ -35,15 +42,32 @@ Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vec
         const Eigen::Vector3d arm = pose * pairing.source().points[i].cast<double>() - centre;
         Vector6 row;
         row << normal, arm.cross(normal);
-        sum.noalias() += row * row.transpose();
-        radiusSquared += arm.squaredNorm();
-        ++count;
+        sums.products.noalias() += row * row.transpose();
+        sums.squaredRadii += arm.squaredNorm();
+        ++sums.count;
     }
-    if (count == 0 || radiusSquared <= 0.0) return Matrix6::Zero();
-    const auto n = static_cast<double>(count);
+    return sums;
+}
+
+/// Mean of j j^T over the pairs within @p maxSquared, see IcpResult::information.
+Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
+                      double maxSquared) {
+    const std::size_t pairs = pairing.partners().size();
+    std::vector<InformationSums> chunks((pairs + Pairing::Grain - 1) / Pairing::Grain);
+    parallelFor(pairs, Pairing::Grain, pairing.threads(), [&](std::size_t first, std::size_t last) {
+        chunks[first / Pairing::Grain] = informationSums(pairing, pose, centre, maxSquared, first, last);
+    });
+    InformationSums sums;
+    for (const InformationSums& chunk : chunks) {
+        sums.products += chunk.products;
+        sums.squaredRadii += chunk.squaredRadii;
+        sums.count += chunk.count;
+    }
+    if (sums.count == 0 || sums.squaredRadii <= 0.0) return Matrix6::Zero();
+    const auto n = static_cast<double>(sums.count);
     Vector6 scale = Vector6::Ones();
-    scale.tail<3>() *= 1.0 / std::sqrt(radiusSquared / n);
-    return scale.asDiagonal() * (sum / n) * scale.asDiagonal();
+    scale.tail<3>() *= 1.0 / std::sqrt(sums.squaredRadii / n);
+    return scale.asDiagonal() * (sums.products / n) * scale.asDiagonal();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <optional>
 
 #include "core/registration/closed_forms.h"
@@ -63,17 +64,18 @@ bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer mi
     return (minimizer != Minimizer::Gicp && minimizer != Minimizer::Plane) || !target.normals.empty();
 }
 
-/// Runs one stage of the schedule from @p result.pose on; how it ended.
+/// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
 IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settings, const Progress& progress,
-                 IcpResult& result) {
+                 IcpResult& result, const std::function<void()>& report) {
     PoseHistory history;
     while (result.iterations < settings.maxIterations) {
         if (progress.cancelled()) return IcpStop::Cancelled;
         PairSums sums;
         {
             const Stopwatch watch(result.times.pairing);
-            sums = pairing.update(result.pose, maxDistance);
+            sums = pairing.update(result.pose, maxDistance, progress.stop);
         }
+        if (progress.cancelled()) return IcpStop::Cancelled;
         if (sums.count < 3) return IcpStop::Degenerate;
         const Stopwatch watch(result.times.minimising);
         const Step step = minimise(pairing, sums, result.pose, settings.minimizer);
@@ -83,6 +85,7 @@ IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settin
         const double moved = std::max(distanceBetween(next, result.pose), angleBetween(next, result.pose));
         result.pose = next;
         ++result.iterations;
+        report();
         if (moved < settings.minStep) return IcpStop::Converged;
         if (const std::size_t length = history.cycle(settings.minStep); length > 0) {
             result.pose = history.best(length);
@@ -106,13 +109,22 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         return result;
     }
     Pairing pairing(target, search, source, settings.threads);
-    for (std::size_t stage = 0; stage < settings.maxDistances.size(); ++stage) {
-        progress.done(static_cast<double>(stage) / static_cast<double>(settings.maxDistances.size()));
+    const auto stages = static_cast<double>(settings.maxDistances.size());
+    for (const double maxDistance : settings.maxDistances) {
+        const int before = result.iterations;
+        const auto stage = static_cast<double>(result.times.stages.size());
+        const auto report = [&] {
+            // Nobody knows how many iterations are to come: half of what is left is thought done after 10.
+            const double iterations = result.iterations - before;
+            progress.done((stage + iterations / (iterations + 10.0)) / stages);
+        };
         result.converged = false;
-        result.stop = runStage(pairing, settings.maxDistances[stage], settings, progress, result);
+        const Stopwatch watch(result.times.stages.emplace_back(0.0));
+        result.stop = runStage(pairing, maxDistance, settings, progress, result, report);
         if (result.stop == IcpStop::Converged) result.converged = true;
         if (result.stop != IcpStop::Converged && result.stop != IcpStop::LimitCycle) break;
     }
+    if (result.stop == IcpStop::Cancelled) return result;
     const Stopwatch watch(result.times.evaluating);
     evaluate(pairing, settings.maxDistances.back(), result);
     progress.done(1.0);

@@ -38,6 +38,7 @@ enum class IcpStop : std::uint8_t { Converged, LimitCycle, IterationLimit, Degen
 /// Wall-clock time spent in the parts of an alignment [s].
 struct IcpTimes {
     double pairing = 0.0, minimising = 0.0, evaluating = 0.0;
+    std::vector<double> stages;  ///< of the schedule's stages that were begun, without the evaluation
 };
 
 /// What an alignment found and how far it is to be trusted.

@@ -7,13 +7,14 @@ namespace leitstand {
 Pairing::Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads)
     : m_target(target), m_search(search), m_source(source), m_threads(threads), m_partners(source.size()) {}
 
-PairSums Pairing::update(const Pose& sourceInTarget, double maxDistance) {
+PairSums Pairing::update(const Pose& sourceInTarget, double maxDistance, const std::stop_token& stop) {
     const Eigen::Matrix3f rotation = sourceInTarget.linear().cast<float>();
     const Eigen::Vector3f translation = sourceInTarget.translation().cast<float>();
     const auto maxSquared = static_cast<float>(maxDistance * maxDistance);
     std::vector<PairSums> chunks((m_source.size() + Grain - 1) / Grain);
     parallelFor(m_source.size(), Grain, m_threads, [&](std::size_t first, std::size_t last) {
-        chunks[first / Grain] = updateChunk(first, last, rotation, translation, maxSquared);
+        if (!stop.stop_requested())
+            chunks[first / Grain] = updateChunk(first, last, rotation, translation, maxSquared);
     });
     PairSums sums;
     for (const PairSums& chunk : chunks) sums += chunk;

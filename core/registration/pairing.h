@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -24,15 +25,15 @@ public:
     Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads);
 
     /// Finds the partners nearer than @p maxDistance [m] of the source at @p sourceInTarget; their sums with
-    /// the source points in the target's frame.
-    PairSums update(const Pose& sourceInTarget, double maxDistance);
+    /// the source points in the target's frame. Ends early, with sums of no use, once @p stop is requested.
+    PairSums update(const Pose& sourceInTarget, double maxDistance, const std::stop_token& stop = {});
 
     [[nodiscard]] const std::vector<Partner>& partners() const { return m_partners; }
     [[nodiscard]] const PointCloud& target() const { return m_target; }
     [[nodiscard]] const PointCloud& source() const { return m_source; }
     [[nodiscard]] int threads() const { return m_threads; }
 
-    static constexpr std::size_t Grain = 2'048;  ///< points of a chunk; sums are joined in the chunks' order
+    static constexpr std::size_t Grain = 1'024;  ///< points of a chunk; sums are joined in the chunks' order
 
 private:
     PairSums updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,
