@@ -56,7 +56,7 @@ bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& 
     if (!options.mapFile.empty()) {
         std::vector<PlacedScan> placed;
         for (const MapScan& scan : map.scans) placed.push_back({scan.scan, scan.poseInMap});
-        report(writeMapCloud(options.mapFile, placed));
+        report(writeMapCloud(options.mapFile, placed, {options.range[0], options.range[1]}));
     }
     return ok;
 }
