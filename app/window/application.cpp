@@ -1,0 +1,74 @@
+#include "app/window/application.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QLocale>
+
+#include "app/window/main_window.h"
+#include "app/window/options.h"
+#include "app/window/screenshot.h"
+
+namespace leitstand {
+namespace {
+
+bool displayIsThere() {
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+void applyChoices(const Options& options, MapViewSettings& view) {
+    if (options.look) view.look = *options.look;
+    if (options.theme) view.theme = *options.theme;
+}
+
+/// Keeps a remark of Qt's display-free platform, which comes with every window, from the user.
+void dropPlatformRemarks(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (text.contains(QLatin1String("propagateSizeHints"))) return;
+    std::fprintf(stderr, "%s\n", qUtf8Printable(qFormatLogMessage(type, context, text)));
+}
+
+int takeScreenshot(const Options& options) {
+    WindowState state;  // what was remembered would make pictures differ from machine to machine
+    applyChoices(options, state.view);
+    MainWindow window(state);
+    window.resize(options.size);
+    return screenshot(window, options.scans, QString::fromStdString(options.screenshot));
+}
+
+int showWindow(const Options& options) {
+    WindowState state = loadWindowState();
+    applyChoices(options, state.view);
+    MainWindow window(state);
+    QObject::connect(&window, &MainWindow::closing, &window, [&window] { saveWindowState(window.state()); });
+    window.show();
+    window.open(options.scans);
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int runStation(int argc, char** argv) {
+    const auto parsed = parseOptions(argc, argv);
+    if (const int* status = std::get_if<int>(&parsed)) return *status;
+    const Options& options = std::get<Options>(parsed);
+    const bool picture = !options.screenshot.empty();
+    if (picture) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        qInstallMessageHandler(dropPlatformRemarks);
+    } else if (!displayIsThere()) {
+        std::fputs(
+            "leitstand: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).\n"
+            "leitstand: To get a picture without one: leitstand --screenshot map.png SCANS...\n",
+            stderr);
+        return 1;
+    }
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("leitstand"));
+    QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
+    // The texts are English, so the numbers are, too.
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    return picture ? takeScreenshot(options) : showWindow(options);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QToolButton;
+
+namespace leitstand {
+
+class MessageListModel;
+class ProgressStrip;
+struct SessionProgress;
+
+/// The strip along the window's bottom: what the pointer is on, what was measured, the work going on, and how
+/// many messages there are.
+class BottomStrip final : public QWidget {
+    Q_OBJECT
+public:
+    /// @p cancel ends the work; @p messages shows the list of messages, @p list.
+    BottomStrip(QAction& cancel, QAction& messages, const MessageListModel& list, QWidget* parent = nullptr);
+
+    void setPick(const QString& text);
+    /// A measurement, or how to make one; stays until replaced.
+    void setMeasurement(const QString& text);
+    /// Something that went well, shown until the next pick.
+    void setNote(const QString& text);
+    void showProgress(const SessionProgress& progress);
+    void hideProgress();
+
+private:
+    void showCount(const MessageListModel& list);
+
+    QLabel* m_pick;
+    QLabel* m_measurement;
+    ProgressStrip* m_progress;
+    QToolButton* m_messages;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QWidget>
+
+namespace leitstand {
+
+class NumberBox;
+class ViewState;
+
+/// The numbers of the present look: edge of the voxels, the two heights of a clipped map; hidden when there
+/// are none.
+class LookBar final : public QWidget {
+    Q_OBJECT
+public:
+    /// Shows and edits @p state, which must outlive it.
+    explicit LookBar(ViewState& state, QWidget* parent = nullptr);
+
+private:
+    [[nodiscard]] QWidget* voxelGroup();
+    [[nodiscard]] QWidget* clipGroup();
+    void showState();
+
+    ViewState& m_state;
+    NumberBox* m_edge;
+    NumberBox* m_low;
+    NumberBox* m_high;
+    QWidget* m_voxels;
+    QWidget* m_clip;
+};
+
+}  // namespace leitstand

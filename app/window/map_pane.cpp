@@ -1,0 +1,110 @@
+#include "app/window/map_pane.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/window/look_bar.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/map_summary.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int ToolGap = 8, ToolSpacing = 6, IconSize = 20;  ///< [px]
+
+void setTone(QLabel& label, Tone tone) {
+    label.setProperty("attention", tone == Tone::Attention);
+    label.setProperty("muted", tone != Tone::Attention);
+    label.style()->unpolish(&label);
+    label.style()->polish(&label);
+}
+
+QToolButton* toolButton(QAction* action, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(action);
+    button->setObjectName(QStringLiteral("tool_") + action->objectName());
+    button->setAccessibleName(action->iconText());
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setIconSize({IconSize, IconSize});
+    button->setProperty("tool", true);
+    return button;
+}
+
+}  // namespace
+
+MapPane::MapPane(ViewState& state, QWidget* parent)
+    : QWidget(parent),
+      m_view(new MapView(this)),
+      m_title(new QLabel(this)),
+      m_result(new QLabel(this)),
+      m_help(help()),
+      m_stage(new QGridLayout) {
+    m_view->setObjectName(QStringLiteral("map"));
+    m_view->setAccessibleName(tr("3D map"));
+    m_stage->setContentsMargins(0, 0, 0, 0);
+    m_stage->addWidget(m_view, 0, 0);
+    m_stage->addWidget(m_help, 0, 0, Qt::AlignCenter);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(header());
+    layout->addWidget(new LookBar(state, this));
+    layout->addLayout(m_stage, 1);
+}
+
+QWidget* MapPane::header() {
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(10, 8, 10, 6);
+    m_title->setObjectName(QStringLiteral("mapTitle"));
+    m_result->setObjectName(QStringLiteral("mapResult"));
+    m_result->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_result->setToolTip(tr("Time of all registrations, and the lowest overlap of all scans"));
+    line->addWidget(m_title);
+    line->addWidget(m_result, 1);
+    return row;
+}
+
+QLabel* MapPane::help() {
+    auto* label =
+        new QLabel(tr("Drop scans or a folder of scans here,\nor choose File ▸ Open scans (Ctrl+O) or Open "
+                      "folder (Ctrl+Shift+O)\n\nF1 lists all keys"),
+                   this);
+    label->setObjectName(QStringLiteral("help"));
+    label->setAlignment(Qt::AlignCenter);
+    label->setProperty("muted", true);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    return label;
+}
+
+void MapPane::setTools(const QList<QAction*>& tools) {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(10, 6, 0, 0);
+    layout->setSpacing(ToolSpacing);
+    for (QAction* action : tools) {
+        if (action == nullptr) {
+            layout->addSpacing(ToolGap);
+        } else {
+            layout->addWidget(toolButton(action, column));
+        }
+    }
+    m_stage->addWidget(column, 0, 0, Qt::AlignLeft | Qt::AlignTop);
+}
+
+void MapPane::setSummary(const MapSummary& summary) {
+    m_title->setText(summary.title);
+    m_result->setText(summary.result);
+    setTone(*m_result, summary.tone);
+}
+
+void MapPane::setHelpVisible(bool visible) {
+    m_help->setVisible(visible);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+class QAction;
+class QGridLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace leitstand {
+
+class MapView;
+class ViewState;
+struct MapSummary;
+
+/// The map with its title, the tool column, the settings of the present look, and a word of help while it is
+/// empty.
+class MapPane final : public QWidget {
+    Q_OBJECT
+public:
+    /// Shows and edits @p state, which must outlive it.
+    explicit MapPane(ViewState& state, QWidget* parent = nullptr);
+
+    [[nodiscard]] MapView& view() const { return *m_view; }
+    /// Puts @p tools into the column, from top to bottom; a null stands for a gap.
+    void setTools(const QList<QAction*>& tools);
+    /// Sums the map up in the title.
+    void setSummary(const MapSummary& summary);
+    /// Shows what to do while the map is empty.
+    void setHelpVisible(bool visible);
+
+private:
+    [[nodiscard]] QWidget* header();
+    [[nodiscard]] QLabel* help();
+
+    MapView* m_view;
+    QLabel* m_title;
+    QLabel* m_result;
+    QLabel* m_help;
+    QGridLayout* m_stage;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,60 @@
+#include "app/window/options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+namespace leitstand {
+namespace {
+
+constexpr int UsageError = 2;
+constexpr int SmallestSide = 320, LargestSide = 8192;  ///< [px]
+
+/// Reads "1280x800"; an error text otherwise.
+std::string parseSize(const std::string& text, QSize& size) {
+    int width = 0, height = 0;
+    char end = 0;
+    const int found = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end);
+    const auto fits = [](int side) { return side >= SmallestSide && side <= LargestSide; };
+    if (found != 2 || !fits(width) || !fits(height)) {
+        return "expected WIDTHxHEIGHT from 320x320 to 8192x8192, found \"" + text + "\"";
+    }
+    size = {width, height};
+    return {};
+}
+
+}  // namespace
+
+std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
+    Options options;
+    std::string size;
+    CLI::App app("Leitstand, the operator station for rescue robots: registers 3D scans and shows them.",
+                 "leitstand");
+    app.set_version_flag("--version", "leitstand " LEITSTAND_VERSION);
+    app.add_option("SCANS", options.scans, "Scan files (.3d .pcd .ply .xyz) and folders to open");
+    const std::map<std::string, MapLook> looks = {
+        {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
+    const std::map<std::string, Theme> themes = {{"dark", Theme::Dark}, {"light", Theme::Light}};
+    auto* screenshot =
+        app.add_option("--screenshot", options.screenshot,
+                       "Write a picture of the window when all is shown, and quit; needs no display")
+            ->type_name("FILE");
+    app.add_option("--look", options.look, "points, voxels or top")
+        ->transform(CLI::CheckedTransformer(looks).description(""))
+        ->type_name("LOOK");
+    app.add_option("--theme", options.theme, "dark or light")
+        ->transform(CLI::CheckedTransformer(themes).description(""))
+        ->type_name("THEME");
+    app.add_option("--size", size, "Size of the screenshot in pixels (1280x800)")
+        ->type_name("WxH")
+        ->needs(screenshot)
+        ->check([&options](const std::string& text) { return parseSize(text, options.size); });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        return app.exit(problem) == 0 ? 0 : UsageError;
+    }
+    return options;
+}
+
+}  // namespace leitstand
