@@ -14,7 +14,7 @@ if(NOT LEITSTAND_CORE_ONLY)
         FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage RenderingAnnotation RenderingCore
         RenderingFreeType RenderingOpenGL2 glew)
     set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
-    find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features io)
+    find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features registration io)
     unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
 endif()
 if(LEITSTAND_WINDOW)
