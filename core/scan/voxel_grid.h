@@ -14,7 +14,8 @@ enum class VoxelPoint : std::uint8_t {
 
 /// One point for each cube of edge @p edge [m] that holds any, in the order in which the cubes are met; the
 /// grid begins at the frame's origin. Points that are not finite, or farther than 2^20 edges from the origin
-/// along an axis, are left out. Throws std::invalid_argument unless @p edge is above 0.
+/// along an axis, are left out. Weights are not carried over: all voxels count alike. Throws
+/// std::invalid_argument unless @p edge is above 0.
 [[nodiscard]] PointCloud voxelGrid(const PointCloud& cloud, double edge,
                                    VoxelPoint kept = VoxelPoint::Nearest);
 
