@@ -1,10 +1,20 @@
 #include "widgets/tone_delegate.h"
 
 #include <QGuiApplication>
+#include <QSize>
 
 #include "widgets/models/tone.h"
 
 namespace leitstand {
+namespace {
+
+constexpr QSize Air(22, 4);  ///< [px]
+
+}  // namespace
+
+QSize ToneDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    return QStyledItemDelegate::sizeHint(option, index) + Air;
+}
 
 void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);

@@ -4,11 +4,13 @@
 
 namespace leitstand {
 
-/// Draws items in the colour of their ToneRole: muted, plain or attention.
+/// Draws items in the colour of their ToneRole: muted, plain or attention; with some air around.
 class ToneDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;

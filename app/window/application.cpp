@@ -30,9 +30,9 @@ void dropPlatformRemarks(QtMsgType type, const QMessageLogContext& context, cons
 
 int takeScreenshot(const Options& options) {
     WindowState state;  // what was remembered would make pictures differ from machine to machine
+    state.firstSize = options.size;
     applyChoices(options, state.view);
     MainWindow window(state);
-    window.resize(options.size);
     return screenshot(window, options.scans, QString::fromStdString(options.screenshot));
 }
 

@@ -1,5 +1,7 @@
 #include "app/window/main_window.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
@@ -24,8 +26,8 @@
 namespace leitstand {
 namespace {
 
-constexpr QSize FirstSize(1280, 800);
-constexpr int SideWidth = 400, ScansHeight = 320, SettingsHeight = 420, MessagesHeight = 96;  ///< [px]
+constexpr int SideWidth = 420, WidestSide = 600, ScansHeight = 320, SettingsHeight = 420,
+              MessagesHeight = 96;  ///< [px]
 
 QDockWidget* makeDock(const QString& title, const QString& name, QWidget* content, QKeySequence keys,
                       QMainWindow* window) {
@@ -182,8 +184,9 @@ void MainWindow::tell(MessageListModel::Severity severity, const QString& text) 
 }
 
 void MainWindow::restore(const WindowState& state) {
-    if (state.geometry.isEmpty() || !restoreGeometry(state.geometry)) resize(FirstSize);
-    resizeDocks({m_scansDock, m_settingsDock}, {SideWidth, SideWidth}, Qt::Horizontal);
+    if (state.geometry.isEmpty() || !restoreGeometry(state.geometry)) resize(state.firstSize);
+    const int side = std::clamp(width() * 3 / 10, SideWidth, WidestSide);
+    resizeDocks({m_scansDock, m_settingsDock}, {side, side}, Qt::Horizontal);
     resizeDocks({m_scansDock, m_settingsDock}, {ScansHeight, SettingsHeight}, Qt::Vertical);
     resizeDocks({m_messagesDock}, {MessagesHeight}, Qt::Vertical);
     if (!state.layout.isEmpty()) restoreState(state.layout);
@@ -191,7 +194,13 @@ void MainWindow::restore(const WindowState& state) {
 }
 
 WindowState MainWindow::state() const {
-    return {saveGeometry(), saveState(), m_view.settings(), m_settings->settings(), m_files->recent()};
+    WindowState state;
+    state.geometry = saveGeometry();
+    state.layout = saveState();
+    state.view = m_view.settings();
+    state.registration = m_settings->settings();
+    state.recent = m_files->recent();
+    return state;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QByteArray>
+#include <QSize>
 #include <QStringList>
 
 #include "core/mapping/registration_settings.h"
@@ -16,8 +17,9 @@ using Sources = std::vector<std::filesystem::path>;
 
 /// What the window remembers from one start to the next.
 struct WindowState {
-    QByteArray geometry;  ///< QWidget::saveGeometry; empty: a size of its own choice
-    QByteArray layout;    ///< QMainWindow::saveState
+    QByteArray geometry;  ///< QWidget::saveGeometry; empty: firstSize decides
+    QSize firstSize{1280, 800};
+    QByteArray layout;  ///< QMainWindow::saveState
     MapViewSettings view;
     RegistrationSettings registration;
     std::vector<Sources> recent;  ///< newest first

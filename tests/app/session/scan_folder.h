@@ -11,8 +11,8 @@
 
 namespace leitstand::test {
 
-/// Writes a drive of @p count small scans through the furnished default room into @p folder as scan000.3d and so
-/// on. The odometry is some centimetres wrong; scan i truly stands at (0.3 i, 0, 0) of the first.
+/// Writes a drive of @p count small scans through the furnished default room into @p folder as scan000.3d and
+/// so on. The odometry is some centimetres wrong; scan i truly stands at (0.3 i, 0, 0) of the first.
 inline void writeDrive(const std::filesystem::path& folder, int count, int rows = 58, int columns = 90) {
     std::filesystem::create_directories(folder);
     for (int i = 0; i < count; ++i) {

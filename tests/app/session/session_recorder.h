@@ -20,7 +20,8 @@ public:
         std::vector<SessionOutcome> outcomes;
     };
 
-    /// Called on the session's thread after each map or progress was written down; set before the session begins.
+    /// Called on the session's thread after each map or progress was written down; set before the session
+    /// begins.
     std::function<void(const Record&)> onEvent;
 
     [[nodiscard]] SessionListener listener() {
