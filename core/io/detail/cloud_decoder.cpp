@@ -82,7 +82,7 @@ Result<void> CloudDecoder::readRecords(InputFile& file, std::uint64_t offset, st
     if (auto there = file.seek(offset); !there) return there;
     reserve(points);
     const std::size_t size = m_layout.recordSize();
-    const std::size_t perChunk = std::max<std::size_t>(1, ChunkSize / size);
+    const std::size_t perChunk = std::clamp<std::size_t>(ChunkSize / size, 1, points);
     std::vector<char> chunk(perChunk * size);
     for (std::size_t done = 0; done < points;) {
         const std::size_t wanted = std::min(perChunk, points - done);

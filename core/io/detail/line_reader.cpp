@@ -10,7 +10,12 @@ namespace leitstand::detail {
 
 namespace {
 constexpr std::size_t ChunkSize = 1 << 18;
+
+/// Enough for a chunk, or for the whole of a smaller file and the sight of its end.
+std::size_t bufferFor(const InputFile& file) {
+    return static_cast<std::size_t>(std::min<std::uint64_t>(ChunkSize, file.size() + 1));
 }
+}  // namespace
 
 Result<LineReader> LineReader::open(const std::filesystem::path& path) {
     auto file = InputFile::open(path);
@@ -18,7 +23,7 @@ Result<LineReader> LineReader::open(const std::filesystem::path& path) {
     return LineReader(std::move(file).value());
 }
 
-LineReader::LineReader(InputFile file) : m_file(std::move(file)), m_buffer(ChunkSize) {}
+LineReader::LineReader(InputFile file) : m_file(std::move(file)), m_buffer(bufferFor(m_file)) {}
 
 bool LineReader::next(std::string_view& line) {
     std::size_t searched = 0;
@@ -60,7 +65,7 @@ bool LineReader::refill() {
         return false;
     }
     m_end += *got;
-    m_atEnd = *got < wanted;
+    m_atEnd = *got < wanted || wanted == 0;  // none: the file grows while it is read
     return true;
 }
 
@@ -77,7 +82,7 @@ Result<std::size_t> countLines(const std::filesystem::path& path) {
     auto file = InputFile::open(path);
     if (!file) return file.error();
     InputFile in = std::move(file).value();
-    std::vector<char> buffer(ChunkSize);
+    std::vector<char> buffer(bufferFor(in));
     std::size_t lines = 1;
     while (true) {
         const auto got = in.read(buffer.data(), buffer.size());
