@@ -34,27 +34,32 @@ public:
     explicit MapView(QWidget* parent = nullptr);
     ~MapView() override;
 
-    /// Shows @p map; scans already shown only move, new ones are added. The camera frames the first map.
+    /// Shows @p map; scans already shown only move, new ones are added by a worker. The camera frames the map
+    /// while it grows, until the user or setCamera() moves it.
     void setMap(MapPtr map);
     /// Hides the scans whose entry is false; scans beyond the end are shown.
     void setVisible(std::vector<bool> scanIsVisible);
     using QWidget::setVisible;
 
+    /// The top look has a camera of its own; leaving it brings the other one back.
     void setSettings(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const;
 
+    /// Looks from a preset side and frames the visible scans; in the top look always straight down.
     void setCamera(CameraPreset preset);
 
     /// While on, left clicks pick the two ends of a measurement; Esc or off removes it.
     void setMeasuring(bool on);
     [[nodiscard]] std::optional<Measurement> measurement() const;
 
-    /// The point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first.
+    /// The point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first, in the
+    /// picture on screen.
     [[nodiscard]] std::optional<PickedPoint> pick(const QPoint& position) const;
     /// Where a map point is drawn now, in widget coordinates; nothing when behind the camera.
     [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& pointInMap) const;
 
-    /// The picture in full detail, drawn now with everything set so far; waits for the render thread.
+    /// The picture in full detail with legend and scale, drawn now with everything set so far; waits for the
+    /// render thread. Null when nothing can be drawn.
     [[nodiscard]] QImage picture();
     /// Whether the picture on screen shows everything set so far in full detail.
     [[nodiscard]] bool settled() const;
@@ -66,6 +71,17 @@ signals:
     void failed(const QString& why);
     /// The picture on screen is complete.
     void becameSettled();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     struct State;

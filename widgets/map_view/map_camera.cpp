@@ -1,0 +1,113 @@
+#include "widgets/map_view/map_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace leitstand {
+namespace {
+
+constexpr double ParallelEyeDistance = 500.0;  ///< everything lies before the eye of a parallel view [m]
+constexpr double FrameMargin = 1.08;           ///< room left around a framed box
+constexpr double SmallestBox = 1.0;            ///< a smaller box is framed like one of this size [m]
+
+Eigen::AlignedBox3d notTooSmall(const Eigen::AlignedBox3d& box) {
+    const Eigen::Vector3d half = (box.sizes() / 2).cwiseMax(SmallestBox / 2);
+    return {box.center() - half, box.center() + half};
+}
+
+/// The corners' least and largest of (right, up) over depth as seen by @p camera, and the distance by which
+/// the eye must go back until all of them fit.
+struct Fit {
+    Eigen::Vector2d low, high;
+    double back = 0.0;
+};
+
+Fit fit(const MapCamera& camera, const Eigen::AlignedBox3d& box, double aspect) {
+    const double tangent = std::tan(MapCamera::FieldOfView / 2) / FrameMargin;
+    Fit result;
+    result.low.setConstant(1e9);
+    result.high.setConstant(-1e9);
+    result.back = -1e9;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d offset =
+            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - camera.focus;
+        const Eigen::Vector2d across(offset.dot(camera.right()), offset.dot(camera.up()));
+        const double ahead = camera.parallel ? 0.0 : offset.dot(camera.forward());
+        const double needed = std::max(std::abs(across.x()) / aspect, std::abs(across.y())) / tangent;
+        result.back = std::max(result.back, needed - ahead - camera.distance);
+        const Eigen::Vector2d seen = across / std::max(camera.distance + ahead, 0.1);
+        result.low = result.low.cwiseMin(seen);
+        result.high = result.high.cwiseMax(seen);
+    }
+    return result;
+}
+
+}  // namespace
+
+Eigen::Vector3d MapCamera::forward() const {
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), -std::sin(pitch)};
+}
+
+Eigen::Vector3d MapCamera::right() const {
+    return {std::sin(yaw), -std::cos(yaw), 0.0};
+}
+
+Eigen::Vector3d MapCamera::up() const {
+    return {std::sin(pitch) * std::cos(yaw), std::sin(pitch) * std::sin(yaw), std::cos(pitch)};
+}
+
+Eigen::Vector3d MapCamera::eye() const {
+    return focus - (parallel ? distance + ParallelEyeDistance : distance) * forward();
+}
+
+MapProjection::MapProjection(const MapCamera& camera, QSize size)
+    : m_camera(camera),
+      m_size(size.expandedTo(QSize(1, 1))),
+      m_eye(camera.eye()),
+      m_forward(camera.forward()),
+      m_right(camera.right()),
+      m_up(camera.up()),
+      m_tangent(std::tan(MapCamera::FieldOfView / 2)) {}
+
+std::optional<Projected> MapProjection::project(const Eigen::Vector3d& pointInMap) const {
+    const Eigen::Vector3d offset = pointInMap - m_eye;
+    const double depth = offset.dot(m_forward);
+    if (depth < NearestDepth) return std::nullopt;
+    const double scale = 1.0 / metresPerPixel(depth);
+    return Projected{{m_size.width() / 2.0 + scale * offset.dot(m_right),
+                      m_size.height() / 2.0 - scale * offset.dot(m_up)},
+                     depth};
+}
+
+Eigen::Vector3d MapProjection::unproject(const QPointF& position, double depth) const {
+    const double scale = metresPerPixel(depth);
+    return m_eye + depth * m_forward + scale * (position.x() - m_size.width() / 2.0) * m_right -
+           scale * (position.y() - m_size.height() / 2.0) * m_up;
+}
+
+double MapProjection::metresPerPixel(double depth) const {
+    return 2.0 * m_tangent * (m_camera.parallel ? m_camera.distance : depth) / m_size.height();
+}
+
+double MapProjection::focusDepth() const {
+    return (m_camera.focus - m_eye).dot(m_forward);
+}
+
+MapCamera framed(MapCamera camera, const Eigen::AlignedBox3d& box, QSize size) {
+    if (box.isEmpty()) return camera;
+    const Eigen::AlignedBox3d subject = notTooSmall(box);
+    const double aspect = static_cast<double>(std::max(size.width(), 1)) / std::max(size.height(), 1);
+    camera.focus = subject.center();
+    camera.distance = subject.diagonal().norm();
+    // Perspective makes what is near larger: centre what is seen, then adapt the distance, a few times.
+    for (int round = 0; round < 8; ++round) {
+        camera.distance = std::max(camera.distance + fit(camera, subject, aspect).back, 0.1);
+        const Fit now = fit(camera, subject, aspect);
+        const Eigen::Vector2d middle = camera.distance * (now.low + now.high) / 2.0;
+        camera.focus += middle.x() * camera.right() + middle.y() * camera.up();
+    }
+    camera.distance = std::max(camera.distance + fit(camera, subject, aspect).back, 0.1);
+    return camera;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include <QPointF>
+#include <QSize>
+
+namespace leitstand {
+
+/// Where the map is seen from: a turntable around a focus, z up. A value.
+struct MapCamera {
+    static constexpr double FieldOfView = 0.7;  ///< vertical, perspective [rad]
+
+    Eigen::Vector3d focus = Eigen::Vector3d::Zero();  ///< in the map's frame [m]
+    double yaw = 0.0;        ///< heading of the view about z, 0: along x, positive: to the left [rad]
+    double pitch = 0.5;      ///< how far the view looks down, between -pi/2 and pi/2 [rad]
+    double distance = 10.0;  ///< of the eye from the focus; in parallel projection it only sets the scale [m]
+    bool parallel = false;
+
+    [[nodiscard]] Eigen::Vector3d forward() const;
+    [[nodiscard]] Eigen::Vector3d right() const;
+    [[nodiscard]] Eigen::Vector3d up() const;
+    [[nodiscard]] Eigen::Vector3d eye() const;  ///< in the map's frame [m]
+
+    bool operator==(const MapCamera&) const = default;
+};
+
+/// Where a point is drawn.
+struct Projected {
+    QPointF position;    ///< in the widget, logical pixels
+    double depth = 0.0;  ///< in front of the eye, along the view [m]
+};
+
+/// A camera that looks into a widget of a certain size: from the map to the screen and back.
+class MapProjection {
+public:
+    MapProjection(const MapCamera& camera, QSize size);
+
+    /// Where @p pointInMap is drawn; nothing when behind the eye.
+    [[nodiscard]] std::optional<Projected> project(const Eigen::Vector3d& pointInMap) const;
+    /// The point of the map under @p position at @p depth [m].
+    [[nodiscard]] Eigen::Vector3d unproject(const QPointF& position, double depth) const;
+    /// What a logical pixel covers at @p depth [m].
+    [[nodiscard]] double metresPerPixel(double depth) const;
+    /// Depth of the camera's focus [m].
+    [[nodiscard]] double focusDepth() const;
+
+    [[nodiscard]] const MapCamera& camera() const { return m_camera; }
+    [[nodiscard]] QSize size() const { return m_size; }
+
+    /// Points nearer to the eye are not drawn [m].
+    static constexpr double NearestDepth = 0.02;
+
+private:
+    MapCamera m_camera;
+    QSize m_size;
+    Eigen::Vector3d m_eye, m_forward, m_right, m_up;
+    double m_tangent;  ///< half the widget's height at unit depth
+};
+
+/// @p camera moved, not turned, so that @p box just fits into a widget of @p size.
+[[nodiscard]] MapCamera framed(MapCamera camera, const Eigen::AlignedBox3d& box, QSize size);
+
+}  // namespace leitstand

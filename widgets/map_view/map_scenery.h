@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+
+#include "core/mapping/map.h"
+#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/render/view_renderer.h"
+#include "widgets/map_view/scene/scene_builder.h"
+
+class QWidget;
+
+namespace leitstand {
+
+/// What a map view shows: hands orders to the worker, its content to the render thread, and keeps the picture
+/// drawn last and the cameras. GUI thread.
+class MapScenery final : public QObject {
+    Q_OBJECT
+public:
+    /// Draws for @p view, whose size, pixel ratio and visibility count.
+    explicit MapScenery(QWidget& view);
+    ~MapScenery() override;
+
+    void setMap(MapPtr map);
+    void setVisible(std::vector<bool> scanIsVisible);
+    void setSettings(const MapViewSettings& settings);
+    [[nodiscard]] const MapViewSettings& settings() const { return m_order.settings; }
+
+    [[nodiscard]] const MapCamera& camera() const;
+    /// Moves the camera; a coarse picture comes at once, a full one when it comes to rest.
+    void moveCamera(const MapCamera& camera);
+    void setCamera(CameraPreset preset);
+
+    /// Asks for a full picture if the one there is does not show everything.
+    void refresh();
+    /// A full picture of everything set so far; waits for it.
+    void finish();
+
+    /// What is on screen; its image is null before the first picture.
+    [[nodiscard]] const MapPicture& picture() const { return m_picture; }
+    /// How the picture on screen was projected, or the next one will be.
+    [[nodiscard]] MapProjection projection() const;
+    [[nodiscard]] bool settled() const;
+    /// Why nothing can be drawn; empty when all is well.
+    [[nodiscard]] const QString& failure() const { return m_failure; }
+
+signals:
+    void pictureChanged();
+    void becameSettled();
+    void failed(const QString& why);
+
+private:
+    /// A camera and whether it still follows the map's bounds.
+    struct FramedCamera {
+        MapCamera camera;
+        bool follows = true;
+    };
+
+    [[nodiscard]] FramedCamera& activeCamera();
+    [[nodiscard]] DrawOrder drawOrder(bool full) const;
+    [[nodiscard]] bool showsEverything(const MapPicture& picture) const;
+    void submit();
+    void takeContent(SceneContentPtr content);
+    void takePicture(MapPicture picture);
+    void takeFailure(const std::string& why);
+    void draw(bool full);
+
+    QWidget& m_view;
+    SceneOrder m_order;
+    SceneContentPtr m_content = std::make_shared<const SceneContent>();
+    FramedCamera m_freeCamera, m_topCamera;
+    MapPicture m_picture;
+    bool m_wasSettled = false;
+    QString m_failure;
+    QTimer m_rest;  ///< runs while the camera moves
+    ViewRenderer m_renderer;
+    SceneBuilder m_builder;  // last: its thread calls back
+};
+
+}  // namespace leitstand

@@ -1,0 +1,151 @@
+#include "widgets/map_view/map_view.h"
+
+#include <utility>
+
+#include <QPainter>
+
+#include "widgets/map_view/map_view_state.h"
+#include "widgets/map_view/overlays/legend.h"
+#include "widgets/map_view/overlays/map_marks.h"
+#include "widgets/map_view/overlays/scale_overlays.h"
+#include "widgets/map_view/picking.h"
+
+namespace leitstand {
+namespace {
+
+void paintFailure(QPainter& painter, const QRect& area, const QString& why, const OverlayStyle& style) {
+    painter.setFont(style.font);
+    painter.setPen(asColour(style.colours.text));
+    painter.drawText(area.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, why);
+}
+
+}  // namespace
+
+MapView::MapView(QWidget* parent) : QWidget(parent), m_state(std::make_unique<State>(*this)) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("3D map"));
+    MapScenery& scenery = m_state->scenery;
+    connect(&scenery, &MapScenery::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&scenery, &MapScenery::becameSettled, this, &MapView::becameSettled);
+    connect(&scenery, &MapScenery::failed, this, [this](const QString& why) {
+        update();
+        emit failed(why);
+    });
+    connect(&m_state->hover, &QTimer::timeout, this, [this] { emit hovered(pick(m_state->cursor)); });
+}
+
+MapView::~MapView() = default;
+
+void MapView::setMap(MapPtr map) {
+    m_state->scenery.setMap(std::move(map));
+}
+
+void MapView::setVisible(std::vector<bool> scanIsVisible) {
+    m_state->scenery.setVisible(std::move(scanIsVisible));
+}
+
+void MapView::setSettings(const MapViewSettings& settings) {
+    m_state->scenery.setSettings(settings);
+    update();
+}
+
+const MapViewSettings& MapView::settings() const {
+    return m_state->scenery.settings();
+}
+
+void MapView::setCamera(CameraPreset preset) {
+    m_state->scenery.setCamera(preset);
+}
+
+void MapView::setMeasuring(bool on) {
+    m_state->measuring = on;
+    m_state->from.reset();
+    m_state->to.reset();
+    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+std::optional<Measurement> MapView::measurement() const {
+    if (!m_state->from || !m_state->to) return std::nullopt;
+    return Measurement{*m_state->from, *m_state->to};
+}
+
+std::optional<PickedPoint> MapView::pick(const QPoint& position) const {
+    const MapScenery& scenery = m_state->scenery;
+    if (!scenery.picture().content) return std::nullopt;
+    return pickPoint(*scenery.picture().content, scenery.projection(), QPointF(position));
+}
+
+std::optional<QPointF> MapView::project(const Eigen::Vector3d& pointInMap) const {
+    const auto projected = m_state->scenery.projection().project(pointInMap);
+    if (!projected) return std::nullopt;
+    return projected->position;
+}
+
+QImage MapView::picture() {
+    MapScenery& scenery = m_state->scenery;
+    scenery.finish();
+    QImage image = scenery.picture().image;
+    if (image.isNull()) return image;
+    QPainter painter(&image);
+    m_state->paintOverlays(painter);
+    return image;
+}
+
+bool MapView::settled() const {
+    return m_state->scenery.settled();
+}
+
+void MapView::paintEvent(QPaintEvent* /*event*/) {
+    const MapScenery& scenery = m_state->scenery;
+    QPainter painter(this);
+    if (scenery.picture().image.isNull()) {
+        const OverlayStyle style = m_state->style(scenery.settings().theme);
+        painter.fillRect(rect(), asColour(style.colours.background));
+        if (!scenery.failure().isEmpty()) paintFailure(painter, rect(), scenery.failure(), style);
+        return;
+    }
+    painter.drawImage(rect(), scenery.picture().image);
+    m_state->paintOverlays(painter);
+}
+
+void MapView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_state->scenery.refresh();
+}
+
+void MapView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_state->scenery.refresh();
+}
+
+MapView::State::State(MapView& mapView) : view(mapView), scenery(mapView) {
+    hover.setSingleShot(true);
+    hover.setInterval(HoverInterval);
+}
+
+OverlayStyle MapView::State::style(Theme theme) const {
+    return {mapColours(theme), view.font(), view.locale()};
+}
+
+void MapView::State::paintOverlays(QPainter& painter) const {
+    const SceneContent& content = *scenery.picture().content;
+    if (content.scans.empty()) return;
+    const MapProjection projection = scenery.projection();
+    const OverlayStyle overlay = style(content.settings.theme);
+    painter.setRenderHint(QPainter::Antialiasing);
+    double gridStep = 0.0;
+    if (content.settings.look == MapLook::Top) {
+        gridStep = paintGroundGrid(painter, projection, content, overlay);
+    }
+    paintScanPositions(painter, projection, content, overlay);
+    if (from) paintMeasurement(painter, projection, *from, to, overlay);
+    paintLegend(painter, content, projection.size(), overlay);
+    paintScaleBar(painter, projection, gridStep, overlay);
+    paintAxes(painter, projection, overlay);
+}
+
+}  // namespace leitstand

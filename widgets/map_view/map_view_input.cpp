@@ -1,0 +1,150 @@
+#include <cmath>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "widgets/map_view/camera_moves.h"
+#include "widgets/map_view/map_view_state.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double KeyStep = 40.0;        ///< an arrow key pulls the map by this [px]
+constexpr double ZoomPerNotch = 1.2;    ///< of a mouse wheel, and per press of + or −
+constexpr double ZoomPerPixel = 1.005;  ///< of a drag
+
+MapDrag dragFor(const QMouseEvent& event, MapLook look) {
+    if (event.button() == Qt::RightButton) return MapDrag::Zoom;
+    if (event.button() == Qt::MiddleButton) return MapDrag::Shift;
+    if (event.button() != Qt::LeftButton) return MapDrag::None;
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier) || look == MapLook::Top;
+    return shift ? MapDrag::Shift : MapDrag::Turn;
+}
+
+/// How an arrow key pulls the map [px].
+std::optional<QPointF> pullOf(int key) {
+    switch (key) {
+        case Qt::Key_Left:
+            return QPointF(-KeyStep, 0);
+        case Qt::Key_Right:
+            return QPointF(KeyStep, 0);
+        case Qt::Key_Up:
+            return QPointF(0, -KeyStep);
+        case Qt::Key_Down:
+            return QPointF(0, KeyStep);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+double MapView::State::depthAt(const QPoint& position) const {
+    const MapProjection projection = scenery.projection();
+    const auto picked = view.pick(position);
+    const auto projected = picked ? projection.project(picked->pointInMap) : std::nullopt;
+    return projected ? projected->depth : projection.focusDepth();
+}
+
+void MapView::State::measureAt(const QPoint& position) {
+    const auto picked = view.pick(position);
+    if (!picked) return;
+    if (!from || to) {
+        from = picked->pointInMap;
+        to.reset();
+    } else {
+        to = picked->pointInMap;
+        emit view.measured({*from, *to});
+    }
+    view.update();
+}
+
+void MapView::mousePressEvent(QMouseEvent* event) {
+    State& state = *m_state;
+    if (state.drag != MapDrag::None) return;  // a second button does not change what the first one does
+    state.drag = dragFor(*event, settings().look);
+    state.pressed = state.cursor = event->position().toPoint();
+    state.pressedDepth = state.depthAt(state.pressed);
+    state.dragged = false;
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event) {
+    State& state = *m_state;
+    const QPoint position = event->position().toPoint();
+    if (state.drag == MapDrag::None) {
+        state.cursor = position;
+        if (!state.hover.isActive()) state.hover.start();
+        return;
+    }
+    if (!state.dragged && (position - state.pressed).manhattanLength() < QApplication::startDragDistance()) {
+        return;
+    }
+    state.dragged = true;
+    const QPointF pull(position - state.cursor);
+    state.cursor = position;
+    const MapProjection projection(state.scenery.camera(), size());
+    switch (state.drag) {
+        case MapDrag::Turn:
+            state.scenery.moveCamera(turned(projection.camera(), pull));
+            break;
+        case MapDrag::Shift:
+            state.scenery.moveCamera(shifted(projection, pull, state.pressedDepth));
+            break;
+        case MapDrag::Zoom:
+            state.scenery.moveCamera(zoomed(projection, QPointF(state.pressed), state.pressedDepth,
+                                            std::pow(ZoomPerPixel, pull.y())));
+            break;
+        case MapDrag::None:
+            break;
+    }
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent* event) {
+    State& state = *m_state;
+    if (event->buttons() != Qt::NoButton) return;
+    state.drag = MapDrag::None;
+    if (!state.dragged && state.measuring && event->button() == Qt::LeftButton) {
+        state.measureAt(event->position().toPoint());
+    }
+}
+
+void MapView::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    const QPoint position = event->position().toPoint();
+    const MapProjection projection(m_state->scenery.camera(), size());
+    m_state->scenery.moveCamera(
+        zoomed(projection, QPointF(position), m_state->depthAt(position), std::pow(ZoomPerNotch, -notches)));
+    event->accept();
+}
+
+void MapView::keyPressEvent(QKeyEvent* event) {
+    State& state = *m_state;
+    const MapProjection projection(state.scenery.camera(), size());
+    const double depth = projection.focusDepth();
+    const QPointF middle(width() / 2.0, height() / 2.0);
+    if (const auto pull = pullOf(event->key())) {
+        const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+        state.scenery.moveCamera(shift ? shifted(projection, *pull, depth)
+                                       : turned(projection.camera(), *pull));
+    } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
+        state.scenery.moveCamera(zoomed(projection, middle, depth, 1.0 / ZoomPerNotch));
+    } else if (event->key() == Qt::Key_Minus) {
+        state.scenery.moveCamera(zoomed(projection, middle, depth, ZoomPerNotch));
+    } else if (event->key() == Qt::Key_Escape && state.from) {
+        state.from.reset();
+        state.to.reset();
+        update();
+    } else {
+        event->ignore();
+    }
+}
+
+void MapView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    m_state->hover.stop();
+    emit hovered(std::nullopt);
+}
+
+}  // namespace leitstand

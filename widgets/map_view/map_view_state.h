@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include <QPoint>
+#include <QTimer>
+
+#include "widgets/map_view/map_scenery.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/map_view/overlays/overlay_style.h"
+
+namespace leitstand {
+
+/// What the mouse does while a button is held.
+enum class MapDrag : std::uint8_t { None, Turn, Shift, Zoom };
+
+struct MapView::State {
+    explicit State(MapView& mapView);
+
+    [[nodiscard]] OverlayStyle style(Theme theme) const;
+    /// Grid, marks, measurement, legend, scale and axes of the picture on screen.
+    void paintOverlays(QPainter& painter) const;
+    /// Depth of what is drawn at @p position, or else of the camera's focus [m].
+    [[nodiscard]] double depthAt(const QPoint& position) const;
+    void measureAt(const QPoint& position);
+
+    static constexpr std::chrono::milliseconds HoverInterval{50};
+
+    MapView& view;
+    MapScenery scenery;
+
+    MapDrag drag = MapDrag::None;
+    QPoint pressed, cursor;     ///< where the drag began, where the mouse is
+    double pressedDepth = 0.0;  ///< of what was drawn there [m]
+    bool dragged = false;       ///< farther than a click may wander
+    QTimer hover;               ///< limits how often hovering picks
+
+    bool measuring = false;
+    std::optional<Eigen::Vector3d> from, to;  ///< ends of the measurement, in the map's frame [m]
+};
+
+}  // namespace leitstand

@@ -1,0 +1,168 @@
+#include "widgets/map_view/overlays/legend.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QLinearGradient>
+#include <QPainter>
+
+#include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/map_view/scene/scene_content.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int Margin = 12, Padding = 9, Square = 10, Gap = 6, Space = 14, RampWidth = 120;  // [px]
+constexpr std::size_t MostScans = 8;
+
+/// A coloured square and its meaning.
+struct Entry {
+    Rgba colour;
+    QString text;
+};
+
+/// The title and the ends of a colour ramp as text.
+struct RampText {
+    QString title, low, high;
+};
+
+QString labelText(Label label) {
+    switch (label) {
+        case Label::Floor:
+            return QCoreApplication::translate("leitstand::MapView", "floor");
+        case Label::Wall:
+            return QCoreApplication::translate("leitstand::MapView", "wall");
+        case Label::Ceiling:
+            return QCoreApplication::translate("leitstand::MapView", "ceiling");
+        case Label::Unlabelled:
+            break;
+    }
+    return QCoreApplication::translate("leitstand::MapView", "unlabelled");
+}
+
+bool isPresent(Label label, const SceneContent& content) {
+    for (const SceneScan& scan : content.scans) {
+        const auto index = static_cast<std::size_t>(label);
+        if (scan.visible && scan.points && scan.points->labelCounts[index] > 0) return true;
+    }
+    return false;
+}
+
+/// The labels that are drawn in a colour of their own.
+std::vector<Entry> labelEntries(const SceneContent& content) {
+    const bool top = content.settings.look == MapLook::Top;
+    std::vector<Entry> entries;
+    for (const Label label : {Label::Floor, Label::Wall, Label::Ceiling, Label::Unlabelled}) {
+        if ((top && label == Label::Ceiling) || !isPresent(label, content)) continue;
+        const bool ground = top && label == Label::Floor;
+        if (!ground && content.settings.colouring != MapColouring::Label) continue;
+        entries.push_back(
+            {ground ? mapColours(content.settings.theme).ground : labelColour(label), labelText(label)});
+    }
+    return entries;
+}
+
+std::vector<Entry> entriesFor(const SceneContent& content) {
+    std::vector<Entry> entries = labelEntries(content);
+    if (content.settings.colouring != MapColouring::Scan) return entries;
+    std::size_t more = 0;
+    for (std::size_t i = 0; i < content.scans.size(); ++i) {
+        if (!content.scans[i].visible) continue;
+        if (entries.size() < MostScans) {
+            entries.push_back({scanColour(i), QString::fromStdString(content.scans[i].name)});
+        } else {
+            ++more;
+        }
+    }
+    if (more > 0) entries.push_back({Rgba{0, 0, 0, 0}, QStringLiteral("+%1").arg(more)});
+    return entries;
+}
+
+std::optional<RampText> rampText(const SceneContent& content, const OverlayStyle& style) {
+    if (!content.ramp) return std::nullopt;
+    const bool height = content.settings.colouring == MapColouring::Height;
+    const int decimals = height ? 1 : 0;
+    return RampText{height ? QCoreApplication::translate("leitstand::MapView", "height")
+                           : QCoreApplication::translate("leitstand::MapView", "range"),
+                    numberText(content.ramp->low, decimals, style.locale),
+                    QStringLiteral("%1 m").arg(numberText(content.ramp->high, decimals, style.locale))};
+}
+
+/// Writes from left to right on one line.
+class LineWriter {
+public:
+    LineWriter(QPainter& painter, const QRect& box) : m_painter(painter), m_box(box), m_x(box.left()) {}
+
+    void text(const QString& text, const QColor& colour, int gapAfter) {
+        m_painter.setPen(colour);
+        const int width = m_painter.fontMetrics().horizontalAdvance(text);
+        m_painter.drawText(QRect(m_x, m_box.top(), width + 2, m_box.height()), Qt::AlignVCenter, text);
+        m_x += width + gapAfter;
+    }
+
+    void square(const QColor& colour) {
+        m_painter.fillRect(m_x, m_box.center().y() - Square / 2 + 1, Square, Square, colour);
+        m_x += Square + Gap;
+    }
+
+    void ramp() {
+        constexpr int Steps = 16;
+        QLinearGradient gradient(m_x, 0, m_x + RampWidth, 0);
+        for (int i = 0; i <= Steps; ++i) {
+            const double t = static_cast<double>(i) / Steps;
+            gradient.setColorAt(t, asColour(viridis(t)));
+        }
+        m_painter.fillRect(m_x, m_box.center().y() - 3, RampWidth, 8, gradient);
+        m_x += RampWidth + Gap;
+    }
+
+private:
+    QPainter& m_painter;
+    QRect m_box;
+    int m_x;
+};
+
+int widthOf(const std::vector<Entry>& entries, const std::optional<RampText>& ramp,
+            const QFontMetrics& metrics) {
+    int width = 0;
+    for (const Entry& entry : entries) {
+        width += Square + Gap + metrics.horizontalAdvance(entry.text) + Space;
+    }
+    if (!ramp) return width - Space;
+    return width + metrics.horizontalAdvance(ramp->title) + Space + metrics.horizontalAdvance(ramp->low) +
+           Gap + RampWidth + Gap + metrics.horizontalAdvance(ramp->high);
+}
+
+}  // namespace
+
+void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const OverlayStyle& style) {
+    const std::vector<Entry> entries = entriesFor(content);
+    const std::optional<RampText> ramp = rampText(content, style);
+    if (entries.empty() && !ramp) return;
+
+    painter.setFont(style.font);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int height = metrics.height() + 10;
+    const QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics) + 2 * Padding,
+                    height);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(asColour(style.colours.panel));
+    painter.drawRoundedRect(box, 4, 4);
+
+    const QColor text = asColour(style.colours.text), muted = asColour(style.colours.muted);
+    LineWriter line(painter, box.adjusted(Padding, 0, -Padding, 0));
+    for (const Entry& entry : entries) {
+        line.square(asColour(entry.colour));
+        line.text(entry.text, text, Space);
+    }
+    if (!ramp) return;
+    line.text(ramp->title, muted, Space);
+    line.text(ramp->low, text, Gap);
+    line.ramp();
+    line.text(ramp->high, text, 0);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QLocale>
+#include <QString>
+
+#include "widgets/map_view/scene/map_colours.h"
+
+namespace leitstand {
+
+/// How text and lines over the map are painted.
+struct OverlayStyle {
+    MapColours colours;
+    QFont font;
+    QLocale locale;
+};
+
+[[nodiscard]] inline QColor asColour(Rgba colour) {
+    return {colour.r, colour.g, colour.b, colour.a};
+}
+
+/// @p value with @p decimals as people read it: in the user's language, with a real minus sign.
+[[nodiscard]] inline QString numberText(double value, int decimals, const QLocale& locale) {
+    return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,156 @@
+#include "widgets/map_view/render/actors.h"
+
+#include <utility>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "widgets/map_view/render/range_mapper.h"
+
+namespace leitstand {
+namespace {
+
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Rgba) == 4);
+
+// VTK's arrays look at our memory and never write or free it, though their interface knows no const.
+constexpr int KeepMemory = 1;
+
+vtkNew<vtkPoints> pointsOver(const std::vector<Eigen::Vector3f>& positions) {
+    vtkNew<vtkFloatArray> array;
+    array->SetNumberOfComponents(3);
+    array->SetArray(const_cast<float*>(positions.data()->data()),
+                    3 * static_cast<vtkIdType>(positions.size()), KeepMemory);
+    vtkNew<vtkPoints> points;
+    points->SetData(array);
+    return points;
+}
+
+vtkNew<vtkUnsignedCharArray> coloursOver(const std::vector<Rgba>& colours) {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetNumberOfComponents(4);
+    array->SetArray(const_cast<unsigned char*>(&colours.data()->r),
+                    4 * static_cast<vtkIdType>(colours.size()), KeepMemory);
+    return array;
+}
+
+/// Cells of @p size points each; the size of all @p indices makes one cell.
+vtkNew<vtkCellArray> cellsOver(const std::vector<std::int32_t>& indices, std::size_t size) {
+    vtkNew<vtkTypeInt32Array> connectivity;
+    connectivity->SetArray(const_cast<std::int32_t*>(indices.data()), static_cast<vtkIdType>(indices.size()),
+                           KeepMemory);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(static_cast<vtkIdType>(size), connectivity);
+    return cells;
+}
+
+void useColoursAsTheyAre(vtkMapper* mapper) {
+    mapper->SetColorModeToDirectScalars();
+    mapper->SetScalarModeToUsePointData();
+    mapper->ScalarVisibilityOn();
+    mapper->SetStatic(true);
+}
+
+vtkNew<vtkMatrix4x4> matrixOf(const Pose& pose) {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            matrix->SetElement(row, column, pose.matrix()(row, column));
+        }
+    }
+    return matrix;
+}
+
+}  // namespace
+
+ScanActor::ScanActor()
+    : m_mapper(vtkSmartPointer<RangeMapper>::New()), m_actor(vtkSmartPointer<vtkActor>::New()) {
+    useColoursAsTheyAre(m_mapper);
+    m_mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    m_actor->SetMapper(m_mapper);
+    m_actor->GetProperty()->LightingOff();
+    m_actor->ForceOpaqueOn();
+    m_actor->VisibilityOff();
+}
+
+ScanActor::~ScanActor() = default;
+
+void ScanActor::update(const SceneScan& scan) {
+    if (scan.points != m_points || scan.look.colours != m_look.colours || scan.look.shown != m_look.shown) {
+        const ScanPointsPtr points = std::exchange(m_points, scan.points);
+        const PointCloudLook look = std::exchange(m_look, scan.look);
+        rebuild();  // the former memory goes only after VTK has let go of it
+    }
+    m_visible = scan.visible;
+    m_actor->SetVisibility(m_visible && shownPoints() > 0);
+    m_actor->SetUserMatrix(matrixOf(scan.poseInMap));
+}
+
+void ScanActor::rebuild() {
+    if (shownPoints() == 0) {
+        m_mapper->SetInputDataObject(nullptr);
+        return;
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(pointsOver(m_points->points));
+    data->GetPointData()->SetScalars(coloursOver(*m_look.colours));
+    data->SetVerts(cellsOver(*m_look.shown, m_look.shown->size()));
+    m_mapper->SetInputData(data);
+    m_mapper->Update();
+}
+
+void ScanActor::setClip(vtkPlaneCollection* planesInMap) {
+    m_mapper->SetClippingPlanes(planesInMap);
+}
+
+void ScanActor::setPointSize(double devicePixels) {
+    m_actor->GetProperty()->SetPointSize(static_cast<float>(devicePixels));
+}
+
+void ScanActor::setRange(double from, double to) {
+    m_mapper->setRange(from, to);
+}
+
+std::size_t ScanActor::shownPoints() const {
+    return m_points && m_look.colours && m_look.shown ? m_look.shown->size() : 0;
+}
+
+VoxelActor::VoxelActor() : m_actor(vtkSmartPointer<vtkActor>::New()) {
+    m_actor->GetProperty()->LightingOff();
+    m_actor->GetProperty()->BackfaceCullingOn();
+    m_actor->ForceOpaqueOn();
+    m_actor->VisibilityOff();
+}
+
+VoxelActor::~VoxelActor() = default;
+
+void VoxelActor::update(std::shared_ptr<const VoxelMesh> mesh) {
+    if (mesh == m_mesh) return;
+    const auto former = std::exchange(m_mesh, std::move(mesh));
+    const bool shown = m_mesh && !m_mesh->triangles.empty();
+    m_actor->SetVisibility(shown);
+    vtkNew<vtkPolyDataMapper> mapper;
+    useColoursAsTheyAre(mapper);
+    if (shown) {
+        vtkNew<vtkPolyData> data;
+        data->SetPoints(pointsOver(m_mesh->vertices));
+        data->GetPointData()->SetScalars(coloursOver(m_mesh->colours));
+        data->SetPolys(cellsOver(m_mesh->triangles, 3));
+        mapper->SetInputData(data);
+    }
+    mapper->Update();
+    m_actor->SetMapper(mapper);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vtkOpenGLPolyDataMapper.h>
+
+namespace leitstand {
+
+/// Draws a range of a poly data's vertices: since points are shuffled, any range is a fair sample, and
+/// ranges drawn one after another add up to the whole. Render thread only.
+class RangeMapper final : public vtkOpenGLPolyDataMapper {
+public:
+    static RangeMapper* New();
+    vtkTypeMacro(RangeMapper, vtkOpenGLPolyDataMapper);
+
+    /// The share of the points drawn next, as fractions of their number.
+    void setRange(double from, double to);
+
+protected:
+    void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+    double m_from = 0.0, m_to = 1.0;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/base/result.h"
+
+namespace leitstand {
+
+class EglDisplay;
+
+/// The one thread in which VTK draws for all views of the process: VTK and EGL keep state per thread.
+class RenderThread {
+public:
+    using Task = std::function<void(const Result<std::unique_ptr<EglDisplay>>& display)>;
+
+    /// The running thread, or a new one; it ends with its last owner.
+    [[nodiscard]] static std::shared_ptr<RenderThread> shared();
+
+    RenderThread();
+    /// Waits until all tasks are done.
+    ~RenderThread();
+
+    /// Any thread. Tasks run one after another in this order, on the render thread, and are handed the
+    /// connection to EGL or the reason why there is none.
+    void post(Task task);
+
+private:
+    void run(const std::stop_token& stop);
+
+    std::mutex m_mutex;
+    std::condition_variable_any m_posted;
+    std::deque<Task> m_tasks;
+    std::jthread m_thread;  // last member: joined first
+};
+
+}  // namespace leitstand

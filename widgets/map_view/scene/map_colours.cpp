@@ -1,0 +1,81 @@
+#include "widgets/map_view/scene/map_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace leitstand {
+
+const MapColours& mapColours(Theme theme) {
+    static constexpr MapColours Dark = {
+        .background = rgba("#12151A"),
+        .text = rgba("#E6E9EF"),
+        .muted = rgba("#9AA3B2"),
+        .panel = {0x16, 0x1A, 0x20, 224},
+        .grid = {0x6B, 0x76, 0x89, 96},
+        .ground = rgba("#B4BAC4"),
+        .trail = rgba("#CC79A7"),
+        .scanPosition = rgba("#4084E0"),
+        .markerEdge = rgba("#FFFFFF"),
+        .measurement = rgba("#56B4E9"),
+    };
+    static constexpr MapColours Light = {
+        .background = rgba("#F3F4F6"),
+        .text = rgba("#12151A"),
+        .muted = rgba("#535D6E"),
+        .panel = {0xFF, 0xFF, 0xFF, 232},
+        .grid = {0x53, 0x5D, 0x6E, 80},
+        .ground = rgba("#B4BAC4"),
+        .trail = rgba("#B0578A"),
+        .scanPosition = rgba("#4084E0"),
+        .markerEdge = rgba("#FFFFFF"),
+        .measurement = rgba("#0072B2"),
+    };
+    return theme == Theme::Dark ? Dark : Light;
+}
+
+Rgba labelColour(Label label) {
+    switch (label) {
+        case Label::Floor:
+            return rgba("#4084E0");
+        case Label::Wall:
+            return rgba("#E8C410");
+        case Label::Ceiling:
+            return rgba("#D64E4A");
+        case Label::Unlabelled:
+            break;
+    }
+    return rgba("#8A93A3");
+}
+
+Rgba scanColour(std::size_t scan) {
+    static constexpr std::array<Rgba, 7> OkabeIto = {
+        rgba("#56B4E9"), rgba("#E69F00"), rgba("#009E73"), rgba("#CC79A7"),
+        rgba("#F0E442"), rgba("#D55E00"), rgba("#0072B2"),
+    };
+    return OkabeIto[scan % OkabeIto.size()];
+}
+
+Rgba viridis(double t) {
+    static constexpr std::array<Rgba, 10> Steps = {
+        rgba("#440154"), rgba("#482878"), rgba("#3E4A89"), rgba("#31688E"), rgba("#26828E"),
+        rgba("#1F9E89"), rgba("#35B779"), rgba("#6DCD59"), rgba("#B4DE2C"), rgba("#FDE725"),
+    };
+    const double position = std::clamp(t, 0.0, 1.0) * static_cast<double>(Steps.size() - 1);
+    const auto lower = std::min(static_cast<std::size_t>(position), Steps.size() - 2);
+    const double weight = position - static_cast<double>(lower);
+    const auto mix = [weight](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround((1.0 - weight) * a + weight * b));
+    };
+    const Rgba &a = Steps[lower], &b = Steps[lower + 1];
+    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
+}
+
+Rgba shaded(Rgba colour, double factor) {
+    const auto scale = [factor](std::uint8_t value) {
+        return static_cast<std::uint8_t>(std::clamp(std::lround(value * factor), 0L, 255L));
+    };
+    return {scale(colour.r), scale(colour.g), scale(colour.b), colour.a};
+}
+
+}  // namespace leitstand

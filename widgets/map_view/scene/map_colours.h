@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/scan/scan.h"
+#include "widgets/map_view/map_view_settings.h"
+
+namespace leitstand {
+
+/// A colour as it lies in OpenGL's memory.
+struct Rgba {
+    std::uint8_t r = 0, g = 0, b = 0, a = 255;
+
+    bool operator==(const Rgba&) const = default;
+};
+
+/// "#rrggbb".
+[[nodiscard]] constexpr Rgba rgba(std::string_view hex) {
+    const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10; };
+    const auto byte = [&](std::size_t i) {
+        return static_cast<std::uint8_t>(16 * digit(hex[i]) + digit(hex[i + 1]));
+    };
+    return {byte(1), byte(3), byte(5), 255};
+}
+
+/// Background and overlay colours of a map in one theme.
+struct MapColours {
+    Rgba background, text, muted, panel;  ///< panel: behind the legend and the measurement's text
+    Rgba grid;                            ///< with its transparency
+    Rgba ground;                          ///< floor points in the top view: the paper's light grey
+    Rgba trail, scanPosition, markerEdge, measurement;
+};
+[[nodiscard]] const MapColours& mapColours(Theme theme);
+
+/// The paper's blue, yellow and red; grey for points without a label.
+[[nodiscard]] Rgba labelColour(Label label);
+
+/// The @p scan-th colour of Okabe and Ito's cycle, which colour-blind people can tell apart.
+[[nodiscard]] Rgba scanColour(std::size_t scan);
+
+/// The colour map viridis at @p t, cut to 0..1.
+[[nodiscard]] Rgba viridis(double t);
+
+/// @p colour times @p factor, without overflow.
+[[nodiscard]] Rgba shaded(Rgba colour, double factor);
+
+}  // namespace leitstand

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// The points of a scan that can be drawn, in random order: every beginning of the list is a fair sample.
+struct ScanPoints {
+    std::vector<Eigen::Vector3f> points;  ///< in the scan's frame [m]
+    std::vector<Label> labels;            ///< one per point
+    std::array<std::size_t, LabelCount> labelCounts{};
+    Eigen::AlignedBox3f bounds;  ///< in the scan's frame [m]
+};
+using ScanPointsPtr = std::shared_ptr<const ScanPoints>;
+
+/// The finite points of @p scan between @p minRange and @p maxRange from its sensor [m]; the same order for
+/// the same scan.
+[[nodiscard]] ScanPoints drawablePoints(const Scan& scan, double minRange, double maxRange);
+
+}  // namespace leitstand

@@ -1,0 +1,175 @@
+#include "widgets/map_view/scene/scene_assembler.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "widgets/map_view/scene/scene_statistics.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::milliseconds PartInterval(150);
+
+std::vector<std::int32_t> shownPoints(const ScanPoints& points, bool withCeiling) {
+    std::vector<std::int32_t> shown;
+    shown.reserve(points.points.size());
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+        if (withCeiling || points.labels[i] != Label::Ceiling) shown.push_back(static_cast<std::int32_t>(i));
+    }
+    return shown;
+}
+
+std::vector<Rgba> coloursOf(const ScanPoints& points, const MapViewSettings& settings, const Pose& poseInMap,
+                            const ColourRamp& ramp, std::size_t index) {
+    const auto onRamp = [&ramp](double value) {
+        return viridis((value - ramp.low) / (ramp.high - ramp.low));
+    };
+    const Eigen::RowVector3d heightAxis = poseInMap.linear().row(2);
+    const double heightOffset = poseInMap.translation().z();
+    const bool top = settings.look == MapLook::Top;
+    const Rgba ground = mapColours(settings.theme).ground;
+    std::vector<Rgba> colours(points.points.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const Eigen::Vector3f& point = points.points[i];
+        if (top && points.labels[i] == Label::Floor) {
+            colours[i] = ground;
+            continue;
+        }
+        switch (settings.colouring) {
+            case MapColouring::Label:
+                colours[i] = labelColour(points.labels[i]);
+                break;
+            case MapColouring::Scan:
+                colours[i] = scanColour(index);
+                break;
+            case MapColouring::Height:
+                colours[i] = onRamp(heightAxis.dot(point.cast<double>()) + heightOffset);
+                break;
+            case MapColouring::Range:
+                colours[i] = onRamp(point.norm());
+                break;
+        }
+    }
+    return colours;
+}
+
+SceneContent outline(const SceneOrder& order) {
+    SceneContent content;
+    content.order = order.number;
+    content.settings = order.settings;
+    if (!order.map) return content;
+    for (std::size_t i = 0; i < order.map->scans.size(); ++i) {
+        const MapScan& scan = order.map->scans[i];
+        SceneScan shown;
+        shown.name = scan.scan->name;
+        shown.poseInMap = order.settings.poses == MapPoses::Guess ? scan.guessInMap : scan.poseInMap;
+        shown.visible = i >= order.scanIsVisible.size() || order.scanIsVisible[i];
+        content.scans.push_back(std::move(shown));
+    }
+    return content;
+}
+
+}  // namespace
+
+SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::function<bool()>& interrupted,
+                                         const std::function<void(SceneContentPtr)>& onPart) {
+    using Clock = std::chrono::steady_clock;
+    SceneContent content = outline(order);
+    forgetAllBut(order.map ? *order.map : Map{});
+    const auto finish = [&](std::size_t count) {
+        const SceneSample sample = sampleOf(content);
+        content.bounds = robustBounds(sample);
+        content.ramp = rampOf(sample, order.settings.colouring);
+        for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
+            addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content);
+        }
+    };
+    Clock::time_point lastPart = Clock::now();
+    for (std::size_t i = 0; i < content.scans.size(); ++i) {
+        if (interrupted()) return nullptr;
+        content.scans[i].points = readyFor(order.map->scans[i].scan, order.settings).points;
+        if (i + 1 == content.scans.size() || Clock::now() - lastPart < PartInterval) continue;
+        finish(i + 1);
+        content.complete = false;
+        onPart(std::make_shared<const SceneContent>(content));
+        content.complete = true;
+        lastPart = Clock::now();
+    }
+    finish(content.scans.size());
+    if (order.settings.look == MapLook::Voxels && !addVoxels(content, interrupted)) return nullptr;
+    return std::make_shared<const SceneContent>(std::move(content));
+}
+
+void SceneAssembler::forgetAllBut(const Map& map) {
+    std::erase_if(m_ready, [&map](const Ready& ready) {
+        return std::none_of(map.scans.begin(), map.scans.end(),
+                            [&ready](const MapScan& scan) { return scan.scan == ready.scan; });
+    });
+}
+
+SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapViewSettings& settings) {
+    auto known = std::find_if(m_ready.begin(), m_ready.end(),
+                              [&scan](const Ready& ready) { return ready.scan == scan; });
+    if (known == m_ready.end()) known = m_ready.insert(known, Ready());
+    Ready& ready = *known;
+    if (!ready.points || ready.minRange != settings.minRange || ready.maxRange != settings.maxRange) {
+        ready = Ready();
+        ready.scan = scan;
+        ready.minRange = settings.minRange;
+        ready.maxRange = settings.maxRange;
+        ready.points =
+            std::make_shared<const ScanPoints>(drawablePoints(*scan, settings.minRange, settings.maxRange));
+    }
+    return ready;
+}
+
+void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content) {
+    const MapViewSettings& settings = content.settings;
+    const bool withCeiling = settings.look != MapLook::Top;
+    if (!ready.shown || ready.withCeiling != withCeiling) {
+        ready.withCeiling = withCeiling;
+        ready.shown =
+            std::make_shared<const std::vector<std::int32_t>>(shownPoints(*ready.points, withCeiling));
+    }
+    const ColourRamp ramp = content.ramp.value_or(ColourRamp{});
+    const bool same =
+        ready.colours && ready.settings.colouring == settings.colouring &&
+        ready.settings.look == settings.look && ready.settings.theme == settings.theme &&
+        (settings.colouring != MapColouring::Scan || ready.index == index) &&
+        (settings.colouring != MapColouring::Height || ready.poseInMap.isApprox(scan.poseInMap, 0.0)) &&
+        (!content.ramp || ready.ramp == ramp);
+    if (!same) {
+        ready.settings = settings;
+        ready.poseInMap = scan.poseInMap;
+        ready.ramp = ramp;
+        ready.index = index;
+        ready.colours = std::make_shared<const std::vector<Rgba>>(
+            coloursOf(*ready.points, settings, scan.poseInMap, ramp, index));
+    }
+    scan.look = {ready.colours, ready.shown};
+}
+
+bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()>& interrupted) {
+    VoxelRecipe recipe{.sources = {},
+                       .size = std::clamp(content.settings.voxelSize, 0.05, 0.5),
+                       .minHeight = content.settings.minHeight,
+                       .maxHeight = content.settings.maxHeight,
+                       .colouring = content.settings.colouring,
+                       .ramp = content.ramp.value_or(ColourRamp{})};
+    for (std::size_t i = 0; i < content.scans.size(); ++i) {
+        const SceneScan& scan = content.scans[i];
+        if (scan.visible) recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i});
+    }
+    if (!m_voxels || recipe != m_recipe) {
+        auto mesh = buildVoxels(recipe, interrupted);
+        if (!mesh) return false;
+        m_voxels = std::make_shared<const VoxelMesh>(*std::move(mesh));
+        m_recipe = std::move(recipe);
+    }
+    content.voxels = m_voxels;
+    return true;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/mapping/map.h"
+#include "widgets/map_view/scene/scene_content.h"
+#include "widgets/map_view/scene/voxel_mesh.h"
+
+namespace leitstand {
+
+/// What shall be shown.
+struct SceneOrder {
+    std::uint64_t number = 0;
+    MapPtr map;                       ///< null: nothing
+    std::vector<bool> scanIsVisible;  ///< scans beyond the end are visible
+    MapViewSettings settings;
+};
+
+/// Makes what is drawn out of a map, and keeps what can be used again. One thread.
+class SceneAssembler {
+public:
+    /// The content for @p order, or null when @p interrupted said to stop. @p onPart is handed what is ready
+    /// of it from time to time.
+    [[nodiscard]] SceneContentPtr assemble(const SceneOrder& order, const std::function<bool()>& interrupted,
+                                           const std::function<void(SceneContentPtr)>& onPart);
+
+private:
+    /// A scan made ready, and what that depended on.
+    struct Ready {
+        ScanPtr scan;
+        double minRange = 0.0, maxRange = 0.0;
+        ScanPointsPtr points;
+        bool withCeiling = true;
+        std::shared_ptr<const std::vector<std::int32_t>> shown;
+        MapViewSettings settings;  ///< of the colours
+        Pose poseInMap = Pose::Identity();
+        ColourRamp ramp;
+        std::size_t index = 0;
+        std::shared_ptr<const std::vector<Rgba>> colours;
+    };
+
+    void forgetAllBut(const Map& map);
+    Ready& readyFor(const ScanPtr& scan, const MapViewSettings& settings);
+    void addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content);
+    [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
+
+    std::vector<Ready> m_ready;
+    VoxelRecipe m_recipe;
+    std::shared_ptr<const VoxelMesh> m_voxels;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "widgets/map_view/scene/scene_assembler.h"
+
+namespace leitstand {
+
+/// The worker that makes maps ready for drawing. Any thread; the newest order wins.
+class SceneBuilder {
+public:
+    /// @p onContent is called on the worker's thread, with parts of the content first when there is much to
+    /// do.
+    explicit SceneBuilder(std::function<void(SceneContentPtr)> onContent);
+    ~SceneBuilder();
+
+    void submit(SceneOrder order);
+    /// Waits for the whole content of the order submitted last.
+    [[nodiscard]] SceneContentPtr finished();
+
+private:
+    void run(const std::stop_token& stop);
+
+    std::function<void(SceneContentPtr)> m_onContent;
+    std::mutex m_mutex;
+    std::condition_variable_any m_changed;
+    std::optional<SceneOrder> m_order;  ///< not yet begun
+    std::uint64_t m_newest = 0;         ///< number of the order submitted last
+    SceneContentPtr m_done = std::make_shared<const SceneContent>();
+    std::jthread m_thread;  // last member: joined first
+};
+
+}  // namespace leitstand

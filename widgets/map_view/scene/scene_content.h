@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/base/pose.h"
+#include "widgets/map_view/map_view_settings.h"
+#include "widgets/map_view/scene/map_colours.h"
+#include "widgets/map_view/scene/scan_points.h"
+
+namespace leitstand {
+
+/// How the points of a scan are drawn.
+struct PointCloudLook {
+    std::shared_ptr<const std::vector<Rgba>> colours;        ///< one per point
+    std::shared_ptr<const std::vector<std::int32_t>> shown;  ///< the points drawn, in drawing order
+};
+
+/// A scan as it is drawn.
+struct SceneScan {
+    std::string name;
+    Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
+    bool visible = true;
+    ScanPointsPtr points;  ///< null until made ready
+    PointCloudLook look;   ///< empty until made ready, and while voxels are shown
+};
+
+/// The exposed faces of the occupied voxels; colours carry the shading.
+struct VoxelMesh {
+    std::vector<Eigen::Vector3f> vertices;  ///< in the map's frame [m]
+    std::vector<Rgba> colours;              ///< one per vertex
+    std::vector<std::int32_t> triangles;    ///< three vertices each, counter-clockwise from outside
+    std::size_t voxels = 0;
+};
+
+/// The numbers at the ends of a colour ramp [m].
+struct ColourRamp {
+    double low = 0.0, high = 1.0;
+
+    bool operator==(const ColourRamp&) const = default;
+};
+
+/// All that a picture of the map shows, but for the camera. Immutable once shared.
+struct SceneContent {
+    std::uint64_t order = 0;  ///< number of the SceneOrder this answers
+    bool complete = true;     ///< false while scans are still being made ready
+    MapViewSettings settings;
+    std::vector<SceneScan> scans;             ///< as in Map::scans
+    std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
+    std::optional<ColourRamp> ramp;           ///< when coloured by height or range
+    Eigen::AlignedBox3d bounds;               ///< of nearly all points shown: strays do not count [m]
+};
+using SceneContentPtr = std::shared_ptr<const SceneContent>;
+
+}  // namespace leitstand

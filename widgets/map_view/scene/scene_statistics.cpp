@@ -1,0 +1,81 @@
+#include "widgets/map_view/scene/scene_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t SampleSize = 40'000;
+
+/// The value below which a share of @p values lies; reorders them.
+double quantile(std::vector<double>& values, double share) {
+    const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + index, values.end());
+    return values[static_cast<std::size_t>(index)];
+}
+
+ColourRamp rounded(double low, double high, double step) {
+    const double first = std::floor(low / step) * step;
+    return {first, std::max(std::ceil(high / step) * step, first + step)};
+}
+
+}  // namespace
+
+bool isShown(double height, Label label, const MapViewSettings& settings) {
+    if (settings.minHeight && height < *settings.minHeight) return false;
+    if (settings.maxHeight && height > *settings.maxHeight) return false;
+    return settings.look != MapLook::Top || label != Label::Ceiling;
+}
+
+SceneSample sampleOf(const SceneContent& content) {
+    std::size_t total = 0;
+    for (const SceneScan& scan : content.scans) {
+        if (scan.visible && scan.points) total += scan.points->points.size();
+    }
+    SceneSample sample;
+    const double share = std::min(1.0, static_cast<double>(SampleSize) / static_cast<double>(total + 1));
+    for (const SceneScan& scan : content.scans) {
+        if (!scan.visible || !scan.points) continue;
+        const auto count =
+            static_cast<std::size_t>(std::ceil(share * static_cast<double>(scan.points->points.size())));
+        for (std::size_t i = 0; i < std::min(count, scan.points->points.size()); ++i) {
+            const Eigen::Vector3d inScan = scan.points->points[i].cast<double>();
+            const Eigen::Vector3d inMap = scan.poseInMap * inScan;
+            if (!isShown(inMap.z(), scan.points->labels[i], content.settings)) continue;
+            sample.points.push_back(inMap);
+            sample.ranges.push_back(inScan.norm());
+        }
+    }
+    return sample;
+}
+
+Eigen::AlignedBox3d robustBounds(const SceneSample& sample) {
+    constexpr double Stray = 0.015;  ///< share of the points left out at each end of each axis
+    Eigen::AlignedBox3d box;
+    if (sample.points.empty()) return box;
+    std::vector<double> values(sample.points.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = sample.points[i][axis];
+        box.min()[axis] = quantile(values, Stray);
+        box.max()[axis] = quantile(values, 1.0 - Stray);
+    }
+    return box;
+}
+
+std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring) {
+    if (sample.points.empty()) return std::nullopt;
+    if (colouring == MapColouring::Height) {
+        std::vector<double> heights;
+        heights.reserve(sample.points.size());
+        for (const Eigen::Vector3d& point : sample.points) heights.push_back(point.z());
+        return rounded(quantile(heights, 0.01), quantile(heights, 0.99), 0.1);
+    }
+    if (colouring == MapColouring::Range) {
+        std::vector<double> ranges = sample.ranges;
+        return rounded(0.0, quantile(ranges, 0.98), 1.0);
+    }
+    return std::nullopt;
+}
+
+}  // namespace leitstand

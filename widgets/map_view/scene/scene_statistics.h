@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "widgets/map_view/scene/scene_content.h"
+
+namespace leitstand {
+
+/// A fair sample of the points shown.
+struct SceneSample {
+    std::vector<Eigen::Vector3d> points;  ///< in the map's frame [m]
+    std::vector<double> ranges;           ///< from their scanners [m]
+};
+[[nodiscard]] SceneSample sampleOf(const SceneContent& content);
+
+/// A box that holds nearly all of @p sample: stray points, seen through a window or in a mirror, do not
+/// count.
+[[nodiscard]] Eigen::AlignedBox3d robustBounds(const SceneSample& sample);
+
+/// Numbers between which the colours run, rounded; nothing unless coloured by height or range.
+[[nodiscard]] std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring);
+
+/// Whether a point of the map at @p height [m] with @p label is shown under @p settings.
+[[nodiscard]] bool isShown(double height, Label label, const MapViewSettings& settings);
+
+}  // namespace leitstand

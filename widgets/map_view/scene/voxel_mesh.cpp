@@ -1,0 +1,136 @@
+#include "widgets/map_view/scene/voxel_mesh.h"
+
+#include <array>
+#include <limits>
+
+#include "widgets/map_view/scene/voxel_table.h"
+
+namespace leitstand {
+namespace {
+
+/// One side of a cube: outward direction and two axes along it, u x v = outward.
+struct Side {
+    Eigen::Array3i outward, u, v;
+    double light;  ///< of a sun from above and behind the first scan's right shoulder
+};
+
+const std::array<Side, 6>& sides() {
+    static const std::array<Side, 6> all = {{
+        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 1.00},
+        {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, 0.50},
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.62},
+        {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0.84},
+        {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, 0.68},
+        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, 0.76},
+    }};
+    return all;
+}
+
+/// How much light reaches a corner with @p neighbours (0 to 3) of the cubes around it occupied.
+constexpr std::array<double, 4> CornerLight = {1.0, 0.86, 0.74, 0.62};
+
+/// A little light more or less, so that cubes of one colour in one plane can be counted.
+double grain(const Eigen::Array3i& cell) {
+    auto hash = static_cast<std::uint32_t>(cell.x() * 73'856'093 ^ cell.y() * 19'349'663);
+    hash = (hash ^ static_cast<std::uint32_t>(cell.z() * 83'492'791)) * 2'654'435'761U;
+    return 0.94 + 0.06 * static_cast<double>(hash >> 16U) / 65'535.0;
+}
+
+Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
+    const auto onRamp = [&recipe](double value) {
+        return viridis((value - recipe.ramp.low) / (recipe.ramp.high - recipe.ramp.low));
+    };
+    switch (recipe.colouring) {
+        case MapColouring::Label:
+            return labelColour(voxel.majority());
+        case MapColouring::Scan:
+            return scanColour(voxel.scan);
+        case MapColouring::Height:
+            return onRamp(height);
+        case MapColouring::Range:
+            return onRamp(voxel.rangeSum / static_cast<float>(voxel.points));
+    }
+    return {};
+}
+
+bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recipe,
+          const std::function<bool()>& interrupted) {
+    constexpr std::size_t PointsBetweenLooks = 1U << 16U;
+    const Eigen::Matrix4f pose = source.poseInMap.cast<float>();
+    const Eigen::Matrix3f rotation = pose.topLeftCorner<3, 3>();
+    const Eigen::Vector3f translation = pose.topRightCorner<3, 1>();
+    const auto low = static_cast<float>(recipe.minHeight.value_or(-std::numeric_limits<float>::max()));
+    const auto high = static_cast<float>(recipe.maxHeight.value_or(std::numeric_limits<float>::max()));
+    for (std::size_t i = 0; i < source.points->points.size(); ++i) {
+        if (i % PointsBetweenLooks == 0 && interrupted()) return false;
+        const Eigen::Vector3f& inScan = source.points->points[i];
+        const Eigen::Vector3f inMap = rotation * inScan + translation;
+        if (inMap.z() < low || inMap.z() > high) continue;
+        table.add(inMap, source.points->labels[i], inScan.norm(), static_cast<std::uint32_t>(source.scan));
+    }
+    return true;
+}
+
+/// Lays the faces of one cube that are not hidden by neighbours into the mesh.
+class MeshWriter {
+public:
+    MeshWriter(const VoxelTable& table, double size, VoxelMesh& mesh)
+        : m_table(table), m_size(static_cast<float>(size)), m_mesh(mesh) {}
+
+    void addCube(const Eigen::Array3i& cell, Rgba colour) {
+        for (const Side& side : sides()) {
+            if (!m_table.occupied(cell + side.outward)) addFace(cell, side, colour);
+        }
+    }
+
+private:
+    void addFace(const Eigen::Array3i& cell, const Side& side, Rgba colour) {
+        static constexpr std::array<std::array<int, 2>, 4> Corners = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+        const auto first = static_cast<std::int32_t>(m_mesh.vertices.size());
+        const double light = side.light * grain(cell);
+        std::array<int, 4> neighbours{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto [u, v] = Corners[i];
+            const Eigen::Array3i corner = 2 * cell + 1 + side.outward + u * side.u + v * side.v;
+            m_mesh.vertices.push_back((0.5F * m_size * corner.cast<float>()).matrix());
+            neighbours[i] = neighboursAt(cell + side.outward, u * side.u, v * side.v);
+            m_mesh.colours.push_back(
+                shaded(colour, light * CornerLight[static_cast<std::size_t>(neighbours[i])]));
+        }
+        // Split along the brighter diagonal, else the shade of a corner would run across the face.
+        const bool turned = neighbours[0] + neighbours[2] > neighbours[1] + neighbours[3];
+        for (const int offset : turned ? std::array{1, 2, 3, 1, 3, 0} : std::array{0, 1, 2, 0, 2, 3}) {
+            m_mesh.triangles.push_back(first + offset);
+        }
+    }
+
+    [[nodiscard]] int neighboursAt(const Eigen::Array3i& front, const Eigen::Array3i& u,
+                                   const Eigen::Array3i& v) const {
+        const bool besideU = m_table.occupied(front + u), besideV = m_table.occupied(front + v);
+        if (besideU && besideV) return 3;
+        return static_cast<int>(besideU) + static_cast<int>(besideV) +
+               static_cast<int>(m_table.occupied(front + u + v));
+    }
+
+    const VoxelTable& m_table;
+    float m_size;
+    VoxelMesh& m_mesh;
+};
+
+}  // namespace
+
+std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe, const std::function<bool()>& interrupted) {
+    VoxelTable table(recipe.size);
+    for (const VoxelSource& source : recipe.sources) {
+        if (!fill(table, source, recipe, interrupted)) return std::nullopt;
+    }
+    VoxelMesh mesh;
+    MeshWriter writer(table, recipe.size, mesh);
+    table.forEach([&](const Eigen::Array3i& cell, const Voxel& voxel) {
+        writer.addCube(cell, colourOf(voxel, (cell.z() + 0.5) * recipe.size, recipe));
+    });
+    mesh.voxels = table.size();
+    return mesh;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// What is known about one occupied voxel.
+struct Voxel {
+    std::uint64_t key = 0;
+    std::array<std::uint32_t, LabelCount> labels{};  ///< points per label
+    float rangeSum = 0.0F;                           ///< [m]
+    std::uint32_t points = 0;                        ///< 0: a free slot of the table
+    std::uint32_t scan = 0, votes = 0;               ///< which scan has most points (Boyer and Moore's vote)
+
+    [[nodiscard]] Label majority() const;
+};
+
+/// Occupied voxels by their place: a hash table of its own, since millions of points go in.
+class VoxelTable {
+public:
+    /// Cubes of edge @p size [m].
+    explicit VoxelTable(double size);
+
+    void add(const Eigen::Vector3f& pointInMap, Label label, float range, std::uint32_t scan);
+    [[nodiscard]] bool occupied(const Eigen::Array3i& cell) const;
+    [[nodiscard]] std::size_t size() const { return m_used; }
+
+    /// Calls @p visit(cell, voxel) for each occupied voxel.
+    template <class Visit>
+    void forEach(Visit visit) const {
+        for (const Voxel& voxel : m_slots) {
+            if (voxel.points > 0) visit(cellOf(voxel.key), voxel);
+        }
+    }
+
+private:
+    [[nodiscard]] static std::uint64_t keyOf(const Eigen::Array3i& cell);
+    [[nodiscard]] static Eigen::Array3i cellOf(std::uint64_t key);
+    [[nodiscard]] std::size_t slotOf(std::uint64_t key) const;
+    void grow();
+
+    float m_cellsPerMetre;
+    std::vector<Voxel> m_slots;  ///< a power of two, at most half full
+    std::size_t m_used = 0;
+};
+
+}  // namespace leitstand
