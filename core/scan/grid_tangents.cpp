@@ -174,16 +174,26 @@ Fit fit(const std::vector<Eigen::Vector3f>& points, const Lines& lines) {
     for (std::size_t l = 0; l < lines.count; ++l) {
         line.take(points, l * lines.pitch, lines.length, lines.step);
         for (const Range& run : line.runs()) {
-            Range window = run;
+            Range window{run.first, run.first};
+            bool extended = false;
             for (std::int32_t i = run.first; i <= run.last; ++i) {
-                window = line.window(i, run, i == run.first ? Range{i, i} : window);
-                if (!line.extended(window)) continue;
+                // Windows change little from point to point: three of four just move on.
+                const bool moves = extended && i % 4 != 0 && window.first + 1 < i && window.last >= i &&
+                                   window.last < run.last;
+                if (moves) {
+                    ++window.first;
+                    ++window.last;
+                } else {
+                    window = line.window(i, run, window);
+                    extended = line.extended(window);
+                }
+                if (!extended) continue;
                 const std::size_t at = lines.index(l, i);
                 result.tangents[at] = line.tangent(window);
                 result.neighbours[at] = {static_cast<std::uint16_t>(i - window.first),
                                          static_cast<std::uint16_t>(window.last - i)};
             }
-            if (run.size() >= LeastSpot && !line.extended(window)) result.spots.push_back({l, run});
+            if (run.size() >= LeastSpot && !extended) result.spots.push_back({l, run});
         }
     }
     return result;
