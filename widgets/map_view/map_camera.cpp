@@ -7,32 +7,24 @@ namespace leitstand {
 namespace {
 
 constexpr double ParallelEyeDistance = 500.0;  ///< everything lies before the eye of a parallel view [m]
-constexpr double FrameMargin = 1.08;           ///< room left around a framed box
-constexpr double SmallestBox = 1.0;            ///< a smaller box is framed like one of this size [m]
+constexpr double FrameMargin = 1.08;           ///< room left around what is framed
+constexpr double NearestFrame = 1.5;           ///< a camera never frames from nearer than this [m]
 
-Eigen::AlignedBox3d notTooSmall(const Eigen::AlignedBox3d& box) {
-    const Eigen::Vector3d half = (box.sizes() / 2).cwiseMax(SmallestBox / 2);
-    return {box.center() - half, box.center() + half};
-}
-
-/// The corners' least and largest of (right, up) over depth as seen by @p camera, and the distance by which
-/// the eye must go back until all of them fit.
+/// The least and largest of (right, up) over depth at which places are seen, and the distance by which the
+/// eye must go back until all of them fit.
 struct Fit {
-    Eigen::Vector2d low, high;
-    double back = 0.0;
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = Eigen::Vector2d::Constant(-1e9);
+    double back = -1e9;
 };
 
-Fit fit(const MapCamera& camera, const Eigen::AlignedBox3d& box, double aspect) {
+Fit fit(const MapCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
     const double tangent = std::tan(MapCamera::FieldOfView / 2) / FrameMargin;
+    const Eigen::Vector3d right = camera.right(), up = camera.up(), forward = camera.forward();
     Fit result;
-    result.low.setConstant(1e9);
-    result.high.setConstant(-1e9);
-    result.back = -1e9;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d offset =
-            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - camera.focus;
-        const Eigen::Vector2d across(offset.dot(camera.right()), offset.dot(camera.up()));
-        const double ahead = camera.parallel ? 0.0 : offset.dot(camera.forward());
+    for (const Eigen::Vector3d& place : places) {
+        const Eigen::Vector3d offset = place - camera.focus;
+        const Eigen::Vector2d across(offset.dot(right), offset.dot(up));
+        const double ahead = camera.parallel ? 0.0 : offset.dot(forward);
         const double needed = std::max(std::abs(across.x()) / aspect, std::abs(across.y())) / tangent;
         result.back = std::max(result.back, needed - ahead - camera.distance);
         const Eigen::Vector2d seen = across / std::max(camera.distance + ahead, 0.1);
@@ -93,20 +85,21 @@ double MapProjection::focusDepth() const {
     return (m_camera.focus - m_eye).dot(m_forward);
 }
 
-MapCamera framed(MapCamera camera, const Eigen::AlignedBox3d& box, QSize size) {
-    if (box.isEmpty()) return camera;
-    const Eigen::AlignedBox3d subject = notTooSmall(box);
+MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size) {
+    if (places.empty()) return camera;
     const double aspect = static_cast<double>(std::max(size.width(), 1)) / std::max(size.height(), 1);
-    camera.focus = subject.center();
-    camera.distance = subject.diagonal().norm();
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : places) box.extend(place);
+    camera.focus = box.center();
+    camera.distance = box.diagonal().norm();
     // Perspective makes what is near larger: centre what is seen, then adapt the distance, a few times.
     for (int round = 0; round < 8; ++round) {
-        camera.distance = std::max(camera.distance + fit(camera, subject, aspect).back, 0.1);
-        const Fit now = fit(camera, subject, aspect);
+        camera.distance = std::max(camera.distance + fit(camera, places, aspect).back, NearestFrame);
+        const Fit now = fit(camera, places, aspect);
         const Eigen::Vector2d middle = camera.distance * (now.low + now.high) / 2.0;
         camera.focus += middle.x() * camera.right() + middle.y() * camera.up();
     }
-    camera.distance = std::max(camera.distance + fit(camera, subject, aspect).back, 0.1);
+    camera.distance = std::max(camera.distance + fit(camera, places, aspect).back, NearestFrame);
     return camera;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -60,7 +61,8 @@ private:
     double m_tangent;  ///< half the widget's height at unit depth
 };
 
-/// @p camera moved, not turned, so that @p box just fits into a widget of @p size.
-[[nodiscard]] MapCamera framed(MapCamera camera, const Eigen::AlignedBox3d& box, QSize size);
+/// @p camera moved, not turned, so that all @p places (map's frame [m]) just fit into a widget of @p size;
+/// the focus ends in their midst.
+[[nodiscard]] MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size);
 
 }  // namespace leitstand

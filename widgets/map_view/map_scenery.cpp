@@ -73,14 +73,14 @@ void MapScenery::moveCamera(const MapCamera& camera) {
 
 void MapScenery::setCamera(CameraPreset preset) {
     FramedCamera& active = activeCamera();
-    active.camera = framed(presetCamera(preset, m_order.settings.look), m_content->bounds, m_view.size());
+    active.camera = framed(presetCamera(preset, m_order.settings.look), m_content->places, m_view.size());
     active.follows = true;
     draw(true);
 }
 
 void MapScenery::refresh() {
     if (activeCamera().follows) {
-        activeCamera().camera = framed(camera(), m_content->bounds, m_view.size());
+        activeCamera().camera = framed(camera(), m_content->places, m_view.size());
     }
     if (!settled()) draw(true);
 }
@@ -121,7 +121,7 @@ void MapScenery::takeContent(SceneContentPtr content) {
     m_content = std::move(content);
     m_renderer.setContent(m_content);
     FramedCamera& active = activeCamera();
-    if (active.follows) active.camera = framed(active.camera, m_content->bounds, m_view.size());
+    if (active.follows) active.camera = framed(active.camera, m_content->places, m_view.size());
     draw(!m_rest.isActive());
 }
 

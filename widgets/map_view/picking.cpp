@@ -1,6 +1,7 @@
 #include "widgets/map_view/picking.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "widgets/map_view/map_camera.h"
@@ -11,6 +12,7 @@
 namespace leitstand {
 namespace {
 
+constexpr auto NearestDepth = static_cast<float>(MapProjection::NearestDepth);
 constexpr std::array<double, 3> Rings = {2.0, 4.0, 8.0};  ///< [px]
 
 /// The frontmost point of a ring around the cursor.
@@ -19,20 +21,6 @@ struct Candidate {
     std::size_t scan = 0, point = 0;
 };
 using Candidates = std::array<Candidate, Rings.size()>;
-
-/// Whether the box around a scan's points reaches the cursor.
-bool mayReach(const SceneScan& scan, const MapProjection& projection, const QPointF& position) {
-    QRectF drawn;
-    for (int corner = 0; corner < 8; ++corner) {
-        const auto type = static_cast<Eigen::AlignedBox3f::CornerType>(corner);
-        const auto seen =
-            projection.project(scan.poseInMap * scan.points->bounds.corner(type).cast<double>());
-        if (!seen) return true;  // reaches behind the eye: its outline means nothing
-        drawn |= QRectF(seen->position, QSizeF(1e-3, 1e-3));
-    }
-    const double reach = Rings.back();
-    return drawn.adjusted(-reach, -reach, reach, reach).contains(position);
-}
 
 /// A scan's points in the camera's axes, moved so that the ray through the cursor is the middle.
 class CursorFrame {
@@ -62,6 +50,19 @@ public:
         squaredPixels = away.squaredNorm() / (pixel * pixel);
     }
 
+    /// Whether a ball around @p centre may hold points within the outermost ring.
+    [[nodiscard]] bool mayReach(const Eigen::Vector3f& centre, float radius) const {
+        constexpr auto Reach = static_cast<float>(Rings.back());
+        const Eigen::Vector3f seen = m_rotation * centre + m_translation;
+        if (seen.z() + radius < NearestDepth) return false;
+        // Across the ray, not across the screen: the ball's outline is nowhere wider than this.
+        const float scale = m_parallel ? 1.0F : seen.z();
+        const float slant = m_parallel ? 1.0F : std::sqrt(1.0F + m_middle.squaredNorm());
+        const float away = (seen.head<2>() - scale * m_middle).norm();
+        const float farthest = m_parallel ? 1.0F : seen.z() + radius;
+        return away <= radius * slant + Reach * m_metresPerPixel * farthest;
+    }
+
 private:
     Eigen::Matrix3f m_rotation;
     Eigen::Vector3f m_translation;
@@ -70,21 +71,28 @@ private:
     bool m_parallel = false;
 };
 
+/// Whether a point of @p scan is drawn at all.
+bool isDrawn(const SceneScan& scan, std::size_t point, const MapViewSettings& settings) {
+    const Eigen::Vector3d inScan = scan.points->points[point].cast<double>();
+    return isShown((scan.poseInMap * inScan).z(), scan.points->labels[point], settings);
+}
+
 void search(const SceneContent& content, std::size_t index, const CursorFrame& frame,
             Candidates& candidates) {
-    constexpr auto Nearest = static_cast<float>(MapProjection::NearestDepth);
     constexpr auto Reach = static_cast<float>(Rings.back() * Rings.back());
     const SceneScan& scan = content.scans[index];
-    for (std::size_t i = 0; i < scan.points->points.size(); ++i) {
-        const Eigen::Vector3f& point = scan.points->points[i];
-        float squaredPixels = 0.0F, depth = 0.0F;
-        frame.look(point, squaredPixels, depth);
-        if (!(squaredPixels <= Reach) || depth < Nearest) continue;
-        const double height = (scan.poseInMap * point.cast<double>()).z();
-        if (!isShown(height, scan.points->labels[i], content.settings)) continue;
-        std::size_t ring = 0;
-        while (squaredPixels > static_cast<float>(Rings[ring] * Rings[ring])) ++ring;
-        if (depth < candidates[ring].depth) candidates[ring] = {depth, index, i};
+    for (const PointCell& cell : scan.points->cells) {
+        if (!frame.mayReach(cell.centre, cell.radius)) continue;
+        for (std::size_t i = cell.first; i < cell.end; ++i) {
+            const std::size_t point = scan.points->cellMembers[i];
+            float squaredPixels = 0.0F, depth = 0.0F;
+            frame.look(scan.points->points[point], squaredPixels, depth);
+            if (!(squaredPixels <= Reach) || depth < NearestDepth) continue;
+            std::size_t ring = 0;
+            while (squaredPixels > static_cast<float>(Rings[ring] * Rings[ring])) ++ring;
+            const bool better = depth < candidates[ring].depth;
+            if (better && isDrawn(scan, point, content.settings)) candidates[ring] = {depth, index, point};
+        }
     }
 }
 
@@ -96,7 +104,6 @@ std::optional<PickedPoint> pickPoint(const SceneContent& content, const MapProje
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];
         if (!scan.visible || !scan.points || scan.points->points.empty()) continue;
-        if (!mayReach(scan, projection, position)) continue;
         search(content, i, CursorFrame(scan.poseInMap, projection, position), candidates);
     }
     for (const Candidate& found : candidates) {

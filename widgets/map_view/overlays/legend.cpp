@@ -148,9 +148,7 @@ void paintLegend(QPainter& painter, const SceneContent& content, QSize size, con
     const int height = metrics.height() + 10;
     const QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics) + 2 * Padding,
                     height);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(asColour(style.colours.panel));
-    painter.drawRoundedRect(box, 4, 4);
+    paintPanel(painter, box, style);
 
     const QColor text = asColour(style.colours.text), muted = asColour(style.colours.muted);
     LineWriter line(painter, box.adjusted(Padding, 0, -Padding, 0));

@@ -49,9 +49,7 @@ void paintTextBeside(QPainter& painter, const QPointF& place, const QString& tex
     QRectF box(place, QSizeF(metrics.horizontalAdvance(text) + 16, metrics.height() + 8));
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, size.width() - box.width() - 4)));
     box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, size.height() - box.height() - 4)));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(asColour(style.colours.panel));
-    painter.drawRoundedRect(box, 4, 4);
+    paintPanel(painter, box, style);
     painter.setPen(asColour(style.colours.text));
     painter.drawText(box, Qt::AlignCenter, text);
 }

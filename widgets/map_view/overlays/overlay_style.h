@@ -3,6 +3,8 @@
 #include <QColor>
 #include <QFont>
 #include <QLocale>
+#include <QPainter>
+#include <QRect>
 #include <QString>
 
 #include "widgets/map_view/scene/map_colours.h"
@@ -18,6 +20,13 @@ struct OverlayStyle {
 
 [[nodiscard]] inline QColor asColour(Rgba colour) {
     return {colour.r, colour.g, colour.b, colour.a};
+}
+
+/// The surface below text over the map.
+inline void paintPanel(QPainter& painter, const QRectF& box, const OverlayStyle& style) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(asColour(style.colours.panel));
+    painter.drawRoundedRect(box, 4, 4);
 }
 
 /// @p value with @p decimals as people read it: in the user's language, with a real minus sign.

@@ -14,8 +14,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double AxesMargin = 34.0, AxisLength = 20.0;  ///< [px]
-constexpr int BarRight = 78, BarBottom = 20, BarEnd = 4, BarLongest = 120;
+constexpr double AxesMargin = 42.0, AxisLength = 20.0;  ///< [px]
+constexpr int BarRight = 96, BarBottom = 24, BarEnd = 4, BarLongest = 120;
 
 }  // namespace
 
@@ -37,19 +37,23 @@ void paintScaleBar(QPainter& painter, const MapProjection& projection, double gr
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(length) - 1e-9)));
     const QString text = QStringLiteral("%1 m").arg(numberText(length, decimals, style.locale));
 
+    const QString grid = gridStep <= 0.0 ? QString()
+                                         : QCoreApplication::translate("leitstand::MapView", "%1 m grid")
+                                               .arg(numberText(gridStep, 0, style.locale));
     painter.setFont(style.font);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int height = metrics.height();
+    const QRect bar(right - pixels, bottom - BarEnd - height, pixels, height);
+    const int gridWidth = grid.isEmpty() ? 0 : metrics.horizontalAdvance(grid) + 14;
+    paintPanel(painter, bar.adjusted(-12 - gridWidth, -4, 12, BarEnd + 9), style);
+    painter.setPen(asColour(style.colours.text));
+    painter.drawText(bar.adjusted(-50, -2, 50, -2), Qt::AlignCenter, text);
     painter.setPen(QPen(asColour(style.colours.text), 1.5));
     painter.drawLine(right - pixels, bottom, right, bottom);
-    painter.drawLine(right - pixels, bottom - BarEnd, right - pixels, bottom + BarEnd);
-    painter.drawLine(right, bottom - BarEnd, right, bottom + BarEnd);
-    const int height = painter.fontMetrics().height();
-    painter.drawText(QRect(right - pixels - 100, bottom - BarEnd - height - 2, pixels + 200, height),
-                     Qt::AlignCenter, text);
-    if (gridStep <= 0.0) return;
-    const QString grid = QCoreApplication::translate("leitstand::MapView", "%1 m grid")
-                             .arg(numberText(gridStep, 0, style.locale));
+    for (const int end : {right - pixels, right})
+        painter.drawLine(end, bottom - BarEnd, end, bottom + BarEnd);
     painter.setPen(asColour(style.colours.muted));
-    painter.drawText(QRect(right - pixels - 214, bottom - height / 2, 200, height),
+    painter.drawText(bar.adjusted(-14 - gridWidth, height / 2, -pixels - 14, height / 2),
                      Qt::AlignRight | Qt::AlignVCenter, grid);
 }
 
@@ -68,6 +72,9 @@ void paintAxes(QPainter& painter, const MapProjection& projection, const Overlay
         return a.direction.dot(camera.forward()) > b.direction.dot(camera.forward());
     });
     const QPointF origin(projection.size().width() - AxesMargin, projection.size().height() - AxesMargin);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(asColour(style.colours.panel));
+    painter.drawEllipse(origin, AxisLength + 12.0, AxisLength + 12.0);
     painter.setFont(style.font);
     for (const Axis& axis : axes) {
         const QPointF along(axis.direction.dot(camera.right()), -axis.direction.dot(camera.up()));

@@ -13,7 +13,7 @@ const MapColours& mapColours(Theme theme) {
         .muted = rgba("#9AA3B2"),
         .panel = {0x16, 0x1A, 0x20, 224},
         .grid = {0x6B, 0x76, 0x89, 96},
-        .ground = rgba("#B4BAC4"),
+        .ground = rgba("#C6CBD3"),
         .trail = rgba("#CC79A7"),
         .scanPosition = rgba("#4084E0"),
         .markerEdge = rgba("#FFFFFF"),
@@ -61,7 +61,9 @@ Rgba viridis(double t) {
         rgba("#440154"), rgba("#482878"), rgba("#3E4A89"), rgba("#31688E"), rgba("#26828E"),
         rgba("#1F9E89"), rgba("#35B779"), rgba("#6DCD59"), rgba("#B4DE2C"), rgba("#FDE725"),
     };
-    const double position = std::clamp(t, 0.0, 1.0) * static_cast<double>(Steps.size() - 1);
+    constexpr double Darkest = 0.13;
+    const double shown = Darkest + (1.0 - Darkest) * std::clamp(t, 0.0, 1.0);
+    const double position = shown * static_cast<double>(Steps.size() - 1);
     const auto lower = std::min(static_cast<std::size_t>(position), Steps.size() - 2);
     const double weight = position - static_cast<double>(lower);
     const auto mix = [weight](std::uint8_t a, std::uint8_t b) {

@@ -39,7 +39,7 @@ struct MapColours {
 /// The @p scan-th colour of Okabe and Ito's cycle, which colour-blind people can tell apart.
 [[nodiscard]] Rgba scanColour(std::size_t scan);
 
-/// The colour map viridis at @p t, cut to 0..1.
+/// The colour map viridis, without its darkest end that is not seen on a dark screen, at @p t, cut to 0..1.
 [[nodiscard]] Rgba viridis(double t);
 
 /// @p colour times @p factor, without overflow.

@@ -80,7 +80,10 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
     forgetAllBut(order.map ? *order.map : Map{});
     const auto finish = [&](std::size_t count) {
         const SceneSample sample = sampleOf(content);
-        content.bounds = robustBounds(sample);
+        content.places = filledPlaces(sample);
+        for (const SceneScan& scan : content.scans) {
+            if (scan.visible && scan.points) content.places.emplace_back(scan.poseInMap.translation());
+        }
         content.ramp = rampOf(sample, order.settings.colouring);
         for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
             addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content);

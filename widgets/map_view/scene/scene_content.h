@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "core/base/pose.h"
 #include "widgets/map_view/map_view_settings.h"
@@ -53,7 +53,7 @@ struct SceneContent {
     std::vector<SceneScan> scans;             ///< as in Map::scans
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::optional<ColourRamp> ramp;           ///< when coloured by height or range
-    Eigen::AlignedBox3d bounds;               ///< of nearly all points shown: strays do not count [m]
+    std::vector<Eigen::Vector3d> places;      ///< what a camera should frame, in the map's frame [m]
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;
 

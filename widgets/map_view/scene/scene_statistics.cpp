@@ -1,18 +1,48 @@
 #include "widgets/map_view/scene/scene_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace leitstand {
 namespace {
 
-constexpr std::size_t SampleSize = 40'000;
+constexpr std::size_t SampleSize = 30'000;
 
 /// The value below which a share of @p values lies; reorders them.
 double quantile(std::vector<double>& values, double share) {
     const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + index, values.end());
     return values[static_cast<std::size_t>(index)];
+}
+
+/// A cube of space, how many points are in it, and one of them.
+struct Place {
+    std::array<double, 3> cell;
+    std::size_t points = 0;
+    Eigen::Vector3d example;
+};
+
+std::vector<Place> occupiedPlaces(const std::vector<Eigen::Vector3d>& points) {
+    constexpr double CellsPerMetre = 2.0;
+    std::vector<Place> places;
+    places.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Array3d cell = (CellsPerMetre * point.array()).floor();
+        places.push_back({{cell.x(), cell.y(), cell.z()}, 1, point});
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.cell < b.cell; });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (places[i].cell == places[last].cell) {
+            ++places[last].points;
+        } else {
+            places[++last] = places[i];
+        }
+    }
+    if (!places.empty()) places.resize(last + 1);
+    return places;
 }
 
 ColourRamp rounded(double low, double high, double step) {
@@ -50,17 +80,21 @@ SceneSample sampleOf(const SceneContent& content) {
     return sample;
 }
 
-Eigen::AlignedBox3d robustBounds(const SceneSample& sample) {
-    constexpr double Stray = 0.015;  ///< share of the points left out at each end of each axis
-    Eigen::AlignedBox3d box;
-    if (sample.points.empty()) return box;
-    std::vector<double> values(sample.points.size());
-    for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = sample.points[i][axis];
-        box.min()[axis] = quantile(values, Stray);
-        box.max()[axis] = quantile(values, 1.0 - Stray);
+std::vector<Eigen::Vector3d> filledPlaces(const SceneSample& sample) {
+    constexpr double Stray = 0.01;  ///< share of the points that does not count: those in the emptiest places
+    std::vector<Place> places = occupiedPlaces(sample.points);
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.points < b.points; });
+    auto mayGo = static_cast<std::size_t>(Stray * static_cast<double>(sample.points.size()));
+    std::vector<Eigen::Vector3d> filled;
+    for (const Place& place : places) {
+        if (filled.empty() && place.points <= mayGo) {
+            mayGo -= place.points;
+        } else {
+            filled.push_back(place.example);
+        }
     }
-    return box;
+    return filled;
 }
 
 std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring) {

@@ -13,9 +13,9 @@ struct SceneSample {
 };
 [[nodiscard]] SceneSample sampleOf(const SceneContent& content);
 
-/// A box that holds nearly all of @p sample: stray points, seen through a window or in a mirror, do not
-/// count.
-[[nodiscard]] Eigen::AlignedBox3d robustBounds(const SceneSample& sample);
+/// Where @p sample fills space, one point a half-metre cube: stray points, seen through a window or in a
+/// mirror, do not count, nor how dense the points are.
+[[nodiscard]] std::vector<Eigen::Vector3d> filledPlaces(const SceneSample& sample);
 
 /// Numbers between which the colours run, rounded; nothing unless coloured by height or range.
 [[nodiscard]] std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring);
