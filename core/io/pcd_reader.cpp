@@ -1,3 +1,7 @@
+#include "core/io/pcd.h"
+
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -8,7 +12,6 @@
 #include "core/io/detail/cloud_decoder.h"
 #include "core/io/detail/pcd_header.h"
 #include "core/io/detail/scan_grid.h"
-#include "core/io/pcd.h"
 
 namespace leitstand {
 

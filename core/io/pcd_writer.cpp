@@ -1,3 +1,5 @@
+#include "core/io/pcd.h"
+
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -9,7 +11,6 @@
 
 #include "core/io/detail/cloud_encoder.h"
 #include "core/io/detail/output_file.h"
-#include "core/io/pcd.h"
 
 namespace leitstand {
 

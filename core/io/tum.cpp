@@ -1,7 +1,7 @@
 #include "core/io/tum.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>

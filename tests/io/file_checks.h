@@ -1,11 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "core/base/result.h"
 #include "core/scan/scan.h"

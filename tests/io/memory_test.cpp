@@ -21,7 +21,7 @@ namespace {
 using test::TemporaryFolder;
 
 constexpr std::uint64_t Overhead =
-    8'000'000;  // buffers, allocator, code that is met for the first time [bytes]
+    4'000'000;  // buffers, allocator, code that is met for the first time [bytes]
 
 /// Most memory that the process had in use so far [bytes].
 std::uint64_t peakMemory() {

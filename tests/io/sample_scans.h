@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 #include "core/scan/scan.h"
 #include "tests/support/rooms.h"

@@ -1,10 +1,11 @@
 #include "core/io/uos.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include <cmath>
 #include <numbers>
 #include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "tests/io/file_checks.h"
 #include "tests/support/rooms.h"

@@ -1,5 +1,6 @@
 #include "core/io/detail/pcd_header.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>

@@ -1,7 +1,6 @@
 #include "core/io/detail/point_text.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -139,8 +138,10 @@ Result<ScanReading> readPointText(const std::filesystem::path& path, const Point
     PointLines points(format, scan);
     std::string_view line;
     while (reader.next(line)) {
-        if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-        if (const auto expectation = points.add(line, most)) return reader.mismatch(*expectation, line);
+        const std::size_t begin = line.find_first_not_of(" \t\r");
+        if (begin == std::string_view::npos) continue;
+        const auto expectation = points.add(line.substr(begin), most);
+        if (expectation) return reader.mismatch(*expectation, line);
     }
     if (reader.failure()) return *reader.failure();
     if (scan.points.empty()) return reader.incomplete("points, found none");
