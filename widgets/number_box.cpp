@@ -1,5 +1,7 @@
 #include "widgets/number_box.h"
 
+#include <QKeyEvent>
+
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -29,6 +31,17 @@ QString NumberBox::textFromValue(double value) const {
 QValidator::State NumberBox::validate(QString& input, int& position) const {
     QString plain = QString(input).replace(Minus, locale().negativeSign());
     return QDoubleSpinBox::validate(plain, position);
+}
+
+bool NumberBox::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const QString text = static_cast<QKeyEvent*>(event)->text();
+        if (!text.isEmpty() && text.front().isLetter()) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 }  // namespace leitstand

@@ -4,7 +4,8 @@
 
 namespace leitstand {
 
-/// A spin box that shows negative numbers with a real minus sign and reads both signs.
+/// A spin box that shows negative numbers with a real minus sign and reads both signs. Letters are no
+/// numbers: they stay the window's keys while it has the focus.
 class NumberBox final : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -15,6 +16,9 @@ public:
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
     QValidator::State validate(QString& input, int& position) const override;
+
+protected:
+    bool event(QEvent* event) override;
 };
 
 }  // namespace leitstand

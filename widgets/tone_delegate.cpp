@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr QSize Air(22, 4);  ///< [px]
+constexpr QSize Air(18, 4);  ///< [px]
 
 }  // namespace
 

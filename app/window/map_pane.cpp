@@ -52,22 +52,28 @@ MapPane::MapPane(ViewState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(header());
-    layout->addWidget(new LookBar(state, this));
+    layout->addWidget(header(state));
     layout->addLayout(m_stage, 1);
 }
 
-QWidget* MapPane::header() {
-    auto* row = new QWidget(this);
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(10, 8, 10, 6);
+QWidget* MapPane::header(ViewState& state) {
+    auto* head = new QWidget(this);
+    head->setObjectName(QStringLiteral("mapHead"));
+    head->setAttribute(Qt::WA_StyledBackground);
+    auto* rows = new QVBoxLayout(head);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    auto* line = new QHBoxLayout;
+    line->setContentsMargins(10, 8, 10, 7);
     m_title->setObjectName(QStringLiteral("mapTitle"));
     m_result->setObjectName(QStringLiteral("mapResult"));
     m_result->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_result->setToolTip(tr("Time of all registrations, and the lowest overlap of all scans"));
     line->addWidget(m_title);
     line->addWidget(m_result, 1);
-    return row;
+    rows->addLayout(line);
+    rows->addWidget(new LookBar(state, head));
+    return head;
 }
 
 QLabel* MapPane::help() {

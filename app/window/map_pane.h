@@ -31,7 +31,7 @@ public:
     void setHelpVisible(bool visible);
 
 private:
-    [[nodiscard]] QWidget* header();
+    [[nodiscard]] QWidget* header(ViewState& state);
     [[nodiscard]] QLabel* help();
 
     MapView* m_view;

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -67,11 +66,6 @@ RegistrationPanel::RegistrationPanel(QAction& again, QAction& before, QWidget* p
         keepFromWheel(*box);
         connect(box, &QComboBox::currentIndexChanged, this, &RegistrationPanel::takeOver);
     }
-    for (auto* box : findChildren<QSpinBox*>()) {
-        keepFromWheel(*box);
-        box->setKeyboardTracking(false);
-        connect(box, &QSpinBox::valueChanged, this, &RegistrationPanel::takeOver);
-    }
     for (auto* box : findChildren<NumberBox*>()) {
         keepFromWheel(*box);
         connect(box, &QDoubleSpinBox::valueChanged, this, &RegistrationPanel::takeOver);
@@ -103,9 +97,8 @@ void RegistrationPanel::addMethods(QFormLayout& form) {
     m_distancesWrong->setProperty("attention", true);
     m_distancesWrong->setWordWrap(true);
     form.addRow(m_distancesWrong);
-    m_iterations = new QSpinBox(this);
+    m_iterations = new NumberBox(1, MostIterations, 10, 0, {}, this);
     m_iterations->setObjectName(QStringLiteral("iterations"));
-    m_iterations->setRange(1, MostIterations);
     addField(form, tr("Steps at m&ost"), m_iterations,
              tr("Iterations of the ICP for a scan, over all stages."));
 }
@@ -145,9 +138,8 @@ void RegistrationPanel::addStart(QFormLayout& form) {
     m_reference = choiceBox(referenceChoices(), this);
     m_reference->setObjectName(QStringLiteral("reference"));
     addField(form, tr("Match &against"), m_reference);
-    m_threads = new QSpinBox(this);
+    m_threads = new NumberBox(0, MostThreads, 1, 0, {}, this);
     m_threads->setObjectName(QStringLiteral("threads"));
-    m_threads->setRange(0, MostThreads);
     m_threads->setSpecialValueText(tr("all cores"));
     addField(form, tr("Thr&eads"), m_threads, tr("How many processor cores may work at once."));
 }
@@ -194,14 +186,14 @@ void RegistrationPanel::takeOver() {
     m_settings.search = chosen<SearchMethod>(*m_search);
     m_settings.epsilon = m_epsilon->value();
     if (const auto distances = parseSchedule(m_distances->text())) m_settings.maxDistances = *distances;
-    m_settings.maxIterations = m_iterations->value();
+    m_settings.maxIterations = static_cast<int>(m_iterations->value());
     m_settings.reduce = m_reduce->value();
     m_settings.filter = chosen<ScanFilter>(*m_filter);
     m_settings.minRange = m_minRange->value();
     m_settings.maxRange = m_maxRange->value();
     m_settings.guess = chosen<GuessSource>(*m_guess);
     m_settings.reference = chosen<Reference>(*m_reference);
-    m_settings.threads = m_threads->value();
+    m_settings.threads = static_cast<int>(m_threads->value());
     showWhatApplies();
     emit settingsChanged(m_settings);
 }

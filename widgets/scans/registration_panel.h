@@ -9,7 +9,6 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QSpinBox;
 
 namespace leitstand {
 
@@ -46,14 +45,14 @@ private:
     NumberBox* m_epsilon;
     QLineEdit* m_distances;
     QLabel* m_distancesWrong;
-    QSpinBox* m_iterations;
+    NumberBox* m_iterations;
     NumberBox* m_reduce;
     QComboBox* m_filter;
     NumberBox* m_minRange;
     NumberBox* m_maxRange;
     QComboBox* m_guess;
     QComboBox* m_reference;
-    QSpinBox* m_threads;
+    NumberBox* m_threads;
 };
 
 }  // namespace leitstand
