@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/widgets/map_view/golden.h"
+#include "tests/widgets/map_view/maps.h"
+#include "tests/widgets/map_view/shown_view.h"
+
+namespace leitstand::test {
+namespace {
+
+/// A room of two scans, shared by the tests: making it takes its time.
+const MapPtr& room() {
+    static const MapPtr map = roomMap();
+    return map;
+}
+
+struct Look {
+    std::string name;
+    MapViewSettings settings;
+};
+
+class GoldenPicture : public testing::TestWithParam<Look> {};
+
+TEST_P(GoldenPicture, IsDrawnAsEver) {
+    ShownView view(room(), GetParam().settings);
+    EXPECT_TRUE(looksLikeGolden(view->picture(), GetParam().name));
+}
+
+std::vector<Look> looks() {
+    MapViewSettings voxels = voxelsOf(0.15);
+    voxels.maxHeight = 1.2;
+    return {
+        {"points", {}},
+        {"points-by-height", settingsOf(MapLook::Points, MapColouring::Height)},
+        {"points-by-range", settingsOf(MapLook::Points, MapColouring::Range)},
+        {"points-by-scan-light", settingsOf(MapLook::Points, MapColouring::Scan, Theme::Light)},
+        {"voxels", voxels},
+        {"top", settingsOf(MapLook::Top)},
+        {"top-light", settingsOf(MapLook::Top, MapColouring::Label, Theme::Light)},
+    };
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, GoldenPicture, testing::ValuesIn(looks()), [](const auto& info) {
+    std::string name = info.param.name;
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+TEST(MapLooks, ShowFloorWallAndCeilingInTheirColours) {
+    ShownView view(room());
+    const QImage picture = view->picture();
+    EXPECT_GT(countPixels(picture, WallYellow), 1'000);
+    EXPECT_GT(countPixels(picture, CeilingRed), 1'000);
+    view.alter([](MapViewSettings& settings) { settings.maxHeight = 1.0; });
+    EXPECT_GT(countPixels(view->picture(), FloorBlue), 1'000);
+}
+
+TEST(MapLooks, TopLookLetsOneSeeIntoTheRoomsOntoLightGround) {
+    ShownView view(room(), settingsOf(MapLook::Top));
+    const QImage picture = view->picture();
+    EXPECT_EQ(countPixels(picture, CeilingRed), 0);
+    EXPECT_LT(countPixels(picture, FloorBlue), 100) << "more blue than the marks of two scans";
+    EXPECT_GT(countPixels(picture, WallYellow), 300);
+    // A place on the floor, a metre beside the first scan: grey, and lighter than the background.
+    const QRgb ground = picture.pixel(view.at({1.5, 1.2, -1.0}).toPoint());
+    EXPECT_GT(qGray(ground), 140);
+    EXPECT_LT(std::abs(qRed(ground) - qBlue(ground)), 40);
+}
+
+TEST(MapLooks, TopLookMarksWhereTheScansWereTaken) {
+    ShownView view(room(), settingsOf(MapLook::Top));
+    const QImage picture = view->picture();
+    for (const MapScan& scan : room()->scans) {
+        const QRgb mark = picture.pixel(view.at(scan.poseInMap.translation()).toPoint());
+        EXPECT_GT(qBlue(mark), 150) << std::hex << mark;
+        EXPECT_LT(qRed(mark), 110) << std::hex << mark;
+    }
+}
+
+TEST(MapLooks, FacesOfAVoxelCanBeToldApart) {
+    const MapPtr map = mapOf({blob({4.25F, 0.25F, 0.25F}, Label::Wall)});
+    ShownView view(map, voxelsOf(0.5));
+    const QImage picture = view->picture();
+    const QPointF low = view.at({4, 0, 0}), high = view.at({4.5, 0.5, 0.5});
+    EXPECT_GT(std::hypot(high.x() - low.x(), high.y() - low.y()), 5);
+    std::set<QRgb> shades;
+    for (const Eigen::Vector3d& face : {Eigen::Vector3d(4.25, 0.25, 0.5), Eigen::Vector3d(4.0, 0.25, 0.25),
+                                        Eigen::Vector3d(4.25, 0.0, 0.25)}) {
+        shades.insert(picture.pixel(view.at(face).toPoint()));
+    }
+    EXPECT_EQ(shades.size(), 3U);
+    for (const QRgb shade : shades) EXPECT_GT(qRed(shade), 2 * qBlue(shade)) << "not a shade of yellow";
+}
+
+TEST(MapLooks, VoxelTakesTheLabelOfMostOfItsPoints) {
+    const auto mixed = std::make_shared<Scan>(*blob({4.25F, 0.25F, 0.25F}, Label::Floor));
+    std::fill_n(mixed->labels.begin(), mixed->labels.size() / 3, Label::Wall);
+    ShownView view(mapOf({mixed}), voxelsOf(0.5));
+    const QRgb top = view->picture().pixel(view.at({4.25, 0.25, 0.5}).toPoint());
+    EXPECT_GT(qBlue(top), 2 * qRed(top));
+}
+
+TEST(MapLooks, ColoursByScanDiffer) {
+    ShownView view(mapOf({blob({4, 1, 0}, Label::Wall), blob({4, -1, 0}, Label::Wall)}),
+                   settingsOf(MapLook::Points, MapColouring::Scan));
+    const QImage picture = view->picture();
+    const QRgb left = colourAt(picture, view.at({4, 1, 0}), DarkBackground);
+    const QRgb right = colourAt(picture, view.at({4, -1, 0}), DarkBackground);
+    EXPECT_NE(left, right);
+    EXPECT_NE(left, DarkBackground);
+    EXPECT_NE(right, DarkBackground);
+}
+
+TEST(MapLooks, ColoursByHeightAndRangeGoFromDarkVioletToYellow) {
+    ShownView view(mapOf({blob({2, 0, -1}, Label::Wall), blob({8, 0, 3}, Label::Wall)}),
+                   settingsOf(MapLook::Points, MapColouring::Height));
+    for (const MapColouring colouring : {MapColouring::Height, MapColouring::Range}) {
+        view.alter([colouring](MapViewSettings& settings) { settings.colouring = colouring; });
+        const QImage picture = view->picture();
+        const QRgb low = colourAt(picture, view.at({2, 0, -1}), DarkBackground);
+        const QRgb high = colourAt(picture, view.at({8, 0, 3}), DarkBackground);
+        EXPECT_GT(qGreen(high), qGreen(low) + 60);
+        EXPECT_GT(qBlue(low), qBlue(high));
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test
