@@ -7,8 +7,24 @@ namespace leitstand {
 namespace {
 
 constexpr double ParallelEyeDistance = 500.0;  ///< everything lies before the eye of a parallel view [m]
-constexpr double FrameMargin = 1.08;           ///< room left around what is framed
+constexpr double FrameMargin = 1.06;           ///< room left around what is framed
+constexpr double OverlayHeight = 44.0;         ///< below, where legend and scale lie [px]
+constexpr double PlaceRadius = 0.3;            ///< a place stands for what is around it, voxels too [m]
 constexpr double NearestFrame = 1.5;           ///< a camera never frames from nearer than this [m]
+
+/// The part of a view that framing may fill, as tangents of the angles from its middle.
+struct Frame {
+    double right, above, below;
+
+    explicit Frame(QSize size) {
+        const double height = std::max(size.height(), 1), width = std::max(size.width(), 1);
+        const double tangent = std::tan(MapCamera::FieldOfView / 2) / FrameMargin;
+        const double overlays = std::min(2.0 * OverlayHeight / height, 0.4);
+        right = tangent * width / height;
+        above = tangent;
+        below = tangent * (1.0 - overlays);
+    }
+};
 
 /// The least and largest of (right, up) over depth at which places are seen, and the distance by which the
 /// eye must go back until all of them fit.
@@ -17,16 +33,17 @@ struct Fit {
     double back = -1e9;
 };
 
-Fit fit(const MapCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
-    const double tangent = std::tan(MapCamera::FieldOfView / 2) / FrameMargin;
+Fit fit(const MapCamera& camera, const std::vector<Eigen::Vector3d>& places, const Frame& frame) {
     const Eigen::Vector3d right = camera.right(), up = camera.up(), forward = camera.forward();
     Fit result;
     for (const Eigen::Vector3d& place : places) {
         const Eigen::Vector3d offset = place - camera.focus;
         const Eigen::Vector2d across(offset.dot(right), offset.dot(up));
         const double ahead = camera.parallel ? 0.0 : offset.dot(forward);
-        const double needed = std::max(std::abs(across.x()) / aspect, std::abs(across.y())) / tangent;
-        result.back = std::max(result.back, needed - ahead - camera.distance);
+        const double needed =
+            std::max({(std::abs(across.x()) + PlaceRadius) / frame.right,
+                      (across.y() + PlaceRadius) / frame.above, (PlaceRadius - across.y()) / frame.below});
+        result.back = std::max(result.back, needed - ahead + PlaceRadius - camera.distance);
         const Eigen::Vector2d seen = across / std::max(camera.distance + ahead, 0.1);
         result.low = result.low.cwiseMin(seen);
         result.high = result.high.cwiseMax(seen);
@@ -87,19 +104,20 @@ double MapProjection::focusDepth() const {
 
 MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size) {
     if (places.empty()) return camera;
-    const double aspect = static_cast<double>(std::max(size.width(), 1)) / std::max(size.height(), 1);
+    const Frame frame(size);
+    const Eigen::Vector2d aim(0.0, (frame.above - frame.below) / 2);
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& place : places) box.extend(place);
     camera.focus = box.center();
     camera.distance = box.diagonal().norm();
     // Perspective makes what is near larger: centre what is seen, then adapt the distance, a few times.
     for (int round = 0; round < 8; ++round) {
-        camera.distance = std::max(camera.distance + fit(camera, places, aspect).back, NearestFrame);
-        const Fit now = fit(camera, places, aspect);
-        const Eigen::Vector2d middle = camera.distance * (now.low + now.high) / 2.0;
-        camera.focus += middle.x() * camera.right() + middle.y() * camera.up();
+        camera.distance = std::max(camera.distance + fit(camera, places, frame).back, NearestFrame);
+        const Fit now = fit(camera, places, frame);
+        const Eigen::Vector2d step = camera.distance * ((now.low + now.high) / 2.0 - aim);
+        camera.focus += step.x() * camera.right() + step.y() * camera.up();
     }
-    camera.distance = std::max(camera.distance + fit(camera, places, aspect).back, NearestFrame);
+    camera.distance = std::max(camera.distance + fit(camera, places, frame).back, NearestFrame);
     return camera;
 }
 

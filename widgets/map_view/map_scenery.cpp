@@ -1,5 +1,6 @@
 #include "widgets/map_view/map_scenery.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,6 +12,12 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds RestAfter(120);
+
+bool sameScans(const MapPtr& a, const MapPtr& b) {
+    if (!a || !b) return a == b;
+    return std::equal(a->scans.begin(), a->scans.end(), b->scans.begin(), b->scans.end(),
+                      [](const MapScan& x, const MapScan& y) { return x.scan == y.scan; });
+}
 
 }  // namespace
 
@@ -42,6 +49,7 @@ MapScenery::MapScenery(QWidget& view)
 MapScenery::~MapScenery() = default;
 
 void MapScenery::setMap(MapPtr map) {
+    if (!sameScans(map, m_order.map)) m_freeCamera.due = m_topCamera.due = true;
     m_order.map = std::move(map);
     submit();
 }
@@ -66,23 +74,26 @@ MapScenery::FramedCamera& MapScenery::activeCamera() {
 }
 
 void MapScenery::moveCamera(const MapCamera& camera) {
-    activeCamera() = {camera, false};
+    activeCamera() = {camera, false, false};
     draw(false);
     m_rest.start();
 }
 
 void MapScenery::setCamera(CameraPreset preset) {
-    FramedCamera& active = activeCamera();
-    active.camera = framed(presetCamera(preset, m_order.settings.look), m_content->places, m_view.size());
-    active.follows = true;
+    activeCamera() = {presetCamera(preset, m_order.settings.look), true, true};
+    frame();
     draw(true);
 }
 
 void MapScenery::refresh() {
-    if (activeCamera().follows) {
-        activeCamera().camera = framed(camera(), m_content->places, m_view.size());
-    }
+    if (activeCamera().follows) frame();
     if (!settled()) draw(true);
+}
+
+void MapScenery::frame() {
+    FramedCamera& active = activeCamera();
+    active.camera = framed(active.camera, m_content->places, m_view.size());
+    active.due = !m_content->complete || m_content->order != m_order.number;
 }
 
 void MapScenery::finish() {
@@ -120,8 +131,7 @@ void MapScenery::takeContent(SceneContentPtr content) {
     }
     m_content = std::move(content);
     m_renderer.setContent(m_content);
-    FramedCamera& active = activeCamera();
-    if (active.follows) active.camera = framed(active.camera, m_content->places, m_view.size());
+    if (activeCamera().follows && activeCamera().due) frame();
     draw(!m_rest.isActive());
 }
 

@@ -52,16 +52,18 @@ signals:
     void failed(const QString& why);
 
 private:
-    /// A camera and whether it still follows the map's bounds.
+    /// A camera, and whether it frames the map: until somebody moves it, and then only when scans come or go.
     struct FramedCamera {
         MapCamera camera;
         bool follows = true;
+        bool due = true;  ///< scans came or went since it framed them
     };
 
     [[nodiscard]] FramedCamera& activeCamera();
     [[nodiscard]] DrawOrder drawOrder(bool full) const;
     [[nodiscard]] bool showsEverything(const MapPicture& picture) const;
     void submit();
+    void frame();
     void takeContent(SceneContentPtr content);
     void takePicture(MapPicture picture);
     void takeFailure(const std::string& why);

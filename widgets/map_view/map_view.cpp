@@ -143,8 +143,8 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     }
     paintScanPositions(painter, projection, content, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
-    paintLegend(painter, content, projection.size(), overlay);
-    paintScaleBar(painter, projection, gridStep, overlay);
+    const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
+    paintLegend(painter, content, projection.size(), scaleBar, overlay);
     paintAxes(painter, projection, overlay);
 }
 

@@ -35,7 +35,7 @@ public:
     ~MapView() override;
 
     /// Shows @p map; scans already shown only move, new ones are added by a worker. The camera frames the map
-    /// while it grows, until the user or setCamera() moves it.
+    /// whenever scans come or go, until the user moves it.
     void setMap(MapPtr map);
     /// Hides the scans whose entry is false; scans beyond the end are shown.
     void setVisible(std::vector<bool> scanIsVisible);

@@ -23,9 +23,9 @@ struct MapViewSettings {
     MapLook look = MapLook::Points;
     MapColouring colouring = MapColouring::Label;
     MapPoses poses = MapPoses::Registered;
-    double voxelSize = 0.10;                 ///< edge, 0.05 to 0.5 [m]
-    std::optional<double> minHeight;         ///< points below are hidden, in the map's frame [m]
-    std::optional<double> maxHeight;         ///< points above are hidden, in the map's frame [m]
+    double voxelSize = 0.10;                         ///< edge, 0.05 to 0.5 [m]
+    std::optional<double> minHeight = std::nullopt;  ///< points below are hidden, in the map's frame [m]
+    std::optional<double> maxHeight = std::nullopt;  ///< points above are hidden, in the map's frame [m]
     double minRange = 0.4, maxRange = 30.0;  ///< points nearer to their scanner (the robot itself) and
                                              ///< farther ones ("no echo") are never drawn [m]
     Theme theme = Theme::Dark;

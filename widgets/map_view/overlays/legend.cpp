@@ -138,7 +138,8 @@ int widthOf(const std::vector<Entry>& entries, const std::optional<RampText>& ra
 
 }  // namespace
 
-void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const OverlayStyle& style) {
+void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
+                 const OverlayStyle& style) {
     const std::vector<Entry> entries = entriesFor(content);
     const std::optional<RampText> ramp = rampText(content, style);
     if (entries.empty() && !ramp) return;
@@ -146,8 +147,8 @@ void paintLegend(QPainter& painter, const SceneContent& content, QSize size, con
     painter.setFont(style.font);
     const QFontMetrics metrics = painter.fontMetrics();
     const int height = metrics.height() + 10;
-    const QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics) + 2 * Padding,
-                    height);
+    QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics) + 2 * Padding, height);
+    if (box.right() + Gap > taken.left()) box.moveBottom(taken.top() - Gap);
     paintPanel(painter, box, style);
 
     const QColor text = asColour(style.colours.text), muted = asColour(style.colours.muted);

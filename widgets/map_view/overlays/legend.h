@@ -1,6 +1,7 @@
 #pragma once
 
 class QPainter;
+class QRect;
 class QSize;
 
 namespace leitstand {
@@ -8,7 +9,9 @@ namespace leitstand {
 struct OverlayStyle;
 struct SceneContent;
 
-/// What the colours of @p content mean, in the bottom left corner of a widget of @p size.
-void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const OverlayStyle& style);
+/// What the colours of @p content mean, in the bottom left corner of a widget of @p size, or above @p taken
+/// where they would meet.
+void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
+                 const OverlayStyle& style);
 
 }  // namespace leitstand

@@ -28,8 +28,8 @@ double roundLength(double metresPerPixel, double pixels) {
     return decade;
 }
 
-void paintScaleBar(QPainter& painter, const MapProjection& projection, double gridStep,
-                   const OverlayStyle& style) {
+QRect paintScaleBar(QPainter& painter, const MapProjection& projection, double gridStep,
+                    const OverlayStyle& style) {
     const double metresPerPixel = projection.metresPerPixel(projection.focusDepth());
     const double length = roundLength(metresPerPixel, BarLongest);
     const int pixels = static_cast<int>(std::lround(length / metresPerPixel));
@@ -45,7 +45,8 @@ void paintScaleBar(QPainter& painter, const MapProjection& projection, double gr
     const int height = metrics.height();
     const QRect bar(right - pixels, bottom - BarEnd - height, pixels, height);
     const int gridWidth = grid.isEmpty() ? 0 : metrics.horizontalAdvance(grid) + 14;
-    paintPanel(painter, bar.adjusted(-12 - gridWidth, -4, 12, BarEnd + 9), style);
+    const QRect panel = bar.adjusted(-12 - gridWidth, -4, 12, BarEnd + 9);
+    paintPanel(painter, panel, style);
     painter.setPen(asColour(style.colours.text));
     painter.drawText(bar.adjusted(-50, -2, 50, -2), Qt::AlignCenter, text);
     painter.setPen(QPen(asColour(style.colours.text), 1.5));
@@ -55,6 +56,7 @@ void paintScaleBar(QPainter& painter, const MapProjection& projection, double gr
     painter.setPen(asColour(style.colours.muted));
     painter.drawText(bar.adjusted(-14 - gridWidth, height / 2, -pixels - 14, height / 2),
                      Qt::AlignRight | Qt::AlignVCenter, grid);
+    return panel;
 }
 
 void paintAxes(QPainter& painter, const MapProjection& projection, const OverlayStyle& style) {

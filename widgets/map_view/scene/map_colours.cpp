@@ -15,7 +15,7 @@ const MapColours& mapColours(Theme theme) {
         .grid = {0x6B, 0x76, 0x89, 96},
         .ground = rgba("#C6CBD3"),
         .trail = rgba("#CC79A7"),
-        .scanPosition = rgba("#4084E0"),
+        .scanPosition = rgba("#2F62EE"),
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#56B4E9"),
     };
@@ -27,7 +27,7 @@ const MapColours& mapColours(Theme theme) {
         .grid = {0x53, 0x5D, 0x6E, 80},
         .ground = rgba("#B4BAC4"),
         .trail = rgba("#B0578A"),
-        .scanPosition = rgba("#4084E0"),
+        .scanPosition = rgba("#2F62EE"),
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#0072B2"),
     };
