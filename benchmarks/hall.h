@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/scan/scan.h"
+
+namespace leitstand::benchmarks {
+
+/// A scan of the hall with what all benchmarks take from it.
+struct HallScan {
+    Scan scan;         ///< as read: organised, every point
+    PointCloud cloud;  ///< points between 0.48 and 25 m, in scan order; no normals, no labels
+    Pose guessInFirst = Pose::Identity();  ///< odometry, in the frame of scan000
+};
+
+/// The three real scans, read once. Throws std::runtime_error when they are absent or cannot be read.
+[[nodiscard]] const std::vector<HallScan>& hall();
+
+/// @p points with @p pose applied [m].
+[[nodiscard]] std::vector<Eigen::Vector3f> moved(const Pose& pose,
+                                                 const std::vector<Eigen::Vector3f>& points);
+
+}  // namespace leitstand::benchmarks

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace leitstand::detail {
+
+inline constexpr std::size_t BlockSize = 8;  ///< points in a block: one step of AVX2
+
+/// Points of a leaf, axis by axis; unused places hold +infinity, which is nearest to nothing [m].
+struct alignas(32) KdBlock {
+    std::array<float, BlockSize> x, y, z;
+};
+
+/// A node or a leaf, packed so that a step of the descent moves one word: index * 16 + blocks of the leaf, 0
+/// blocks for a node.
+class KdRef {
+public:
+    static constexpr std::uint32_t MostBlocks = 15;         ///< of a leaf
+    static constexpr std::uint32_t MostIndices = 1U << 28;  ///< nodes, or blocks, of a tree
+
+    KdRef() = default;
+    KdRef(std::uint32_t first, std::uint32_t blocks) : packed(first << 4 | blocks) {}
+
+    [[nodiscard]] bool isNode() const { return (packed & MostBlocks) == 0; }
+    [[nodiscard]] std::uint32_t first() const { return packed >> 4; }  ///< of KdStorage::nodes, or of blocks
+    [[nodiscard]] std::uint32_t end() const {
+        return (packed >> 4) + (packed & MostBlocks);
+    }  ///< of a leaf's blocks
+
+    std::uint32_t packed = 0;
+};
+
+/// The tight box around the points of a child [m].
+struct KdBox {
+    std::array<float, 3> low, negativeHigh;
+};
+
+/// An inner node with the tight boxes of both its children: all that a step of the descent needs is in one
+/// cache line. A point belongs to child 1 if its coordinate is not below the split.
+struct alignas(64) KdNode {
+    std::array<KdBox, 2> boxes;
+    std::array<KdRef, 2> children;
+    std::uint32_t axis;
+    float split;  ///< [m]
+};
+
+/// A kd-tree over its own copy of the points. Nodes stand in preorder, leaves in the order of the descent.
+struct KdStorage {
+    std::vector<KdNode> nodes;
+    std::vector<KdBlock> blocks;
+    std::vector<std::int32_t> indices;  ///< of the model's points, one a place of the blocks; -1: unused
+    KdRef root{};                       ///< without nodes and blocks: an empty tree
+    std::size_t size = 0;               ///< points in the tree
+
+    [[nodiscard]] bool empty() const { return size == 0; }
+};
+
+/// What a search found: a place in the blocks. @p squaredDistance is the bound it began with if there is
+/// none.
+struct KdFound {
+    static constexpr std::uint32_t None = 0xffffffff;
+    std::uint32_t place = None;
+    float squaredDistance = 0.0F;
+};
+
+inline constexpr int MaxMeanDepth = 40;  ///< below it, nodes are halved: at most 32 levels more
+inline constexpr int MaxDepth = MaxMeanDepth + 34;
+
+/// Squared distance as every search computes it, so that equal points are equally far in all of them [m^2].
+inline float squaredDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    const float dx = a.x() - b.x(), dy = a.y() - b.y(), dz = a.z() - b.z();
+    return dx * dx + dy * dy + dz * dz;
+}
+
+}  // namespace leitstand::detail
