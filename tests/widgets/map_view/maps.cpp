@@ -1,6 +1,7 @@
 #include "tests/widgets/map_view/maps.h"
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 #include <fmt/format.h>
@@ -64,6 +65,9 @@ MapPtr mapOf(const std::vector<ScanPtr>& scans) {
 
 MapPtr largeMap(std::size_t count) {
     constexpr std::size_t ScanSize = 50'000;
+    static std::map<std::size_t, MapPtr> made;
+    MapPtr& map = made[count];
+    if (map) return map;
     std::vector<ScanPtr> scans;
     for (std::size_t first = 0; first < count; first += ScanSize) {
         PointCloud cloud = roomCloud(std::min(ScanSize, count - first), static_cast<unsigned>(first + 1));
@@ -73,7 +77,8 @@ MapPtr largeMap(std::size_t count) {
         scan->labels = std::move(cloud.labels);
         scans.push_back(std::move(scan));
     }
-    return mapOf(scans);
+    map = mapOf(scans);
+    return map;
 }
 
 }  // namespace leitstand::test

@@ -19,7 +19,7 @@ namespace leitstand::test {
 /// A map of these scans, all of them at the origin, before registration too.
 [[nodiscard]] MapPtr mapOf(const std::vector<ScanPtr>& scans);
 
-/// @p count points of a generated room, in scans of 50,000, and so on.
+/// @p count points of a generated room in scans of 50,000; made once for each count.
 [[nodiscard]] MapPtr largeMap(std::size_t count);
 
 }  // namespace leitstand::test
