@@ -29,7 +29,9 @@ MessagesPanel::MessagesPanel(MessageListModel& messages, QWidget* parent)
     m_list->setAccessibleName(tr("Messages"));
     m_list->setModel(&messages);
     m_list->setItemDelegate(new ToneDelegate(m_list));
-    m_list->setTextElideMode(Qt::ElideMiddle);
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setResizeMode(QListView::Adjust);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
 
     auto* dismiss = new QAction(tr("Dismiss"), this);

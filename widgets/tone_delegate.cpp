@@ -8,12 +8,13 @@
 namespace leitstand {
 namespace {
 
-constexpr QSize Air(18, 4);  ///< [px]
+constexpr QSize Air(6, 4), AirBesideTickBox(8, 4);  ///< [px]
 
 }  // namespace
 
 QSize ToneDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    return QStyledItemDelegate::sizeHint(option, index) + Air;
+    const bool tickBox = index.data(Qt::CheckStateRole).isValid();
+    return QStyledItemDelegate::sizeHint(option, index) + (tickBox ? AirBesideTickBox : Air);
 }
 
 void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {

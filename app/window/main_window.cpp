@@ -169,6 +169,7 @@ void MainWindow::showMap(const MapPtr& map) {
     m_pane->setHelpVisible(map->scans.empty() && idle());
     m_files->setMapEmpty(map->scans.empty());
     m_registration->setScans(static_cast<int>(map->scans.size()));
+    m_viewCommands->setScans(static_cast<int>(map->scans.size()));
 }
 
 void MainWindow::showView(const MapViewSettings& settings) {

@@ -147,6 +147,15 @@ QList<QAction*> ViewCommands::tools() const {
            QList<QAction*>{nullptr, m_clip, m_measure, m_before, nullptr, m_cameras.front()};
 }
 
+void ViewCommands::setScans(int scans) {
+    if (scans == 0) {
+        m_before->setChecked(false);
+        m_measure->setChecked(false);
+    }
+    m_before->setEnabled(scans > 0);
+    m_measure->setEnabled(scans > 0);
+}
+
 void ViewCommands::showState() {
     const MapViewSettings& view = m_state.settings();
     check(*m_looks, view.look);

@@ -24,6 +24,8 @@ public:
     void fill(QMenu& menu);
     /// The tool column's, from top to bottom; a null stands for a gap.
     [[nodiscard]] QList<QAction*> tools() const;
+    /// Poses before registration and measuring make sense only for a map that has scans.
+    void setScans(int scans);
     /// Shows the poses before registration while checked.
     [[nodiscard]] QAction& before() const { return *m_before; }
     /// Measures while checked.
