@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
-#include <QTest>
 
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
@@ -87,7 +86,7 @@ TEST(MapPicking, HoveringTellsThePointUnderThePointer) {
     std::vector<std::optional<PickedPoint>> seen;
     QObject::connect(&*view, &MapView::hovered, &*view, [&](const auto& point) { seen.push_back(point); });
     const Eigen::Vector3d point = gridOfPoints()[7].cast<double>();
-    QTest::mouseMove(&*view, view.at(point).toPoint());
+    view.hover(view.at(point).toPoint());
     ASSERT_TRUE(waitFor([&] { return !seen.empty() && seen.back(); }));
     EXPECT_LT((seen.back()->pointInMap - point).norm(), 1e-5);
     QEvent leave(QEvent::Leave);

@@ -87,6 +87,13 @@ void ShownView::click(QPoint position) {
     QTest::mouseClick(&m_view, Qt::LeftButton, {}, position);
 }
 
+void ShownView::hover(QPoint position) {
+    // Not QTest::mouseMove(): it sends nothing when the pointer is there already.
+    QMouseEvent move(QEvent::MouseMove, position, m_view.mapToGlobal(position), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&m_view, &move);
+}
+
 void ShownView::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
     QTest::keyClick(&m_view, key, modifiers);
     settle();

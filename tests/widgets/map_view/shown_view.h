@@ -27,6 +27,7 @@ public:
     void drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {});
     void wheel(QPoint position, int notches);
     void click(QPoint position);
+    void hover(QPoint position);
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
 
     /// Where a point of the map is on screen; fails the test when it is not.
