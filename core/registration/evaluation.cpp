@@ -73,7 +73,10 @@ Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vec
 }  // namespace
 
 void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
-    const PairSums sums = pairing.update(result.pose, std::max(maxDistance, IcpResult::OverlapDistance));
+    // Where the last step was below the limit, the pairs before it are still those of the pose.
+    if (result.stop != IcpStop::Converged || maxDistance < IcpResult::OverlapDistance) {
+        pairing.update(result.pose, std::max(maxDistance, IcpResult::OverlapDistance));
+    }
     const double maxSquared = maxDistance * maxDistance;
     constexpr double overlapSquared = IcpResult::OverlapDistance * IcpResult::OverlapDistance;
     std::size_t inliers = 0, overlapping = 0;
@@ -90,7 +93,7 @@ void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
     result.rms = std::sqrt(squares / static_cast<double>(inliers));
     result.inlierRatio = static_cast<double>(inliers) / points;
     result.overlap = static_cast<double>(overlapping) / points;
-    result.information = informationOf(pairing, result.pose, sums.sourceMean(), maxSquared);
+    result.information = informationOf(pairing, result.pose, pairing.sums().sourceMean(), maxSquared);
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(result.information);
     result.certainty = std::clamp(3.0 * solver.eigenvalues()[0], 0.0, 1.0);
     result.weakest = solver.eigenvectors().col(0);

@@ -47,8 +47,12 @@ Fit closedForm(const PairSums& sums, Minimizer minimizer) {
     }
 }
 
+bool usesNormals(Minimizer minimizer) {
+    return minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp;
+}
+
 Step minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
-    if (minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp) {
+    if (usesNormals(minimizer)) {
         const NormalEquations equations = minimizer == Minimizer::Plane
                                               ? planeEquations(pairing, pose, sums.sourceMean())
                                               : gicpEquations(pairing, pose, sums.sourceMean());
@@ -61,13 +65,14 @@ Step minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Mi
 
 bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer minimizer) {
     if (minimizer == Minimizer::Gicp && source.normals.empty()) return false;
-    return (minimizer != Minimizer::Gicp && minimizer != Minimizer::Plane) || !target.normals.empty();
+    return !usesNormals(minimizer) || !target.normals.empty();
 }
 
 /// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
 IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settings, const Progress& progress,
                  IcpResult& result, const std::function<void()>& report) {
     PoseHistory history;
+    const double minStep = settings.minStep.value_or(usesNormals(settings.minimizer) ? 1e-4 : 1e-5);
     while (result.iterations < settings.maxIterations) {
         if (progress.cancelled()) return IcpStop::Cancelled;
         PairSums sums;
@@ -86,8 +91,8 @@ IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settin
         result.pose = next;
         ++result.iterations;
         report();
-        if (moved < settings.minStep) return IcpStop::Converged;
-        if (const std::size_t length = history.cycle(settings.minStep); length > 0) {
+        if (moved < minStep) return IcpStop::Converged;
+        if (const std::size_t length = history.cycle(minStep); length > 0) {
             result.pose = history.best(length);
             const PoseHistory::Extent size = history.extent(length);
             result.converged =

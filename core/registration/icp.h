@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,9 +26,10 @@ enum class Minimizer : std::uint8_t {
 /// Settings of one alignment.
 struct IcpSettings {
     std::vector<double> maxDistances = {
-        0.5};                 ///< pairs farther apart are dropped [m]; stages, one after another
-    double minStep = 1e-5;    ///< a stage ends when the pose moves less [m, rad]
-    int maxIterations = 500;  ///< over all stages
+        0.5};                       ///< pairs farther apart are dropped [m]; stages, one after another
+    std::optional<double> minStep;  ///< a stage ends when the pose moves less [m, rad]; unless set, 1e-4 for
+                                    ///< Plane and Gicp and 1e-5 for point to point, which creeps
+    int maxIterations = 500;        ///< over all stages
     Minimizer minimizer = Minimizer::Gicp;
     int threads = 0;  ///< 0: one per core
 };

@@ -5,32 +5,21 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/parallel.h"
+#include "core/registration/gicp_sums.h"
 
 namespace leitstand {
 namespace {
 
-constexpr double AcrossVariance = 1e-3;
-
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
-    Eigen::Matrix3d m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
-
-/// Inverse covariance of a pair with unit normals @p a and @p b. Its eigenvectors are the bisectors of the
-/// normals and their common perpendicular, so no matrix is inverted.
-Eigen::Matrix3d pairInformation(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    constexpr double k = 1.0 - AcrossVariance;
-    const double c = std::abs(a.dot(b));
-    const Eigen::Vector3d other = a.dot(b) < 0.0 ? Eigen::Vector3d(-b) : b;
-    Eigen::Matrix3d information = 0.5 * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d between = a + other, across = a - other;
-    const double betweenSquared = 2.0 + 2.0 * c, acrossSquared = 2.0 - 2.0 * c;
-    information += (1.0 / (2.0 - k * (1.0 + c)) - 0.5) / betweenSquared * between * between.transpose();
-    if (acrossSquared > 1e-12) {
-        information += (1.0 / (2.0 - k * (1.0 - c)) - 0.5) / acrossSquared * across * across.transpose();
+/// The sum of the chunks, in their order.
+NormalEquations joined(const std::vector<NormalEquations>& chunks, const Eigen::Vector3d& centre) {
+    NormalEquations sum;
+    sum.centre = centre;
+    for (const NormalEquations& chunk : chunks) {
+        sum.hessian += chunk.hessian;
+        sum.gradient += chunk.gradient;
+        sum.cost += chunk.cost;
     }
-    return information;
+    return sum;
 }
 
 /// Runs @p add(equations, i, source point, target point) over all pairs and joins the chunks in order.
@@ -51,14 +40,7 @@ NormalEquations gather(const Pairing& pairing, const Pose& sourceInTarget, const
         }
         chunks[first / Pairing::Grain] = equations;
     });
-    NormalEquations sum;
-    sum.centre = centre;
-    for (const NormalEquations& chunk : chunks) {
-        sum.hessian += chunk.hessian;
-        sum.gradient += chunk.gradient;
-        sum.cost += chunk.cost;
-    }
-    return sum;
+    return joined(chunks, centre);
 }
 
 }  // namespace
@@ -93,32 +75,12 @@ NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarge
 
 NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
                               const Eigen::Vector3d& centre) {
-    const auto& targetNormals = pairing.target().normals;
-    const auto& sourceNormals = pairing.source().normals;
-    const Eigen::Matrix3d rotation = sourceInTarget.linear();
-    return gather(pairing, sourceInTarget, centre,
-                  [&](NormalEquations& equations, std::size_t source, std::size_t target,
-                      const Eigen::Vector3d& arm, const Eigen::Vector3d& residual) {
-                      Eigen::Vector3d a = rotation * sourceNormals[source].cast<double>();
-                      Eigen::Vector3d b = targetNormals[target].cast<double>();
-                      // A point whose surface is unknown takes that of its partner.
-                      if (a.squaredNorm() < 0.5) a = b;
-                      if (b.squaredNorm() < 0.5) b = a;
-                      const Eigen::Matrix3d w = a.squaredNorm() < 0.5
-                                                    ? Eigen::Matrix3d(0.5 * Eigen::Matrix3d::Identity())
-                                                    : pairInformation(a, b);
-                      // d residual / d step = [I, -[arm]x]
-                      const Eigen::Matrix3d turn = -crossMatrix(arm);
-                      const Eigen::Matrix3d wTurn = w * turn;
-                      const Eigen::Vector3d wResidual = w * residual;
-                      equations.hessian.topLeftCorner<3, 3>() += w;
-                      equations.hessian.topRightCorner<3, 3>() += wTurn;
-                      equations.hessian.bottomLeftCorner<3, 3>() += wTurn.transpose();
-                      equations.hessian.bottomRightCorner<3, 3>().noalias() += turn.transpose() * wTurn;
-                      equations.gradient.head<3>() += wResidual;
-                      equations.gradient.tail<3>().noalias() += turn.transpose() * wResidual;
-                      equations.cost += 0.5 * residual.dot(wResidual);
-                  });
+    const std::size_t count = pairing.partners().size();
+    std::vector<NormalEquations> chunks((count + Pairing::Grain - 1) / Pairing::Grain);
+    parallelFor(count, Pairing::Grain, pairing.threads(), [&](std::size_t first, std::size_t last) {
+        chunks[first / Pairing::Grain] = gicpSums(pairing, sourceInTarget, centre, first, last);
+    });
+    return joined(chunks, centre);
 }
 
 }  // namespace leitstand

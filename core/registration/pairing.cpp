@@ -16,9 +16,9 @@ PairSums Pairing::update(const Pose& sourceInTarget, double maxDistance, const s
         if (!stop.stop_requested())
             chunks[first / Grain] = updateChunk(first, last, rotation, translation, maxSquared);
     });
-    PairSums sums;
-    for (const PairSums& chunk : chunks) sums += chunk;
-    return sums;
+    m_sums = {};
+    for (const PairSums& chunk : chunks) m_sums += chunk;
+    return m_sums;
 }
 
 PairSums Pairing::updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,

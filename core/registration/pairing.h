@@ -29,6 +29,8 @@ public:
     PairSums update(const Pose& sourceInTarget, double maxDistance, const std::stop_token& stop = {});
 
     [[nodiscard]] const std::vector<Partner>& partners() const { return m_partners; }
+    /// What the last update() returned.
+    [[nodiscard]] const PairSums& sums() const { return m_sums; }
     [[nodiscard]] const PointCloud& target() const { return m_target; }
     [[nodiscard]] const PointCloud& source() const { return m_source; }
     [[nodiscard]] int threads() const { return m_threads; }
@@ -44,6 +46,7 @@ private:
     const PointCloud& m_source;
     int m_threads;
     std::vector<Partner> m_partners;
+    PairSums m_sums;
 };
 
 }  // namespace leitstand
