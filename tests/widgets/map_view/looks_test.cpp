@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,11 @@ struct Look {
     std::string name;
     MapViewSettings settings;
 };
+
+/// What gtest calls a look.
+void PrintTo(const Look& look, std::ostream* out) {
+    *out << look.name;
+}
 
 class GoldenPicture : public testing::TestWithParam<Look> {};
 
