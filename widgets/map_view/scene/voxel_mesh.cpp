@@ -1,6 +1,7 @@
 #include "widgets/map_view/scene/voxel_mesh.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "widgets/map_view/scene/voxel_table.h"
@@ -31,8 +32,9 @@ constexpr std::array<double, 4> CornerLight = {1.0, 0.86, 0.74, 0.62};
 
 /// A little light more or less, so that cubes of one colour in one plane can be counted.
 double grain(const Eigen::Array3i& cell) {
-    auto hash = static_cast<std::uint32_t>(cell.x() * 73'856'093 ^ cell.y() * 19'349'663);
-    hash = (hash ^ static_cast<std::uint32_t>(cell.z() * 83'492'791)) * 2'654'435'761U;
+    const auto at = [&cell](int axis) { return static_cast<std::uint32_t>(cell[axis]); };
+    std::uint32_t hash = (at(0) * 73'856'093U) ^ (at(1) * 19'349'663U);
+    hash = (hash ^ (at(2) * 83'492'791U)) * 2'654'435'761U;
     return 0.94 + 0.06 * static_cast<double>(hash >> 16U) / 65'535.0;
 }
 
