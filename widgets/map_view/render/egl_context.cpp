@@ -1,6 +1,7 @@
 #include "widgets/map_view/render/egl_context.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include <EGL/egl.h>
@@ -15,15 +16,12 @@ bool hasExtension(EGLDisplay display, std::string_view name) {
     return list != nullptr && std::string_view(list).find(name) != std::string_view::npos;
 }
 
-/// Whether @p display starts and offers desktop OpenGL; one that does not is closed again.
+/// Whether @p display starts and offers desktop OpenGL.
 bool starts(EGLDisplay display) {
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return false;
     const char* interfaces = eglQueryString(display, EGL_CLIENT_APIS);
-    if (interfaces != nullptr && std::string_view(interfaces).find("OpenGL") != std::string_view::npos) {
-        return true;
-    }
-    eglTerminate(display);
-    return false;
+    if (interfaces == nullptr) return false;
+    return (std::string(interfaces) + ' ').find("OpenGL ") != std::string::npos;  // OpenGL_ES is not enough
 }
 
 EGLDisplay firstDevice() {
@@ -49,6 +47,11 @@ EGLDisplay surfaceless() {
     return starts(display) ? display : EGL_NO_DISPLAY;
 }
 
+EGLDisplay defaultDisplay() {
+    EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    return starts(display) ? display : EGL_NO_DISPLAY;
+}
+
 Error eglError(std::string_view what) {
     return Error{fmt::format("{} (EGL error {:#06x})", what, eglGetError())};
 }
@@ -56,19 +59,15 @@ Error eglError(std::string_view what) {
 }  // namespace
 
 Result<std::unique_ptr<EglDisplay>> EglDisplay::open() {
-    for (const auto& platform : {firstDevice, surfaceless}) {
+    for (const auto& platform : {firstDevice, surfaceless, defaultDisplay}) {
         if (EGLDisplay display = platform(); display != EGL_NO_DISPLAY) {
-            return std::unique_ptr<EglDisplay>(new EglDisplay(display, true));
+            return std::unique_ptr<EglDisplay>(new EglDisplay(display));
         }
-    }
-    if (EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY); starts(display)) {
-        return std::unique_ptr<EglDisplay>(new EglDisplay(display, false));
     }
     return eglError("EGL offers no display with OpenGL");
 }
 
 EglDisplay::~EglDisplay() {
-    if (m_ours) eglTerminate(m_display);
     eglReleaseThread();
 }
 

@@ -7,7 +7,8 @@
 namespace leitstand {
 
 /// A connection to EGL that needs no window system: the first device that works, then Mesa's surfaceless
-/// platform, then the default display. One thread.
+/// platform, then the default display. One thread. EGL has one connection a process and platform: it stays
+/// open until the process ends, since others may use it and drivers leak when it closes.
 class EglDisplay {
 public:
     [[nodiscard]] static Result<std::unique_ptr<EglDisplay>> open();
@@ -17,10 +18,9 @@ public:
 
 private:
     friend class EglContext;
-    EglDisplay(void* display, bool ours) : m_display(display), m_ours(ours) {}
+    explicit EglDisplay(void* display) : m_display(display) {}
 
     void* m_display;
-    bool m_ours;  ///< false for the default display, which the window system's plugin may use too
 };
 
 /// An OpenGL 3.2 core context without a window. One thread; must not outlive its display.
