@@ -34,8 +34,8 @@ struct Table1Row {
     double speedUp = 1.0;                ///< seconds of the all-points kd-tree row over this row's
     double distance = 0.0, angle = 0.0;  ///< from the all-points kd-tree row's pose [m, rad]; of an
                                          ///< extrapolated row, from that row's pose after as many iterations
-    bool counts = false;        ///< within CountDistance and CountAngle, and converged
-    double paperSeconds = 0.0;  ///< [s]; 0: "several hours"
+    bool counts = false;                 ///< within CountDistance and CountAngle, and converged
+    double paperSeconds = 0.0;           ///< [s]; 0: "several hours"
     int paperIterations = 0;
     double paperSpeedUp = 0.0;  ///< 0: not to be told
 
