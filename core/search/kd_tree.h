@@ -15,7 +15,7 @@
 
 namespace leitstand {
 
-/// An optimised kd-tree (Friedman, Bentley & Finkel 1977) over a copy of points [m]; about 19 bytes a point.
+/// An optimised kd-tree (Friedman, Bentley & Finkel 1977) over a copy of points [m]; about 17 bytes a point.
 /// Points that are not finite are left out. Queries must be finite; concurrent ones are safe.
 class KdTree {
 public:
@@ -23,7 +23,7 @@ public:
 
     /// An empty tree: finds nothing.
     KdTree() = default;
-    /// A tree over all @p points. Throws std::length_error beyond 2^31 - 1 points.
+    /// A tree over all @p points. Throws std::length_error beyond some 2^31 points.
     explicit KdTree(std::span<const Eigen::Vector3f> points, SimdLevel simd = simdLevel());
     /// A tree over the points with the indices @p chosen; neighbours have their index among @p points.
     KdTree(std::span<const Eigen::Vector3f> points, std::span<const std::int32_t> chosen,

@@ -93,8 +93,9 @@ LEITSTAND_AVX2 KdFound nearestAvx2(const KdStorage& tree, const Eigen::Vector3f&
             count += distance < bound ? 1U : 0U;
         }
         searchLeaf(tree.blocks.data(), ref, blockQuery, best);
-        const float shrunk = least(best.distances) * shrink;
-        bound = shrunk < bound ? shrunk : bound;
+        // What was found shrinks the bound, the bound of the caller never: a point just below it counts.
+        const float distance = least(best.distances);
+        bound = distance < maxSquaredDistance ? distance * shrink : maxSquaredDistance;
         do {
             if (count == 0) return nearestOf(best, maxSquaredDistance);
             --count;

@@ -12,6 +12,7 @@ constexpr std::size_t LeafSize = 96;  // points: blocks cost less than the steps
 static_assert(LeafSize <= KdRef::MostBlocks * BlockSize);
 constexpr std::size_t AlignedSize = 8 * LeafSize;  // nodes from here down are split at full blocks
 constexpr float Infinity = std::numeric_limits<float>::infinity();
+constexpr const char* TooMany = "a kd-tree holds at most 2^31 - 1 points in 2^28 blocks of 8";
 
 struct Item {
     std::array<float, 3> at;
@@ -118,6 +119,7 @@ private:
 
     KdRef leaf(std::span<const Item> items) {
         const std::size_t count = (items.size() + BlockSize - 1) / BlockSize;
+        if (m_tree.blocks.size() + count > KdRef::MostIndices) throw std::length_error(TooMany);
         const KdRef ref(static_cast<std::uint32_t>(m_tree.blocks.size()), static_cast<std::uint32_t>(count));
         for (std::size_t first = 0; first < items.size(); first += BlockSize) {
             KdBlock& block = m_tree.blocks.emplace_back();
@@ -151,7 +153,7 @@ private:
 
 std::vector<Item> finite(std::span<const Eigen::Vector3f> points, auto indexAt, std::size_t count) {
     if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
-        throw std::length_error("a kd-tree holds at most 2^31 - 1 points");
+        throw std::length_error(TooMany);
     }
     std::vector<Item> items;
     items.reserve(count);

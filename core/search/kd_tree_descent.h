@@ -37,26 +37,28 @@ inline std::array<float, BlockSize> blockDistances(const KdBlock& block, const E
     return result;
 }
 
-/// Calls @p leaf(ref) for the leaves that are nearer to @p query than @p bound, nearer ones first; the bound
-/// is read anew after each [m^2].
+/// Calls @p leaf(ref) for the leaf of @p query and for all that are nearer than @p bound, nearer ones first;
+/// the bound is read anew after each [m^2]. The search for AVX2 visits the same leaves in the same order.
 template <class Leaf>
 void descend(const KdStorage& tree, const Eigen::Vector3f& query, const float& bound, Leaf leaf) {
     if (tree.empty()) return;
     std::array<KdWaiting, MaxDepth> waiting;
     std::size_t count = 0;
-    waiting[count++] = {tree.root, 0.0F};
-    while (count > 0) {
-        KdWaiting next = waiting[--count];
-        while (next.squaredDistance < bound) {
-            if (!next.ref.isNode()) {
-                leaf(next.ref);
-                break;
-            }
-            const KdNode& node = tree.nodes[next.ref.first()];
-            const std::size_t nearer = query[static_cast<Eigen::Index>(node.axis)] < node.split ? 0 : 1;
-            waiting[count++] = {node.children[1 - nearer], boxDistance(node.boxes[1 - nearer], query)};
-            next = {node.children[nearer], boxDistance(node.boxes[nearer], query)};
+    KdRef ref = tree.root;
+    for (;;) {
+        while (ref.isNode()) {
+            const KdNode& node = tree.nodes[ref.first()];
+            const std::size_t nearer = query[static_cast<Eigen::Index>(node.axis)] >= node.split ? 1 : 0;
+            const float distance = boxDistance(node.boxes[1 - nearer], query);
+            if (distance < bound) waiting[count++] = {node.children[1 - nearer], distance};
+            ref = node.children[nearer];
         }
+        leaf(ref);
+        do {
+            if (count == 0) return;
+            --count;
+        } while (!(waiting[count].squaredDistance < bound));
+        ref = waiting[count].ref;
     }
 }
 

@@ -15,7 +15,7 @@ KdFound nearestPlain(const KdStorage& tree, const Eigen::Vector3f& query, float 
                 if (distances[i] < best.squaredDistance) best = {block * 8 + i, distances[i]};
             }
         }
-        bound = std::min(bound, best.squaredDistance * shrink);
+        if (best.place != KdFound::None) bound = best.squaredDistance * shrink;  // not the caller's bound
     });
     return best;
 }
