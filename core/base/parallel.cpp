@@ -2,11 +2,51 @@
 
 #include <algorithm>
 
-#include <tbb/info.h>
+#if defined(__SANITIZE_THREAD__)
+#include <exception>
+#include <thread>
+#include <vector>
+#else
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#endif
+#include <tbb/info.h>
 
 namespace leitstand {
+namespace {
+
+using Range = std::function<void(std::size_t)>;
+
+#if defined(__SANITIZE_THREAD__)
+// ThreadSanitizer does not see how the packaged oneTBB, which is built without it, hands work over, and
+// reports every task. With threads of our own it checks what matters: the bodies. Ranges are dealt out
+// beforehand, as a common counter would put the threads in an order that hides their races.
+void runAll(std::size_t ranges, int threads, const Range& range) {
+    const auto workers = static_cast<std::size_t>(threads);
+    std::vector<std::exception_ptr> thrown(workers);
+    const auto work = [&](std::size_t worker) {
+        try {
+            for (std::size_t i = worker; i < ranges; i += workers) range(i);
+        } catch (...) {
+            thrown[worker] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> running;
+        for (std::size_t worker = 0; worker < workers; ++worker) running.emplace_back(work, worker);
+    }
+    for (const std::exception_ptr& one : thrown) {
+        if (one) std::rethrow_exception(one);
+    }
+}
+#else
+void runAll(std::size_t ranges, int threads, const Range& range) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, ranges, range); });
+}
+#endif
+
+}  // namespace
 
 int threadCount(int threads) {
     return threads > 0 ? threads : std::max(1, tbb::info::default_concurrency());
@@ -22,8 +62,7 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
         for (std::size_t i = 0; i < ranges; ++i) range(i);
         return;
     }
-    tbb::task_arena arena(used);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, ranges, range); });
+    runAll(ranges, used, range);
 }
 
 }  // namespace leitstand
