@@ -33,7 +33,7 @@ public:
         return (packed >> 4) + (packed & MostBlocks);
     }  ///< of a leaf's blocks
 
-    std::uint32_t packed = 0;
+    std::uint32_t packed;  // left unset by default: searches hold arrays of these
 };
 
 /// The tight box around the points of a child [m].
