@@ -12,6 +12,7 @@ find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
     set(CMAKE_CXX_COMPILER_LAUNCHER
         ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1  # another checkout's results count too
         ${CCACHE_PROGRAM})
 endif()
 set(CMAKE_PCH_INSTANTIATE_TEMPLATES ON)
@@ -24,6 +25,12 @@ endif()
 function(leitstand_warnings target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Werror)
     target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
+endfunction()
+
+# leitstand_precompile(target HEADERS...): only where many units share heavy headers.
+function(leitstand_precompile target)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)  # for ccache
+    target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
 # leitstand_library(name FOLDERS a b ... [PUBLIC libs] [PRIVATE libs] [QT])

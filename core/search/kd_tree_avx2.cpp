@@ -79,18 +79,20 @@ LEITSTAND_AVX2 KdFound nearestAvx2(const KdStorage& tree, const Eigen::Vector3f&
     std::size_t count = 0;
     KdRef ref = tree.root;
     for (;;) {
-        // Down to a leaf. The next node waits for nothing but one comparison: the child is chosen by masks,
-        // as a branch would be guessed wrong half the time, and the other child's box is looked at beside the
-        // way.
+        // Down to a leaf. The child is chosen by a branch on purpose: the processor goes on with the child it
+        // expects, instead of waiting for one node after the other. Measured on the hall, that nearly halves
+        // the time of queries in scan order and pays with shuffled ones too.
         while (ref.isNode()) {
             const KdNode& node = nodes[ref.first()];
-            const std::uint32_t left = node.children[0].packed, both = left ^ node.children[1].packed;
-            const std::uint32_t nearer = q[node.axis] >= node.split ? 1U : 0U;
-            ref.packed = left ^ (both & (0U - nearer));
-            const float distance = boxDistance(node.boxes[1U - nearer], boxQuery);
-            waiting[count].ref.packed = ref.packed ^ both;
-            waiting[count].squaredDistance = distance;
-            count += distance < bound ? 1U : 0U;
+            if (q[node.axis] < node.split) {
+                ref = node.children[0];
+                const float distance = boxDistance(node.boxes[1], boxQuery);
+                if (distance < bound) waiting[count++] = {node.children[1], distance};
+            } else {
+                ref = node.children[1];
+                const float distance = boxDistance(node.boxes[0], boxQuery);
+                if (distance < bound) waiting[count++] = {node.children[0], distance};
+            }
         }
         searchLeaf(tree.blocks.data(), ref, blockQuery, best);
         // What was found shrinks the bound, the bound of the caller never: a point just below it counts.
