@@ -8,6 +8,12 @@ include(GoogleTest)
 if(NOT LEITSTAND_CORE_ONLY)
     find_package(CLI11 REQUIRED)
     find_package(nlohmann_json REQUIRED)
+    find_package(SQLite3 3.40 REQUIRED)
+    find_package(yaml-cpp REQUIRED)
+    find_package(OpenSSL 3 REQUIRED)
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
+    find_package(fastcdr REQUIRED)
+    find_package(fastrtps 2.9 REQUIRED)
     # Debian's VTK Qt module links Qt 5: components are listed one by one and never include it. VTK goes
     # first and PCL must not find it again, since PCL asks for that very module.
     find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMath CommonTransforms

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace leitstand {
+
+/// The parts of a DDS quality of service that ROS 2 robots differ in.
+struct Qos {
+    enum class Reliability : std::uint8_t { BestEffort, Reliable };
+    enum class Durability : std::uint8_t { Volatile, TransientLocal };
+    Reliability reliability = Reliability::Reliable;
+    Durability durability = Durability::Volatile;
+    int depth = 1;          ///< keep_last; 0: keep_all
+    double lifespan = 0.0;  ///< [s]; 0: for ever
+    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file says it offers one
+    friend bool operator==(const Qos&, const Qos&) = default;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/robot/qos.h"
+
+namespace leitstand {
+
+/// What a topic of a robot carries for the station.
+enum class StreamRole : std::uint8_t {
+    // from the robot
+    Points,
+    Ranges,
+    Odometry,
+    Imu,
+    Joints,
+    Transforms,
+    StaticTransforms,
+    Picture,
+    CameraInfo,
+    Thermal,
+    Gas,
+    Battery,
+    Diagnostics,
+    Mode,
+    Bumps,
+    Sightings,
+    StopState,
+    Pong,
+    // to the robot
+    DriveCommand,
+    TrackCommand,
+    StopCommand,
+    ModeCommand,
+    GoalPose,
+    PanTiltCommand,
+    StreamCommand,
+    Ping,
+};
+
+/// Whether the station sends topics of @p role.
+[[nodiscard]] bool isCommand(StreamRole role);
+/// The name of @p role in robot files: "points", "drive_command".
+[[nodiscard]] std::string toString(StreamRole role);
+
+/// Whose clock stamps commands.
+enum class StampSource : std::uint8_t { Robot, Zero, Station };
+
+/// How raw numbers of a thermal picture become temperatures: kelvin = raw * scale + offset.
+struct ThermalScale {
+    double scale = 0.01;   ///< [K] a step
+    double offset = 0.0;   ///< [K]
+    bool measured = true;  ///< false: colour-mapped pictures, which tell no temperature
+};
+
+/// One topic of a robot.
+struct StreamDescription {
+    StreamRole role = StreamRole::Points;
+    std::string sensor;  ///< key of RobotDescription::sensors that it belongs to, "left"; may be empty
+    std::string topic;   ///< ROS name, "/kurt3d/points"
+    std::string type;    ///< "sensor_msgs/msg/PointCloud2"
+    Qos qos;
+    StampSource stamp = StampSource::Robot;  ///< of stamped commands
+    ThermalScale thermal;                    ///< of Thermal
+    std::string hardwareId;                  ///< Diagnostics: only statuses whose hardware_id starts so
+    bool record = true;                      ///< whether the mission's log keeps it
+};
+
+/// A sensor and where it sits.
+struct SensorDescription {
+    std::string frame;                     ///< frame_id of its samples
+    Pose sensorInBase = Pose::Identity();  ///< used where tf does not tell
+};
+
+enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
+[[nodiscard]] std::string toString(DriveType drive);
+
+/// What a robot does by itself when its link is lost (design, section 4).
+enum class LinkLossRule : std::uint8_t { Stop, FinishAndWait, ReturnToLink };
+[[nodiscard]] std::string toString(LinkLossRule rule);
+
+/// How the frames of a robot's tf are told from those of others.
+enum class TfPrefix : std::uint8_t { Topic, Frame, None };
+
+/// Everything the station knows about a robot beforehand: its file.
+struct RobotDescription {
+    std::string letter;  ///< one capital letter, "K"
+    std::string name;    ///< "kurt3d": lower case, as in topics
+    std::string title;   ///< what the operator sees, "Kurt3D"
+    std::vector<StreamDescription> streams;
+    std::map<std::string, SensorDescription> sensors;
+    std::string baseFrame, odomFrame;
+    TfPrefix tfPrefix = TfPrefix::Topic;
+    std::vector<Eigen::Vector2d> footprint;  ///< counter-clockwise, base frame [m]
+    double height = 0.0;                     ///< [m]
+    double maxRoll = 0.0, maxPitch = 0.0;    ///< tip-over limits [rad]
+    double maxSpeed = 0.0;                   ///< [m/s]
+    double maxTurnRate = 0.0;                ///< [rad/s]
+    DriveType drive = DriveType::Differential;
+    std::map<std::string, std::string> bindings;   ///< operator's action -> key or pad control
+    std::map<std::string, LinkLossRule> linkLoss;  ///< mode -> rule; teleoperation always stops
+
+    /// The first stream of @p role (and @p sensor, when given); null when the robot has none.
+    [[nodiscard]] const StreamDescription* stream(StreamRole role, const std::string& sensor = {}) const;
+};
+
+}  // namespace leitstand

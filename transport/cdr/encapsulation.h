@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstddef>
+
+namespace leitstand {
+
+/// Bytes of the header before every serialised sample: representation, options (RTPS 2.2, section 10).
+inline constexpr std::size_t EncapsulationSize = 4;
+
+}  // namespace leitstand
