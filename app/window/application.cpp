@@ -22,9 +22,11 @@ void applyChoices(const Options& options, MapViewSettings& view) {
     if (options.theme) view.theme = *options.theme;
 }
 
-/// Keeps a remark of Qt's display-free platform, which comes with every window, from the user.
+/// Keeps remarks of Qt's display-free platform, which come with every window, from the user.
 void dropPlatformRemarks(QtMsgType type, const QMessageLogContext& context, const QString& text) {
-    if (text.contains(QLatin1String("propagateSizeHints"))) return;
+    for (const char* remark : {"propagateSizeHints", "XDG_RUNTIME_DIR not set"}) {
+        if (text.contains(QLatin1String(remark))) return;
+    }
     std::fprintf(stderr, "%s\n", qUtf8Printable(qFormatLogMessage(type, context, text)));
 }
 

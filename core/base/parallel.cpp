@@ -41,7 +41,8 @@ void runAll(std::size_t ranges, int threads, const Range& range) {
 }
 #else
 void runAll(std::size_t ranges, int threads, const Range& range) {
-    tbb::task_arena arena(threads);
+    // More threads than processors compute nothing sooner, and oneTBB complains about them.
+    tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, ranges, range); });
 }
 #endif

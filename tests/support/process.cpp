@@ -1,8 +1,11 @@
 #include "tests/support/process.h"
 
 #include <array>
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <functional>
+#include <limits>
 #include <thread>
 
 #include <sys/wait.h>
@@ -54,6 +57,19 @@ ProcessOutcome run(const std::filesystem::path& program, const std::vector<std::
     return outcome;
 }
 
+/// Processor time that @p child has used [s]; infinite once it has ended.
+double secondsUsedBy(pid_t child) {
+    clockid_t clock{};
+    timespec used{};
+    siginfo_t ended{};
+    const bool gone = waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+                      ended.si_pid == child;
+    if (gone || clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &used) != 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
 }  // namespace
 
 ProcessOutcome runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
@@ -61,9 +77,11 @@ ProcessOutcome runProcess(const std::filesystem::path& program, const std::vecto
 }
 
 ProcessOutcome runAndInterrupt(const std::filesystem::path& program,
-                               const std::vector<std::string>& arguments, int milliseconds) {
-    return run(program, arguments, [milliseconds](pid_t child) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+                               const std::vector<std::string>& arguments, double processorSeconds) {
+    return run(program, arguments, [processorSeconds](pid_t child) {
+        while (secondsUsedBy(child) < processorSeconds) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
         kill(child, SIGINT);
     });
 }

@@ -16,9 +16,10 @@ struct ProcessOutcome {
 [[nodiscard]] ProcessOutcome runProcess(const std::filesystem::path& program,
                                         const std::vector<std::string>& arguments);
 
-/// Runs it, and sends SIGINT @p milliseconds after the start (a process that has ended by then is left
-/// alone).
+/// Runs it, and sends SIGINT once it has computed for @p processorSeconds of its own processor time, however
+/// busy the machine is (a process that has ended by then is left alone).
 [[nodiscard]] ProcessOutcome runAndInterrupt(const std::filesystem::path& program,
-                                             const std::vector<std::string>& arguments, int milliseconds);
+                                             const std::vector<std::string>& arguments,
+                                             double processorSeconds);
 
 }  // namespace leitstand::test

@@ -178,7 +178,7 @@ TEST(Register, CtrlCLeavesWhatWasFinished) {
         LEITSTANDCTL,
         {"register", folder.path().string(), "--reduce", "0", "--search", "brute-force", "--max-iterations",
          "100000", "--minimizer", "svd", "--json", "--poses", poses, "--threads", "1"},
-        2'000);
+        /*processorSeconds=*/2.0);
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.err, HasSubstr("interrupted: "));
     const std::size_t finished = json::parse(run.out)["scans"].size();
