@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/base/time.h"
+#include "core/robot/robot_description.h"
+#include "core/robot/samples/cloud_sample.h"
+#include "core/robot/samples/command_samples.h"
+#include "core/robot/samples/map_samples.h"
+#include "core/robot/samples/motion_samples.h"
+#include "core/robot/samples/picture_samples.h"
+#include "core/robot/samples/station_samples.h"
+#include "core/robot/samples/status_samples.h"
+#include "core/robot/samples/victim_sample.h"
+
+namespace leitstand {
+
+/// What an event says, in core's own types.
+using Sample =
+    std::variant<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
+                 PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
+                 BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
+                 ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
+                 KeyScanSample, ScanPosesSample, ClockSample, ClockOffsetSample, UndoSample, CheckpointSample,
+                 NoteSample, SessionSample, AlarmSample>;
+
+/// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
+struct Event {
+    std::uint64_t sequence = 0;      ///< order of arrival within the mission, from 1
+    Time received{};                 ///< station's clock
+    std::string robot;               ///< "kurt3d"; empty for the station's own topics
+    std::string topic;               ///< ROS name, "/kurt3d/odom", "/leitstand/victims"
+    std::optional<StreamRole> role;  ///< what the topic carries; empty for the station's own topics
+    std::string sensor;              ///< StreamDescription::sensor
+    Sample sample;
+};
+
+}  // namespace leitstand

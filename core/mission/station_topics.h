@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+
+namespace leitstand {
+
+/// Topics of the stations' own events: reliable, transient local (design, section 4). Their types are
+/// leitstand_msgs/msg/ followed by the name in the remark.
+namespace station_topic {
+
+inline constexpr std::string_view Prefix = "/leitstand/";
+inline constexpr std::string_view Grants = "/leitstand/grants";               ///< Grant
+inline constexpr std::string_view Victims = "/leitstand/victims";             ///< Victim
+inline constexpr std::string_view KeyScans = "/leitstand/key_scans";          ///< KeyScan
+inline constexpr std::string_view ScanPoses = "/leitstand/scan_poses";        ///< ScanPoses
+inline constexpr std::string_view Clock = "/leitstand/clock";                 ///< MissionClock
+inline constexpr std::string_view ClockOffsets = "/leitstand/clock_offsets";  ///< ClockOffset
+inline constexpr std::string_view Undo = "/leitstand/undo";                   ///< Undo
+inline constexpr std::string_view Checkpoints = "/leitstand/checkpoints";     ///< Checkpoint
+inline constexpr std::string_view Notes = "/leitstand/notes";                 ///< Note
+inline constexpr std::string_view Sessions = "/leitstand/sessions";           ///< Session
+inline constexpr std::string_view Alarms = "/leitstand/alarms";               ///< Alarm
+
+}  // namespace station_topic
+}  // namespace leitstand

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Stop a robot, or let it go again; repeated until StopStateSample tells its number (design, section 4).
+struct StopCommandSample {
+    Time stamp{};              ///< station's clock, for the log only: never compared
+    std::string station;       ///< identity of the sender
+    std::uint64_t number = 0;  ///< rises with every command of a station
+    bool stop = true;          ///< false: release, which only the holder of the drive grant may
+};
+
+/// Ask a robot for another mode.
+struct ModeCommandSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string mode;  ///< one of ModeSample::available
+};
+
+/// Ask a robot for another rate or quality of one of its streams.
+struct StreamCommandSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string topic;    ///< ROS name of the stream, "/kurt3d/left/image/compressed"
+    bool enabled = true;  ///< whether it is sent at all
+    double rate = 0.0;    ///< [Hz]; 0: as the robot likes
+    int quality = 0;      ///< of JPEG, 1 to 100; 0: as the robot likes
+    int maxWidth = 0;     ///< wider pictures are reduced [px]; 0: as the robot likes
+};
+
+/// Asks for PongSample.
+struct PingSample {
+    std::uint64_t number = 0;  ///< rises with every ping of a station
+    std::string station;
+    Time sent{};  ///< station's clock
+};
+
+}  // namespace leitstand

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Where and when a sample was taken.
+struct SampleHeader {
+    Time stamp{};       ///< sender's clock; epoch when the sender does not tell
+    std::string frame;  ///< "kurt3d/base_link" (design, section 3); may be empty
+};
+
+}  // namespace leitstand

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "core/base/shared_bytes.h"
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Who may do what: heartbeat of a holder at 1 Hz, and what stations say to each other about it.
+struct GrantSample {
+    enum class Kind : std::uint8_t { Drive, Camera, Map };
+    enum class Action : std::uint8_t {
+        Hold,     ///< heartbeat: the station has it
+        Request,  ///< the station asks the holder for it
+        Consent,  ///< the holder gives it to @ref other
+        Refuse,   ///< the holder keeps it, told to @ref other
+        Release,  ///< the station gives it up
+    };
+    Time stamp{};         ///< station's clock
+    std::string station;  ///< persistent identity
+    std::string title;    ///< of the station, for people
+    Kind kind = Kind::Drive;
+    Action action = Action::Hold;
+    std::string robot;       ///< empty for Map
+    std::string other;       ///< station that Consent and Refuse speak to
+    std::uint64_t term = 0;  ///< rises whenever the holder changes: the higher one is right
+};
+
+/// The mission's clock, on change.
+struct ClockSample {
+    Time stamp{};  ///< station's clock: when elapsed was as told
+    std::string station;
+    bool running = false;
+    std::chrono::nanoseconds elapsed{};  ///< mission time at the stamp
+    std::chrono::nanoseconds limit{};    ///< length of the mission; 0: none
+};
+
+/// How far a robot's clock is ahead of the station's, whenever the estimate changed.
+struct ClockOffsetSample {
+    Time stamp{};  ///< station's clock
+    std::string robot;
+    std::chrono::nanoseconds ahead{};        ///< robot's clock minus station's
+    std::chrono::nanoseconds uncertainty{};  ///< standard deviation
+    std::chrono::nanoseconds roundTrip{};    ///< newest
+};
+
+/// Takes back an event (or an undo: then does it again).
+struct UndoSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::uint64_t event = 0;  ///< its sequence in the mission
+    std::string text;         ///< what is undone, for people
+};
+
+/// The state of the fold after an event, from which reading can go on.
+struct CheckpointSample {
+    Time stamp{};                ///< station's clock
+    std::uint64_t sequence = 0;  ///< last event that is in it
+    std::uint32_t version = 0;   ///< of the bytes; others are skipped
+    SharedBytes state;           ///< meaning is core/mission's own
+};
+
+/// What the operator wrote down.
+struct NoteSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string robot;  ///< that it is about; may be empty
+    std::string text;
+};
+
+/// A station began or ended to write the mission.
+struct SessionSample {
+    Time stamp{};         ///< station's clock
+    std::string station;  ///< persistent identity
+    std::string title;    ///< of the station, for people
+    bool start = true;    ///< false: end
+    std::string mission;  ///< name
+    std::string version;  ///< of Leitstand
+    std::uint32_t operators = 1;
+};
+
+/// Something that the operator must know; raised, acknowledged, over.
+struct AlarmSample {
+    enum class Severity : std::uint8_t { Information, Warning, Critical };
+    enum class State : std::uint8_t { Raised, Acknowledged, Cleared };
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string robot;  ///< may be empty
+    std::string key;    ///< what alarms of one kind have in common: "link_lost", "disk_full"
+    Severity severity = Severity::Warning;
+    State state = State::Raised;
+    std::string text;  ///< with numbers, in English; widgets translate by key
+};
+
+}  // namespace leitstand
