@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/robot/qos.h"
+#include "transport/dds/guid.h"
+
+namespace leitstand {
+
+/// Another process (or part of one) in the domain.
+struct RemoteParticipant {
+    Guid guid;
+    std::string name;      ///< as it names itself; ROS 2 nodes say "/"
+    std::string host;      ///< its host name where told, else its first address, "192.168.0.7"
+    bool refused = false;  ///< it could not prove an identity that we accept (DDS-Security)
+};
+
+/// A writer or reader of another participant.
+struct RemoteEndpoint {
+    enum class Kind : std::uint8_t { Writer, Reader };
+    Kind kind = Kind::Writer;
+    Guid guid, participant;
+    std::string participantName, host;  ///< as of RemoteParticipant
+    std::string topic;                  ///< ROS name "/kurt3d/odom" where it is one, else the DDS name
+    std::string type;    ///< ROS name "nav_msgs/msg/Odometry" where it is one, else the DDS name
+    bool ros = false;    ///< the topic is one of ROS 2 ("rt/" on the wire)
+    bool keyed = false;  ///< instances told apart by keys: no ROS 2 topic
+    bool exclusiveOwnership = false;
+    std::vector<std::string> partitions;  ///< empty: the default partition
+    /// What it offers or asks for. DDS does not tell the depth of the history: it stays 1. Durabilities
+    /// beyond transient local count as transient local.
+    Qos qos;
+};
+
+/// Why one of our readers or writers does not exchange samples with a remote endpoint of its topic.
+struct Mismatch {
+    std::string topic;  ///< ROS name
+    Guid remote;        ///< the other endpoint
+    std::string text;   ///< "/kurt3d/odom: robot offers best effort, we asked for reliable"
+};
+
+}  // namespace leitstand

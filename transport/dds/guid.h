@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace leitstand {
+
+/// Identity of a participant, writer or reader in its domain (RTPS 2.2, section 8.2.4): 12 bytes of its
+/// participant, 4 of its own.
+struct Guid {
+    std::array<std::uint8_t, 16> bytes{};
+    friend auto operator<=>(const Guid&, const Guid&) = default;
+};
+
+/// "010f1a2b.3c4d0000.00000000.000001c1"
+[[nodiscard]] std::string toString(const Guid& guid);
+
+}  // namespace leitstand

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mission/raw_event.h"
+#include "core/robot/qos.h"
+#include "transport/dds/endpoint.h"
+#include "transport/dds/guid.h"
+#include "transport/dds/node_settings.h"
+
+namespace leitstand {
+
+/// One sample as it came over the wire.
+struct ReceivedSample {
+    RawEvent event;                    ///< topic, type, bytes as received, receive time; not yet numbered
+    Guid writer;                       ///< who wrote it
+    Time sourceTime;                   ///< when it was written, writer's clock; 0 when not told
+    std::uint64_t writerSequence = 0;  ///< number of the sample at its writer, from 1: gaps are losses
+};
+using SampleCallback = std::function<void(ReceivedSample)>;
+
+/// Which of a node's two threads calls back: what is slow in one delays nothing in the other.
+enum class Lane : std::uint8_t { Small, Large };
+
+/// What to listen to.
+struct ReaderSettings {
+    std::string topic;  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
+    std::string type;   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
+    Qos qos;
+    Lane lane = Lane::Small;
+};
+
+/// What to say.
+struct WriterSettings {
+    std::string topic;  ///< as of ReaderSettings
+    std::string type;
+    Qos qos;
+    Flow flow = Flow::Telemetry;
+};
+
+/// What a subscription has seen so far.
+struct SubscriptionCounts {
+    std::uint64_t samples = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t lost = 0;  ///< gaps in the writers' numbers
+    int writers = 0;         ///< matched now
+};
+
+/// Listens to a topic for as long as it lives. Once its destructor has returned, its callback neither runs
+/// nor will (a callback may destroy its own subscription, and then runs to its end). Any thread.
+class Subscription {
+public:
+    ~Subscription();
+    Subscription(const Subscription&) = delete;
+    Subscription& operator=(const Subscription&) = delete;
+
+    [[nodiscard]] SubscriptionCounts counts() const;
+
+private:
+    friend class Node;
+    struct Impl;
+    explicit Subscription(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Writes to a topic for as long as it lives. Any thread.
+class Publisher {
+public:
+    ~Publisher();
+    Publisher(const Publisher&) = delete;
+    Publisher& operator=(const Publisher&) = delete;
+
+    /// Sends @p cdr, encapsulation header first. Never waits for the network when the history is keep_last.
+    /// An error when the bytes are no sample, the node is gone, or a keep_all history stays full for 0.1 s.
+    Result<void> write(const Payload& cdr);
+    [[nodiscard]] int matched() const;  ///< readers that get what is written
+    /// True once all matched reliable readers have everything; false after @p atMost.
+    [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
+    [[nodiscard]] Guid guid() const;
+
+private:
+    friend class Node;
+    struct Impl;
+    explicit Publisher(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// A process's place in a DDS domain: one participant over UDP, two threads that call back (design, section
+/// 4). Subscriptions and publishers may outlive it: they then receive and send nothing more. Any thread, but
+/// it must not be destroyed by one of its own callbacks.
+class Node {
+public:
+    /// Joins the domain. Errors name the setting: unknown interface, unreadable file, no such domain.
+    static Result<std::unique_ptr<Node>> create(const NodeSettings& settings);
+    ~Node();
+    Node(const Node&) = delete;
+    Node& operator=(const Node&) = delete;
+
+    Result<std::unique_ptr<Subscription>> subscribe(const ReaderSettings& settings, SampleCallback callback);
+    Result<std::unique_ptr<Publisher>> publisher(const WriterSettings& settings);
+
+    [[nodiscard]] std::vector<RemoteParticipant> participants() const;
+    [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
+        const;                                               ///< of all topics, also those that are not ROS
+    [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers, in words
+    /// @p changed is called on the thread of the small lane after participants, endpoints or mismatches
+    /// changed (several changes may come as one), and once at first. Replaces an earlier one.
+    void onDiscovery(std::function<void()> changed);
+
+    /// What the operator should know about this computer: a system limit that costs samples, with the command
+    /// that lifts it. Empty when all is well.
+    [[nodiscard]] const std::vector<std::string>& warnings() const;
+    [[nodiscard]] Guid guid() const;
+
+private:
+    struct Impl;
+    explicit Node(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace leitstand
