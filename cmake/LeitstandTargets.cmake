@@ -18,7 +18,7 @@ endif()
 set(CMAKE_PCH_INSTANTIATE_TEMPLATES ON)
 
 if(LEITSTAND_SANITIZE)
-    add_compile_options(-fsanitize=${LEITSTAND_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1)
+    add_compile_options(-fsanitize=${LEITSTAND_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1 -g1)
     add_link_options(-fsanitize=${LEITSTAND_SANITIZE})
 endif()
 
