@@ -12,7 +12,8 @@ std::size_t characters(const std::string& text) {
 }
 
 bool isNumber(const std::string& text) {
-    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '-');
+    return !text.empty() &&
+           (std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '-');
 }
 
 /// Whether column @p i of the body holds numbers only, or nothing.
