@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// A cursor over a sample in XCDR1 with its encapsulation header, of either byte order. The first thing that
+/// does not fit ends it: all that is read afterwards stays as it was, and error() tells what was wrong. No
+/// count of the sender is believed before the bytes that it needs were seen.
+class CdrReader {
+public:
+    explicit CdrReader(std::span<const std::byte> sample);
+
+    void read(const char* field, bool& to);
+    void read(const char* field, std::string& to);
+    /// The bytes stay in the sample.
+    void read(const char* field, std::span<const std::byte>& to);
+    void read(const char* field, std::vector<std::string>& to);
+
+    template <class T>
+    void read(const char* field, T& to) {
+        if constexpr (std::is_arithmetic_v<T>) {
+            if (const std::byte* from = take(field, sizeof(T), sizeof(T))) copy(from, &to, 1);
+        } else {
+            if (ok()) decode(*this, to);
+        }
+    }
+    template <class T, std::size_t N>
+    void read(const char* field, std::array<T, N>& to) {
+        if (const std::byte* from = take(field, sizeof(T), N * sizeof(T))) copy(from, to.data(), N);
+    }
+    template <class T>
+    void read(const char* field, std::vector<T>& to) {
+        if constexpr (std::is_arithmetic_v<T>) {
+            const std::size_t count = readCount(field, sizeof(T));
+            if (count == 0) return to.clear();
+            const std::byte* from = take(field, sizeof(T), count * sizeof(T));
+            if (from == nullptr) return;
+            to.resize(count);
+            copy(from, to.data(), count);
+        } else {
+            to.resize(readCount(field, T::LeastSize));
+            for (T& element : to) {
+                if (!ok()) return;
+                decode(*this, element);
+            }
+        }
+    }
+
+    /// To be called when all fields were read: what is left over, but for padding, is an error too.
+    [[nodiscard]] Result<void> finish();
+    [[nodiscard]] bool ok() const { return m_error.empty(); }
+
+private:
+    /// @p size bytes after the padding of @p alignment; null when there are fewer.
+    const std::byte* take(const char* field, std::size_t alignment, std::size_t size);
+    /// Count of a sequence whose elements take @p leastSize bytes each; 0 when it does not fit.
+    std::size_t readCount(const char* field, std::size_t leastSize);
+    void fail(std::string text);
+
+    template <class T>
+    void copy(const std::byte* from, T* to, std::size_t count) const {
+        std::memcpy(to, from, count * sizeof(T));
+        if (m_swap) swapBytes(reinterpret_cast<std::byte*>(to), sizeof(T), count);
+    }
+    static void swapBytes(std::byte* values, std::size_t size, std::size_t count);
+
+    std::span<const std::byte> m_body;  // without the encapsulation header, which alignment does not count
+    std::size_t m_at = 0;
+    bool m_swap = false;
+    std::string m_error;
+};
+
+}  // namespace leitstand
