@@ -11,7 +11,6 @@ endforeach()
 add_custom_command(OUTPUT ${messages_code}
     COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE}
         ${CMAKE_CURRENT_SOURCE_DIR}/idl/generate.py ${LEITSTAND_MESSAGES_DIR} ${messages_idl}
-    COMMAND ${CMAKE_COMMAND} -E touch ${LEITSTAND_MESSAGES_DIR}/messages/message_table.cpp
     DEPENDS ${messages_idl} ${messages_generator} ${CMAKE_CURRENT_SOURCE_DIR}/idl/generate.py
     COMMENT "Making the messages' code from their IDL" VERBATIM)
 add_custom_target(leitstand_messages DEPENDS ${messages_code})

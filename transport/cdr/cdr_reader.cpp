@@ -15,11 +15,13 @@ constexpr std::size_t MostPadding = 7;  // after the last field, by senders that
 
 CdrReader::CdrReader(std::span<const std::byte> sample) {
     if (sample.size() < EncapsulationSize) {
-        return fail(fmt::format("expected an encapsulation header of 4 bytes, found {}", sample.size()));
+        fail(fmt::format("expected an encapsulation header of 4 bytes, found {}", sample.size()));
+        return;
     }
     const auto first = std::to_integer<int>(sample[0]), second = std::to_integer<int>(sample[1]);
     if (first != 0 || second > 1) {
-        return fail(fmt::format("expected plain XCDR1 (00 00 or 00 01), found {:02x} {:02x}", first, second));
+        fail(fmt::format("expected plain XCDR1 (00 00 or 00 01), found {:02x} {:02x}", first, second));
+        return;
     }
     m_swap = (second == 1) != (std::endian::native == std::endian::little);
     m_body = sample.subspan(EncapsulationSize);
