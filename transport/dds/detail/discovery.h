@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+
+#include "transport/dds/detail/local_endpoint.h"
+#include "transport/dds/detail/mismatch.h"
+#include "transport/dds/endpoint.h"
+
+namespace leitstand::detail {
+
+/// Keeps what discovery tells. As a listener it only notes and calls @p changed, which must not block.
+class Discovery final : public eprosima::fastdds::dds::DomainParticipantListener {
+public:
+    Discovery(std::function<void()> changed, bool secure);
+
+    [[nodiscard]] std::vector<RemoteParticipant> participants() const;
+    [[nodiscard]] std::vector<RemoteEndpoint> endpoints() const;
+    [[nodiscard]] std::vector<Mismatch> mismatches() const;
+
+    // Our own side
+    void add(const Guid& local, LocalEndpoint endpoint);
+    void remove(const Guid& local);
+    void matched(const Guid& local, const Guid& remote, bool now);
+
+private:
+    using Participant = eprosima::fastdds::dds::DomainParticipant;
+    struct Known {
+        RemoteEndpoint endpoint;
+        MatchTerms terms;
+        std::chrono::steady_clock::time_point since;
+    };
+
+    void on_participant_discovery(Participant* participant,
+                                  eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+    void onParticipantAuthentication(Participant* participant,
+                                     eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
+    void on_publisher_discovery(Participant* participant,
+                                eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+    void on_subscriber_discovery(Participant* participant,
+                                 eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
+
+    template <class ProxyData>
+    void note(const ProxyData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms);
+    void forget(const Guid& endpoint);
+    [[nodiscard]] RemoteEndpoint named(RemoteEndpoint endpoint) const;
+
+    std::function<void()> m_changed;
+    bool m_secure;
+    mutable std::mutex m_mutex;
+    std::map<Guid, RemoteParticipant> m_participants;
+    std::map<Guid, Known> m_endpoints;
+    std::map<Guid, LocalEndpoint> m_local;
+};
+
+}  // namespace leitstand::detail

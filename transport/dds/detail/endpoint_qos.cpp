@@ -1,0 +1,76 @@
+#include "transport/dds/detail/endpoint_qos.h"
+
+#include <algorithm>
+
+#include "transport/dds/detail/participant_qos.h"
+
+namespace leitstand::detail {
+namespace {
+
+namespace efd = eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+
+constexpr int MostKept = 5000;  // samples of a keep_all history
+
+/// What readers and writers have in common.
+template <class EndpointQos>
+void apply(const Qos& qos, EndpointQos& to) {
+    to.reliability().kind = qos.reliability == Qos::Reliability::Reliable ? efd::RELIABLE_RELIABILITY_QOS
+                                                                          : efd::BEST_EFFORT_RELIABILITY_QOS;
+    to.reliability().max_blocking_time = Duration_t(0.1);
+    to.durability().kind = qos.durability == Qos::Durability::TransientLocal
+                               ? efd::TRANSIENT_LOCAL_DURABILITY_QOS
+                               : efd::VOLATILE_DURABILITY_QOS;
+    const bool all = qos.depth <= 0;
+    to.history().kind = all ? efd::KEEP_ALL_HISTORY_QOS : efd::KEEP_LAST_HISTORY_QOS;
+    to.history().depth = std::max(qos.depth, 1);
+    auto& limits = to.resource_limits();
+    limits.max_samples = limits.max_samples_per_instance = all ? MostKept : qos.depth;
+    limits.max_instances = 1;
+    limits.allocated_samples = std::min(limits.max_samples, 8);
+    if (qos.deadline > 0.0) to.deadline().period = Duration_t(static_cast<long double>(qos.deadline));
+}
+
+template <class EndpointQos>
+void makeSound(EndpointQos& qos) {
+    qos.endpoint().history_memory_policy =
+        eprosima::fastrtps::rtps::MemoryManagementPolicy_t::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    qos.data_sharing().off();
+}
+
+}  // namespace
+
+void keepSound(efd::DataReaderQos& qos) {
+    makeSound(qos);
+    qos.type_consistency().representation.m_value = {efd::XCDR_DATA_REPRESENTATION};
+}
+
+void keepSound(efd::DataWriterQos& qos) {
+    makeSound(qos);
+    qos.representation().m_value = {efd::XCDR_DATA_REPRESENTATION};
+}
+
+efd::DataReaderQos readerQos(const Qos& qos) {
+    efd::DataReaderQos made;
+    apply(qos, made);
+    // A reader's own lifespan would count from the writer's clock: one second of difference, and all is lost.
+    keepSound(made);
+    return made;
+}
+
+efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
+    efd::DataWriterQos made;
+    apply(qos, made);
+    if (qos.lifespan > 0.0) made.lifespan().duration = Duration_t(static_cast<long double>(qos.lifespan));
+    made.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.1);
+    if (flow == Flow::Immediate) {
+        made.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+    } else {
+        made.publish_mode().kind = efd::ASYNCHRONOUS_PUBLISH_MODE;
+        made.publish_mode().flow_controller_name = flowControllerName(flow);
+    }
+    keepSound(made);
+    return made;
+}
+
+}  // namespace leitstand::detail

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fastdds/dds/core/condition/GuardCondition.hpp>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+
+namespace leitstand::detail {
+
+class Reader;
+
+/// One thread that waits for samples of its readers and calls them back, one after the other.
+class LaneThread {
+public:
+    /// @p onWake runs on the lane's thread after each wake().
+    LaneThread(std::string threadName, std::function<void()> onWake = {});
+    ~LaneThread();
+    LaneThread(const LaneThread&) = delete;
+    LaneThread& operator=(const LaneThread&) = delete;
+
+    void add(const std::shared_ptr<Reader>& reader);
+    /// Only forgets @p reader; what keeps callbacks away is Reader::close().
+    void remove(const Reader& reader);
+    void wake();  ///< any thread, also listeners of Fast DDS
+    void stop();  ///< for good; waits for a callback that runs, which must not be the caller's own
+
+private:
+    using Readers = std::vector<std::shared_ptr<Reader>>;
+    void run();
+    [[nodiscard]] Readers readers() const;
+    [[nodiscard]] bool serve(const Readers& readers, const eprosima::fastdds::dds::ConditionSeq& active);
+
+    std::function<void()> m_onWake;
+    mutable std::mutex m_mutex;
+    Readers m_readers;
+    eprosima::fastdds::dds::GuardCondition m_guard;
+    eprosima::fastdds::dds::WaitSet m_waitSet;
+    std::atomic<bool> m_stop = false;
+    std::jthread m_thread;  // last member: joined first
+};
+
+}  // namespace leitstand::detail

@@ -1,0 +1,274 @@
+#include "transport/dds/detail/participant.h"
+
+#include <fastrtps/attributes/LibrarySettingsAttributes.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <fmt/format.h>
+#include <fastdds/dds/log/Log.hpp>
+#include <fastdds/dds/log/StdoutErrConsumer.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+
+#include "transport/dds/detail/convert.h"
+#include "transport/dds/detail/endpoint_qos.h"
+#include "transport/dds/detail/participant_qos.h"
+#include "transport/dds/detail/raw_type.h"
+#include "transport/dds/names.h"
+
+namespace leitstand::detail {
+namespace {
+
+namespace efd = eprosima::fastdds::dds;
+
+/// What holds for the whole process, once: words of Fast DDS go to stderr (stdout is for results), and
+/// samples of a process to itself take the same way as all others.
+void setUpLibrary(bool profiles) {
+    static std::once_flag once;
+    std::call_once(once, [profiles] {
+        auto consumer = std::make_unique<efd::StdoutErrConsumer>();
+        consumer->stderr_threshold(efd::Log::Kind::Info);
+        efd::Log::ClearConsumers();
+        efd::Log::RegisterConsumer(std::move(consumer));
+        if (profiles) return;
+        eprosima::fastrtps::LibrarySettingsAttributes library;
+        library.intraprocess_delivery = eprosima::fastrtps::IntraprocessDeliveryType::INTRAPROCESS_OFF;
+        eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(library);
+    });
+}
+
+/// The user's QoS for a topic, where the profiles have one by its ROS or DDS name.
+template <class EndpointQos, class Lookup>
+bool fromProfile(const NodeSettings& settings, const std::string& topic, EndpointQos& qos, Lookup lookup) {
+    if (!usesProfiles(settings)) return false;
+    if (lookup(topic, qos) != ReturnCode_t::RETCODE_OK &&
+        lookup(ddsTopicOf(topic), qos) != ReturnCode_t::RETCODE_OK) {
+        return false;
+    }
+    keepSound(qos);
+    return true;
+}
+
+template <class EndpointQos>
+Qos effective(const EndpointQos& endpoint) {
+    Qos qos;
+    qos.reliability = endpoint.reliability().kind == efd::RELIABLE_RELIABILITY_QOS
+                          ? Qos::Reliability::Reliable
+                          : Qos::Reliability::BestEffort;
+    qos.durability = endpoint.durability().kind == efd::VOLATILE_DURABILITY_QOS
+                         ? Qos::Durability::Volatile
+                         : Qos::Durability::TransientLocal;
+    const auto& deadline = endpoint.deadline().period;
+    qos.deadline =
+        deadline == eprosima::fastrtps::c_TimeInfinite ? 0.0 : static_cast<double>(deadline.to_ns()) * 1e-9;
+    return qos;
+}
+
+Error gone(const std::string& topic) {
+    return Error{topic + ": the node has left its domain"};
+}
+
+}  // namespace
+
+Participant::Participant(const NodeSettings& settings)
+    : m_settings(settings),
+      m_discovery([this] { m_small->wake(); }, settings.security.has_value()),
+      m_small(std::make_unique<LaneThread>("dds-small", [this] { tellOfDiscovery(); })),
+      m_large(std::make_unique<LaneThread>("dds-large")) {}
+
+Participant::~Participant() {
+    leave();
+}
+
+Result<void> Participant::join() {
+    setUpLibrary(usesProfiles(m_settings));
+    const auto qos = participantQos(m_settings);
+    if (!qos) return qos.error();
+    m_factory = efd::DomainParticipantFactory::get_shared_instance();
+    m_participant = m_factory->create_participant(static_cast<efd::DomainId_t>(m_settings.domain), *qos,
+                                                  &m_discovery, efd::StatusMask::none());
+    if (m_participant == nullptr) {
+        const char* hint =
+            m_settings.security ? " (are the security files of one authority, and still valid?)" : "";
+        return Error{fmt::format("domain {}: no participant could be made{}", m_settings.domain, hint)};
+    }
+    m_guid = guidOf(m_participant->guid());
+    m_publisher = m_participant->create_publisher(efd::PUBLISHER_QOS_DEFAULT);
+    m_subscriber = m_participant->create_subscriber(efd::SUBSCRIBER_QOS_DEFAULT);
+    if (m_publisher == nullptr || m_subscriber == nullptr) {
+        return Error{fmt::format("domain {}: the participant can neither read nor write", m_settings.domain)};
+    }
+    return {};
+}
+
+void Participant::leave() {
+    std::vector<std::shared_ptr<Reader>> readers;
+    std::vector<std::shared_ptr<Writer>> writers;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_left) return;
+        m_left = true;
+        readers.swap(m_readers);
+        writers.swap(m_writers);
+    }
+    m_small->stop();
+    m_large->stop();
+    for (const auto& reader : readers) reader->close();
+    for (const auto& writer : writers) writer->close();
+    const std::scoped_lock lock(m_mutex);
+    if (m_participant == nullptr) return;
+    m_participant->delete_contained_entities();
+    m_factory->delete_participant(m_participant);
+    m_participant = nullptr;
+}
+
+LaneThread& Participant::laneOf(const Reader& reader) {
+    return reader.settings().lane == Lane::Small ? *m_small : *m_large;
+}
+
+Result<std::shared_ptr<Reader>> Participant::subscribe(const ReaderSettings& settings,
+                                                       SampleCallback callback) {
+    auto reader = std::make_shared<Reader>(*this, settings, std::move(callback));
+    if (auto opened = reader->open(); !opened) return opened.error();
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (!m_left) {
+            m_readers.push_back(reader);
+            laneOf(*reader).add(reader);
+            return reader;
+        }
+    }
+    reader->close();
+    return gone(settings.topic);
+}
+
+Result<std::shared_ptr<Writer>> Participant::publish(const WriterSettings& settings) {
+    auto writer = std::make_shared<Writer>(*this, settings);
+    if (auto opened = writer->open(); !opened) return opened.error();
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (!m_left) {
+            m_writers.push_back(writer);
+            return writer;
+        }
+    }
+    writer->close();
+    return gone(settings.topic);
+}
+
+void Participant::release(const std::shared_ptr<Reader>& reader) {
+    reader->close();
+    const std::scoped_lock lock(m_mutex);
+    std::erase(m_readers, reader);
+}
+
+void Participant::release(const std::shared_ptr<Writer>& writer) {
+    writer->close();
+    const std::scoped_lock lock(m_mutex);
+    std::erase(m_writers, writer);
+}
+
+Result<efd::Topic*> Participant::acquireTopic(const std::string& rosTopic, const std::string& rosType) {
+    const std::string name = ddsTopicOf(rosTopic), type = ddsTypeOf(rosType);
+    UsedTopic& used = m_topics[name];
+    if (used.topic != nullptr && used.topic->get_type_name() != type) {
+        return Error{fmt::format("{}: is used here as {} already, not as {}", rosTopic,
+                                 rosTypeOf(used.topic->get_type_name()), rosType)};
+    }
+    if (used.topic == nullptr) {
+        if (m_participant->find_type(type).empty()) {
+            m_participant->register_type(efd::TypeSupport(new RawType(type)), type);
+        }
+        used.topic = m_participant->create_topic(name, type, efd::TOPIC_QOS_DEFAULT);
+    }
+    if (used.topic == nullptr) {
+        m_topics.erase(name);
+        return Error{fmt::format("{}: no topic of type {} could be made", rosTopic, rosType)};
+    }
+    ++used.users;
+    return used.topic;
+}
+
+void Participant::releaseTopic(const std::string& ddsTopic) {
+    const auto found = m_topics.find(ddsTopic);
+    if (found == m_topics.end() || --found->second.users > 0) return;
+    m_participant->delete_topic(found->second.topic);
+    m_topics.erase(found);
+}
+
+Result<efd::DataReader*> Participant::createReader(const ReaderSettings& settings,
+                                                   efd::DataReaderListener& listener) {
+    const std::scoped_lock lock(m_mutex);
+    if (m_left) return gone(settings.topic);
+    const auto topic = acquireTopic(settings.topic, settings.type);
+    if (!topic) return topic.error();
+    efd::DataReaderQos qos = readerQos(settings.qos);
+    fromProfile(m_settings, settings.topic, qos, [this](const std::string& name, efd::DataReaderQos& into) {
+        return m_subscriber->get_datareader_qos_from_profile(name, into);
+    });
+    auto* reader =
+        m_subscriber->create_datareader(*topic, qos, &listener, efd::StatusMask::subscription_matched());
+    if (reader == nullptr) {
+        releaseTopic(ddsTopicOf(settings.topic));
+        return Error{fmt::format("{}: no reader could be made with this QoS", settings.topic)};
+    }
+    m_discovery.add(guidOf(reader->guid()), {LocalEndpoint::Kind::Reader,
+                                             ddsTopicOf(settings.topic),
+                                             ddsTypeOf(settings.type),
+                                             effective(qos),
+                                             {}});
+    return reader;
+}
+
+void Participant::deleteReader(const Reader& reader, efd::DataReader* what) {
+    const std::scoped_lock lock(m_mutex);
+    laneOf(reader).remove(reader);
+    const Guid guid = guidOf(what->guid());
+    m_subscriber->delete_datareader(what);
+    m_discovery.remove(guid);
+    releaseTopic(ddsTopicOf(reader.settings().topic));
+}
+
+Result<efd::DataWriter*> Participant::createWriter(const WriterSettings& settings,
+                                                   efd::DataWriterListener& listener) {
+    const std::scoped_lock lock(m_mutex);
+    if (m_left) return gone(settings.topic);
+    const auto topic = acquireTopic(settings.topic, settings.type);
+    if (!topic) return topic.error();
+    efd::DataWriterQos qos = writerQos(settings.qos, settings.flow);
+    fromProfile(m_settings, settings.topic, qos, [this](const std::string& name, efd::DataWriterQos& into) {
+        return m_publisher->get_datawriter_qos_from_profile(name, into);
+    });
+    auto* writer =
+        m_publisher->create_datawriter(*topic, qos, &listener, efd::StatusMask::publication_matched());
+    if (writer == nullptr) {
+        releaseTopic(ddsTopicOf(settings.topic));
+        return Error{fmt::format("{}: no writer could be made with this QoS", settings.topic)};
+    }
+    m_discovery.add(guidOf(writer->guid()), {LocalEndpoint::Kind::Writer,
+                                             ddsTopicOf(settings.topic),
+                                             ddsTypeOf(settings.type),
+                                             effective(qos),
+                                             {}});
+    return writer;
+}
+
+void Participant::deleteWriter(const Writer& writer, efd::DataWriter* what) {
+    const std::scoped_lock lock(m_mutex);
+    const Guid guid = guidOf(what->guid());
+    m_publisher->delete_datawriter(what);
+    m_discovery.remove(guid);
+    releaseTopic(ddsTopicOf(writer.settings().topic));
+}
+
+void Participant::onDiscovery(std::function<void()> changed) {
+    {
+        const std::scoped_lock lock(m_tellMutex);
+        m_tell = std::move(changed);
+    }
+    m_small->wake();
+}
+
+void Participant::tellOfDiscovery() {
+    const std::scoped_lock lock(m_tellMutex);
+    if (const auto tell = m_tell; tell) tell();
+}
+
+}  // namespace leitstand::detail

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+
+#include "transport/dds/detail/discovery.h"
+#include "transport/dds/detail/lane_thread.h"
+#include "transport/dds/detail/reader.h"
+#include "transport/dds/detail/writer.h"
+
+namespace leitstand::detail {
+
+/// A Fast DDS participant, its two lanes and all that was created by it; shared by the node, its
+/// subscriptions and its publishers. leave() ends the part of Fast DDS, whoever still holds the rest.
+class Participant {
+public:
+    explicit Participant(const NodeSettings& settings);
+    ~Participant();
+    Participant(const Participant&) = delete;
+    Participant& operator=(const Participant&) = delete;
+
+    Result<void> join();
+    void leave();
+
+    Result<std::shared_ptr<Reader>> subscribe(const ReaderSettings& settings, SampleCallback callback);
+    Result<std::shared_ptr<Writer>> publish(const WriterSettings& settings);
+    void release(const std::shared_ptr<Reader>& reader);
+    void release(const std::shared_ptr<Writer>& writer);
+
+    [[nodiscard]] Discovery& discovery() { return m_discovery; }
+    [[nodiscard]] Guid guid() const { return m_guid; }
+    void onDiscovery(std::function<void()> changed);
+
+    // For readers and writers
+    Result<eprosima::fastdds::dds::DataReader*> createReader(
+        const ReaderSettings& settings, eprosima::fastdds::dds::DataReaderListener& listener);
+    void deleteReader(const Reader& reader, eprosima::fastdds::dds::DataReader* what);
+    Result<eprosima::fastdds::dds::DataWriter*> createWriter(
+        const WriterSettings& settings, eprosima::fastdds::dds::DataWriterListener& listener);
+    void deleteWriter(const Writer& writer, eprosima::fastdds::dds::DataWriter* what);
+
+private:
+    struct UsedTopic {
+        eprosima::fastdds::dds::Topic* topic = nullptr;
+        int users = 0;
+    };
+    Result<eprosima::fastdds::dds::Topic*> acquireTopic(const std::string& rosTopic,
+                                                        const std::string& rosType);
+    void releaseTopic(const std::string& ddsTopic);
+    [[nodiscard]] LaneThread& laneOf(const Reader& reader);
+    void tellOfDiscovery();
+
+    const NodeSettings m_settings;
+    std::shared_ptr<eprosima::fastdds::dds::DomainParticipantFactory> m_factory;
+    std::mutex m_mutex;  // of what follows; taken after a reader's m_use, never the other way round
+    bool m_left = false;
+    std::map<std::string, UsedTopic> m_topics;  // by DDS name
+    std::vector<std::shared_ptr<Reader>> m_readers;
+    std::vector<std::shared_ptr<Writer>> m_writers;
+    std::recursive_mutex m_tellMutex;  // held while telling
+    std::function<void()> m_tell;
+    Guid m_guid;
+    Discovery m_discovery;
+    std::unique_ptr<LaneThread> m_small, m_large;
+    eprosima::fastdds::dds::DomainParticipant* m_participant = nullptr;
+    eprosima::fastdds::dds::Publisher* m_publisher = nullptr;
+    eprosima::fastdds::dds::Subscriber* m_subscriber = nullptr;
+};
+
+}  // namespace leitstand::detail

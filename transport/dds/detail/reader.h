@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include <fastdds/dds/core/condition/StatusCondition.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+
+#include "transport/dds/node.h"
+
+namespace leitstand::detail {
+
+class Participant;
+
+/// A Fast DDS reader of bytes and whom it calls. Lives as long as its subscription or a lane uses it, its
+/// Fast DDS reader only until close().
+class Reader final : private eprosima::fastdds::dds::DataReaderListener {
+public:
+    Reader(Participant& participant, ReaderSettings settings, SampleCallback callback);
+    ~Reader() override;
+
+    /// Creates the Fast DDS reader. Its samples wait until a lane delivers them.
+    Result<void> open();
+    /// Leaves the topic. Waits for a callback that runs on another thread; may be called by the callback
+    /// itself.
+    void close();
+    /// Calls back with at most @p most samples; true when there may be more. On a lane's thread.
+    [[nodiscard]] bool deliver(int most);
+
+    [[nodiscard]] SubscriptionCounts counts() const;
+    [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
+    /// Only while open.
+    [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }
+    [[nodiscard]] const eprosima::fastdds::dds::Condition* conditionAddress() const { return m_condition; }
+
+    bool unfinished = false;  ///< the lane's own note: samples were left over
+
+private:
+    using DataReader = eprosima::fastdds::dds::DataReader;
+    void on_subscription_matched(DataReader* reader,
+                                 const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
+    [[nodiscard]] bool take(ReceivedSample& sample);
+    void count(const ReceivedSample& sample);
+
+    Participant& m_participant;
+    const ReaderSettings m_settings;
+    const SampleCallback m_callback;
+    std::recursive_mutex m_use;  // held while the reader is used and calls back
+    bool m_closed = false;       // by m_use
+    DataReader* m_reader = nullptr;
+    eprosima::fastdds::dds::StatusCondition* m_condition = nullptr;
+    mutable std::mutex m_countsMutex;
+    SubscriptionCounts m_counts;
+    std::map<Guid, std::uint64_t> m_lastNumbers;  // of each writer
+};
+
+}  // namespace leitstand::detail

@@ -1,0 +1,97 @@
+#include "transport/dds/node.h"
+
+#include "transport/dds/detail/participant.h"
+#include "transport/dds/detail/socket_buffers.h"
+
+namespace leitstand {
+
+struct Subscription::Impl {
+    std::shared_ptr<detail::Participant> participant;
+    std::shared_ptr<detail::Reader> reader;
+};
+
+Subscription::Subscription(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+Subscription::~Subscription() {
+    m_impl->participant->release(m_impl->reader);
+}
+SubscriptionCounts Subscription::counts() const {
+    return m_impl->reader->counts();
+}
+
+struct Publisher::Impl {
+    std::shared_ptr<detail::Participant> participant;
+    std::shared_ptr<detail::Writer> writer;
+};
+
+Publisher::Publisher(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+Publisher::~Publisher() {
+    m_impl->participant->release(m_impl->writer);
+}
+Result<void> Publisher::write(const Payload& cdr) {
+    return m_impl->writer->write(cdr);
+}
+int Publisher::matched() const {
+    return m_impl->writer->matched();
+}
+bool Publisher::waitForAcknowledgments(std::chrono::milliseconds atMost) const {
+    return m_impl->writer->waitForAcknowledgments(atMost);
+}
+Guid Publisher::guid() const {
+    return m_impl->writer->guid();
+}
+
+struct Node::Impl {
+    std::shared_ptr<detail::Participant> participant;
+    std::vector<std::string> warnings = detail::socketBufferWarnings();
+};
+
+Node::Node(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+Node::~Node() {
+    m_impl->participant->leave();
+}
+
+Result<std::unique_ptr<Node>> Node::create(const NodeSettings& settings) {
+    auto participant = std::make_shared<detail::Participant>(settings);
+    if (auto joined = participant->join(); !joined) return joined.error();
+    auto impl = std::make_unique<Impl>();
+    impl->participant = std::move(participant);
+    return std::unique_ptr<Node>(new Node(std::move(impl)));
+}
+
+Result<std::unique_ptr<Subscription>> Node::subscribe(const ReaderSettings& settings,
+                                                      SampleCallback callback) {
+    auto reader = m_impl->participant->subscribe(settings, std::move(callback));
+    if (!reader) return reader.error();
+    auto impl = std::make_unique<Subscription::Impl>();
+    *impl = {m_impl->participant, *reader};
+    return std::unique_ptr<Subscription>(new Subscription(std::move(impl)));
+}
+
+Result<std::unique_ptr<Publisher>> Node::publisher(const WriterSettings& settings) {
+    auto writer = m_impl->participant->publish(settings);
+    if (!writer) return writer.error();
+    auto impl = std::make_unique<Publisher::Impl>();
+    *impl = {m_impl->participant, *writer};
+    return std::unique_ptr<Publisher>(new Publisher(std::move(impl)));
+}
+
+std::vector<RemoteParticipant> Node::participants() const {
+    return m_impl->participant->discovery().participants();
+}
+std::vector<RemoteEndpoint> Node::endpoints() const {
+    return m_impl->participant->discovery().endpoints();
+}
+std::vector<Mismatch> Node::mismatches() const {
+    return m_impl->participant->discovery().mismatches();
+}
+void Node::onDiscovery(std::function<void()> changed) {
+    m_impl->participant->onDiscovery(std::move(changed));
+}
+const std::vector<std::string>& Node::warnings() const {
+    return m_impl->warnings;
+}
+Guid Node::guid() const {
+    return m_impl->participant->guid();
+}
+
+}  // namespace leitstand
