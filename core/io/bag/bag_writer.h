@@ -1,0 +1,108 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/io/bag/topic_info.h"
+#include "core/mission/raw_event.h"
+
+namespace leitstand {
+
+/// How a BagWriter commits, queues and warns.
+struct BagWriterSettings {
+    std::chrono::milliseconds commitInterval{400};  ///< an event waits at most this long for its commit
+    std::size_t commitBytes = 16U << 20U;           ///< a commit holds at most about this much [B]
+    std::size_t droppableQueueBytes = 64U << 20U;   ///< pictures are dropped while more than this waits [B]
+    std::size_t queueBytes = 512U << 20U;           ///< the rest is lost, and told, beyond this [B]
+    std::chrono::milliseconds metadataInterval{10'000};  ///< between updates of metadata.yaml
+    std::chrono::milliseconds retryInterval{500};        ///< between attempts on a full disk
+    double alarmMinutes = 10.0;  ///< an alarm is raised when the disk lasts shorter than this [min]
+};
+
+/// What the operator must know about the disk; raised once, and told again when it is over.
+struct BagAlarm {
+    enum class Kind : std::uint8_t {
+        DiskFilling,  ///< it lasts less than BagWriterSettings::alarmMinutes
+        DiskSlow,     ///< it does not keep up: pictures are being dropped
+        DiskFull,     ///< nothing can be written; events wait in memory
+        EventsLost,   ///< the queue is full: events other than pictures are lost
+        Failed,       ///< the file cannot be written for another reason, which the text names
+    };
+    Kind kind = Kind::DiskFilling;
+    bool raised = true;        ///< false: over
+    double minutesLeft = 0.0;  ///< until the disk is full; infinite when nothing is written [min]
+    std::string text;          ///< with numbers, in English
+};
+
+/// How the writer is doing.
+struct BagWriterStatistics {
+    double bytesPerSecond = 0.0;  ///< payload committed, over the last seconds
+    std::size_t queuedEvents = 0, queuedBytes = 0;
+    std::uint64_t writtenEvents = 0, writtenBytes = 0;  ///< committed in this session
+    std::map<std::string, std::uint64_t> dropped;       ///< events a topic that will never be written
+    std::uint64_t commits = 0;
+    Time lastCommit{};  ///< station's clock; epoch before the first
+    double minutesLeft = std::numeric_limits<double>::infinity();
+    std::string problem;  ///< why nothing can be written at present; empty when all is well
+};
+
+namespace detail {
+class BagStore;
+}
+
+/// Writes one session of a mission into its folder, a rosbag2 bag (design, section 5; docs/mission-log.md).
+/// One thread of its own writes; every function may be called from any thread, and none but open(), flush()
+/// and close() waits for the disk.
+class BagWriter {
+public:
+    /// Called on the writer's thread; must not call the writer.
+    using AlarmHandler = std::function<void(const BagAlarm&)>;
+
+    /// Opens a new session in folder @p mission, which is made where it is absent; files of earlier sessions
+    /// are read, never written. An error when another writer has the mission, or the folder cannot be
+    /// written.
+    [[nodiscard]] static Result<std::unique_ptr<BagWriter>> open(const std::filesystem::path& mission,
+                                                                 const BagWriterSettings& settings = {},
+                                                                 AlarmHandler onAlarm = {});
+    /// The same over another store: slow and full disks in tests.
+    [[nodiscard]] static std::unique_ptr<BagWriter> over(std::unique_ptr<detail::BagStore> store,
+                                                         const BagWriterSettings& settings,
+                                                         AlarmHandler onAlarm = {});
+    ~BagWriter();  ///< as close()
+    BagWriter(const BagWriter&) = delete;
+    BagWriter& operator=(const BagWriter&) = delete;
+
+    /// Announces a topic; one that is written unannounced is stored without its definition.
+    void addTopic(const TopicInfo& topic);
+    /// Queues @p event, whose sequence must rise (0: the writer numbers it). Dropped and counted when the
+    /// queue is too long.
+    void write(RawEvent event);
+
+    [[nodiscard]] BagWriterStatistics statistics() const;
+    /// The file of this session.
+    [[nodiscard]] const std::filesystem::path& file() const;
+    /// Last sequence of earlier sessions: this one's events begin after it.
+    [[nodiscard]] std::uint64_t earlierSequence() const;
+
+    /// Waits until everything that was queued before is on the disk; an error when it is not by @p deadline.
+    [[nodiscard]] Result<void> flush(std::chrono::milliseconds deadline = std::chrono::seconds(10));
+    /// Writes what is queued, makes the file self-contained and metadata.yaml final. Events that a full disk
+    /// keeps from being written are lost, which the error tells. Later calls do nothing.
+    [[nodiscard]] Result<void> close();
+
+private:
+    class Impl;
+    explicit BagWriter(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace leitstand
