@@ -58,6 +58,7 @@ void gicp(benchmark::State& state, double reduce, double maxDistance, int thread
     preparation.reduce = reduce;
     preparation.minRange = 0.48;
     preparation.maxRange = 25.0;
+    preparation.threads = threads;
     IcpSettings settings;
     settings.maxDistances = {maxDistance};
     settings.threads = threads;

@@ -33,7 +33,7 @@ ScanPtr labelled(const ScanPtr& scan) {
 
 PointCloud prepared(const Scan& scan, const RegistrationSettings& settings) {
     const std::vector<Eigen::Vector3f> normals =
-        scan.organised() ? gridNormals(scan) : std::vector<Eigen::Vector3f>();
+        scan.organised() ? gridNormals(scan, settings.threads) : std::vector<Eigen::Vector3f>();
     PointCloud cloud = filtered(scan, normals, settings);
     if (settings.reduce > 0.0) cloud = voxelGrid(cloud, settings.reduce);
     if (cloud.normals.empty()) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/parallel.h"
+
 namespace leitstand {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr float SteepStep = 3.0F;      ///< steps of range over the beams' dista
 constexpr float SteepestStep = 25.0F;  ///< and the most at grazing incidence
 constexpr std::int32_t LongestHalf = 30'000;  ///< of a window [points]
 constexpr std::int32_t LeastSpot = 16;        ///< of points too near to each other to give a tangent
+constexpr std::size_t LineGrain = 32;         ///< lines that a thread takes at once
 
 /// Places in a line of the grid: first and last.
 struct Range {
@@ -166,12 +169,11 @@ struct Fit {
     std::vector<Spot> spots;
 };
 
-Fit fit(const std::vector<Eigen::Vector3f>& points, const Lines& lines) {
-    Fit result;
-    result.tangents.resize(points.size(), Eigen::Vector3f::Zero());
-    result.neighbours.resize(points.size());
+/// Fits the tangents of lines @p first to @p last, spots apart.
+void fitLines(const std::vector<Eigen::Vector3f>& points, const Lines& lines, std::size_t first,
+              std::size_t last, Fit& result, std::vector<Spot>& spots) {
     Line line;
-    for (std::size_t l = 0; l < lines.count; ++l) {
+    for (std::size_t l = first; l < last; ++l) {
         line.take(points, l * lines.pitch, lines.length, lines.step);
         for (const Range& run : line.runs()) {
             Range window{run.first, run.first};
@@ -193,8 +195,21 @@ Fit fit(const std::vector<Eigen::Vector3f>& points, const Lines& lines) {
                 result.neighbours[at] = {static_cast<std::uint16_t>(i - window.first),
                                          static_cast<std::uint16_t>(window.last - i)};
             }
-            if (run.size() >= LeastSpot && !extended) result.spots.push_back({l, run});
+            if (run.size() >= LeastSpot && !extended) spots.push_back({l, run});
         }
+    }
+}
+
+Fit fit(const std::vector<Eigen::Vector3f>& points, const Lines& lines, int threads) {
+    Fit result;
+    result.tangents.resize(points.size(), Eigen::Vector3f::Zero());
+    result.neighbours.resize(points.size());
+    std::vector<std::vector<Spot>> spots(lines.count / LineGrain + 1);
+    parallelFor(lines.count, LineGrain, threads, [&](std::size_t first, std::size_t last) {
+        fitLines(points, lines, first, last, result, spots[first / LineGrain]);
+    });
+    for (const std::vector<Spot>& found : spots) {
+        result.spots.insert(result.spots.end(), found.begin(), found.end());
     }
     return result;
 }
@@ -226,17 +241,19 @@ private:
 
 /// Averages the tangents of the other direction over the neighbours along @p lines.
 void smooth(std::vector<Eigen::Vector3f>& tangents, const Lines& lines,
-            const std::vector<Neighbours>& neighbours) {
-    Sums sums;
+            const std::vector<Neighbours>& neighbours, int threads) {
     const auto length = static_cast<std::int32_t>(lines.length);
-    for (std::size_t l = 0; l < lines.count; ++l) {
-        sums.take(tangents, l, lines);
-        for (std::int32_t i = 0; i < length; ++i) {
-            const std::size_t at = lines.index(l, i);
-            const auto [before, after] = neighbours[at];
-            if (before + after > 0) tangents[at] = sums.of({i - before, i + after});
+    parallelFor(lines.count, LineGrain, threads, [&](std::size_t first, std::size_t last) {
+        Sums sums;
+        for (std::size_t l = first; l < last; ++l) {
+            sums.take(tangents, l, lines);
+            for (std::int32_t i = 0; i < length; ++i) {
+                const std::size_t at = lines.index(l, i);
+                const auto [before, after] = neighbours[at];
+                if (before + after > 0) tangents[at] = sums.of({i - before, i + after});
+            }
         }
-    }
+    });
 }
 
 /// Where the axis of the scanner meets a surface, the rows cross in one place and a column is but a spot:
@@ -269,13 +286,13 @@ Eigen::Vector3f GridTangents::normal(std::size_t i, const Eigen::Vector3f& point
     return cross * ((cross.dot(point) > 0.0F ? -1.0F : 1.0F) / std::sqrt(squared));
 }
 
-GridTangents gridTangents(const Scan& scan) {
+GridTangents gridTangents(const Scan& scan, int threads) {
     const auto height = static_cast<std::size_t>(scan.rows), width = static_cast<std::size_t>(scan.columns);
     assert(scan.organised() && scan.points.size() == height * width);
     const Lines rows{height, width, 1, width}, columns{width, height, width, 1};
-    Fit alongRows = fit(scan.points, rows), alongColumns = fit(scan.points, columns);
-    smooth(alongColumns.tangents, rows, alongRows.neighbours);
-    smooth(alongRows.tangents, columns, alongColumns.neighbours);
+    Fit alongRows = fit(scan.points, rows, threads), alongColumns = fit(scan.points, columns, threads);
+    smooth(alongColumns.tangents, rows, alongRows.neighbours, threads);
+    smooth(alongRows.tangents, columns, alongColumns.neighbours, threads);
     GridTangents result{std::move(alongRows.tangents), std::move(alongColumns.tangents)};
     bridgePoles(result, columns, alongColumns.spots);
     return result;

@@ -20,6 +20,7 @@ struct GridTangents {
 
 /// Tangents of an organised @p scan, each fitted over at least 10 cm of surface, so that range noise does not
 /// decide, and not across depth jumps; one pair a point, zero where there is less surface than that.
-[[nodiscard]] GridTangents gridTangents(const Scan& scan);
+/// @p threads: 0 is one per core; the result does not depend on them.
+[[nodiscard]] GridTangents gridTangents(const Scan& scan, int threads = 1);
 
 }  // namespace leitstand

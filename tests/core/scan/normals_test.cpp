@@ -95,6 +95,13 @@ INSTANTIATE_TEST_SUITE_P(Sweeps, NormalsOfRooms, testing::Values(Sweep::Tilting,
                              return sweep.param == Sweep::Tilting ? "Tilting" : "Yawing";
                          });
 
+TEST_P(NormalsOfRooms, FromTheGridDoNotDependOnTheNumberOfThreads) {
+    RoomSettings settings;
+    settings.sweep = GetParam();
+    const RoomScan room = scanRoom(settings);
+    EXPECT_EQ(gridNormals(room.scan, 3), gridNormals(room.scan, 1));
+}
+
 TEST(Normals, DoNotReachAcrossADepthJump) {
     // A board 1 m in front of a wall: right up to its border, both have the normal of a plane.
     Scan scan;
