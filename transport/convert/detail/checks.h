@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "core/base/pose.h"
+#include "core/robot/samples/sample_header.h"
+#include "messages/geometry_msgs.h"
+#include "messages/std_msgs.h"
+
+namespace leitstand::detail {
+
+/// Converts the parts that messages have in common, both ways, and keeps the first thing that was wrong.
+class Checks {
+public:
+    /// Keeps "field: text" when @p holds is false.
+    template <class... Arguments>
+    void require(bool holds, const char* field, fmt::format_string<Arguments...> text,
+                 Arguments&&... arguments) {
+        if (!holds && ok()) fail(field, fmt::format(text, std::forward<Arguments>(arguments)...));
+    }
+    [[nodiscard]] bool ok() const { return m_error.empty(); }
+    [[nodiscard]] const std::string& error() const { return m_error; }
+
+    double finite(const char* field, double value) {
+        if (!std::isfinite(value)) fail(field, fmt::format("expected a number, found {}", value));
+        return value;
+    }
+    /// NaN is a number that the sender does not know; infinity is wrong.
+    double known(const char* field, double value) {
+        if (std::isinf(value)) fail(field, fmt::format("expected a number or NaN, found {}", value));
+        return value;
+    }
+    /// One of the @p count enumerators from 0.
+    template <class Enum>
+    Enum enumerator(const char* field, unsigned value, unsigned count) {
+        if (value >= count) fail(field, fmt::format("expected less than {}, found {}", count, value));
+        return static_cast<Enum>(value);
+    }
+    int size(const char* field, std::uint32_t value, int most);
+
+    Time time(const char* field, const wire::builtin_interfaces::Time& from);
+    std::chrono::nanoseconds duration(const char* field, const wire::builtin_interfaces::Duration& from);
+    SampleHeader header(const wire::std_msgs::Header& from);
+    template <class Xyz>
+    Eigen::Vector3d vector(const char* field, const Xyz& from) {
+        return {finite(field, from.x), finite(field, from.y), finite(field, from.z)};
+    }
+    Eigen::Quaterniond rotation(const char* field, const wire::geometry_msgs::Quaternion& from);
+    Pose pose(const char* field, const wire::geometry_msgs::Pose& from);
+
+    wire::builtin_interfaces::Time wireTime(const char* field, Time from);
+    wire::builtin_interfaces::Duration wireDuration(const char* field, std::chrono::nanoseconds from);
+    wire::std_msgs::Header wireHeader(const SampleHeader& from);
+    template <class Xyz>
+    Xyz wireVector(const char* field, const Eigen::Vector3d& from) {
+        return {finite(field, from.x()), finite(field, from.y()), finite(field, from.z())};
+    }
+    wire::geometry_msgs::Pose wirePose(const char* field, const Pose& from);
+    wire::geometry_msgs::Quaternion wireRotation(const char* field, const Eigen::Quaterniond& from);
+    std::uint32_t wireSize(const char* field, int value);
+
+private:
+    void fail(const char* field, const std::string& text);
+    std::string m_error;
+};
+
+/// Covariances tell at best how sure a sensor is: entries that are no numbers become 0, unknown.
+template <std::size_t N>
+std::array<double, N> covariance(std::array<double, N> values) {
+    for (double& value : values) value = std::isfinite(value) ? value : 0.0;
+    return values;
+}
+
+}  // namespace leitstand::detail

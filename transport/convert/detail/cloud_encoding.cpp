@@ -1,0 +1,105 @@
+#include <limits>
+
+#include "transport/convert/detail/to_wire.h"
+
+namespace leitstand::detail {
+namespace {
+
+using wire::sensor_msgs::PointField;
+constexpr std::int64_t MostT = std::numeric_limits<std::uint32_t>::max();
+constexpr double NanosecondsOfSecond = 1e9;
+
+/// Puts values of type T of all points behind each other, a point's step apart.
+template <class T, class Get>
+void put(Buffer& buffer, std::size_t offset, std::size_t step, std::size_t count, Get get) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const T value = static_cast<T>(get(i));
+        std::memcpy(buffer.data() + i * step + offset, &value, sizeof(T));
+    }
+}
+
+bool within(const auto& values, std::int64_t least, std::int64_t most) {
+    return std::all_of(values.begin(), values.end(),
+                       [&](auto value) { return value >= least && value <= most; });
+}
+
+void checkLists(const CloudSample& from, Checks& checks) {
+    const std::size_t count = from.points.size();
+    const std::size_t grid = static_cast<std::size_t>(from.rows) * static_cast<std::size_t>(from.columns);
+    checks.require(from.rows >= 0 && from.columns >= 0 && (!from.organised() || grid == count),
+                   "rows, columns", "{} x {} does not fit {} points", from.rows, from.columns, count);
+    for (const std::size_t size : {from.intensities.size(), from.times.size(), from.rings.size()}) {
+        checks.require(size == 0 || size == count, "points", "lists of {} and {} values", count, size);
+    }
+}
+
+}  // namespace
+
+/// The layout of design, section 4. Times that `t` cannot tell become `timestamp`, seconds after the stamp.
+void toWire(const CloudSample& from, wire::sensor_msgs::PointCloud2& to, Buffer& buffer, Checks& checks) {
+    to.header = checks.wireHeader(from.header);
+    checkLists(from, checks);
+    if (!checks.ok()) return;
+    const std::size_t count = from.points.size();
+    const bool shortTimes = within(from.times, 0, MostT);
+    const bool shortRings = within(from.rings, 0, std::numeric_limits<std::uint16_t>::max());
+    std::uint32_t step = 0;
+    const auto field = [&](const char* name, std::uint8_t datatype, std::uint32_t size) {
+        to.fields.push_back({name, step, datatype, 1});
+        return std::exchange(step, step + size);
+    };
+    for (const char* axis : {"x", "y", "z"}) field(axis, PointField::FLOAT32_, 4);
+    const std::size_t intensity = from.intensities.empty() ? 0 : field("intensity", PointField::FLOAT32_, 4);
+    const std::size_t time = from.times.empty() ? 0
+                             : shortTimes       ? field("t", PointField::UINT32_, 4)
+                                                : field("timestamp", PointField::FLOAT64_, 8);
+    const std::size_t ring = from.rings.empty() ? 0
+                             : shortRings       ? field("ring", PointField::UINT16_, 2)
+                                                : field("ring", PointField::INT32_, 4);
+    buffer.resize(count * step);
+    for (int axis = 0; axis < 3; ++axis) {
+        put<float>(buffer, static_cast<std::size_t>(axis) * 4, step, count,
+                   [&](std::size_t i) { return from.points[i][axis]; });
+    }
+    put<float>(buffer, intensity, step, from.intensities.size(),
+               [&](std::size_t i) { return from.intensities[i]; });
+    if (shortTimes) {
+        put<std::uint32_t>(buffer, time, step, from.times.size(),
+                           [&](std::size_t i) { return from.times[i]; });
+    } else {
+        put<double>(buffer, time, step, count,
+                    [&](std::size_t i) { return static_cast<double>(from.times[i]) / NanosecondsOfSecond; });
+    }
+    const auto ringOf = [&](std::size_t i) { return from.rings[i]; };
+    if (shortRings) {
+        put<std::uint16_t>(buffer, ring, step, from.rings.size(), ringOf);
+    } else {
+        put<std::int32_t>(buffer, ring, step, count, ringOf);
+    }
+    to.height = from.organised() ? static_cast<std::uint32_t>(from.rows) : 1;
+    to.width =
+        from.organised() ? static_cast<std::uint32_t>(from.columns) : static_cast<std::uint32_t>(count);
+    to.point_step = step;
+    to.row_step = to.width * step;
+    to.data = buffer;
+    to.is_dense = std::all_of(from.points.begin(), from.points.end(),
+                              [](const Eigen::Vector3f& point) { return point.allFinite(); });
+}
+
+void toWire(const RangesSample& from, wire::sensor_msgs::LaserScan& to, Buffer&, Checks& checks) {
+    checks.require(from.intensities.empty() || from.intensities.size() == from.ranges.size(), "intensities",
+                   "expected {} or none, found {}", from.ranges.size(), from.intensities.size());
+    const double steps = from.ranges.empty() ? 0.0 : static_cast<double>(from.ranges.size() - 1);
+    to.header = checks.wireHeader(from.header);
+    to.angle_min = static_cast<float>(checks.finite("angle_min", from.angleMin));
+    to.angle_max = static_cast<float>(from.angleMin + steps * from.angleStep);
+    to.angle_increment = static_cast<float>(checks.finite("angle_increment", from.angleStep));
+    to.time_increment = static_cast<float>(checks.finite("time_increment", from.timeStep));
+    to.scan_time = static_cast<float>(checks.finite("scan_time", from.turnTime));
+    to.range_min = static_cast<float>(checks.finite("range_min", from.rangeMin));
+    to.range_max = static_cast<float>(from.rangeMax);
+    to.ranges = from.ranges;
+    to.intensities = from.intensities;
+}
+
+}  // namespace leitstand::detail

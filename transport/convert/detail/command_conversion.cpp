@@ -1,0 +1,60 @@
+#include "transport/convert/detail/from_wire.h"
+#include "transport/convert/detail/to_wire.h"
+
+namespace leitstand::detail {
+namespace {
+
+constexpr int MostQuality = 100;
+constexpr int MostPixels = 65'535;  // wider than any picture
+
+}  // namespace
+
+StopCommandSample fromWire(const wire::leitstand_msgs::StopCommand& from, const Source&, Checks& checks) {
+    return {checks.time("stamp", from.stamp), from.station, from.number, from.stop};
+}
+
+void toWire(const StopCommandSample& from, wire::leitstand_msgs::StopCommand& to, Buffer&, Checks& checks) {
+    to = {checks.wireTime("stamp", from.stamp), from.station, from.number, from.stop};
+}
+
+ModeCommandSample fromWire(const wire::leitstand_msgs::ModeCommand& from, const Source&, Checks& checks) {
+    checks.require(!from.mode.empty(), "mode", "expected a name");
+    return {checks.time("stamp", from.stamp), from.station, from.mode};
+}
+
+void toWire(const ModeCommandSample& from, wire::leitstand_msgs::ModeCommand& to, Buffer&, Checks& checks) {
+    to = {checks.wireTime("stamp", from.stamp), from.station, from.mode};
+}
+
+StreamCommandSample fromWire(const wire::leitstand_msgs::StreamCommand& from, const Source&, Checks& checks) {
+    checks.require(from.rate >= 0.0 && std::isfinite(from.rate), "rate", "expected 0 Hz or more, found {}",
+                   from.rate);
+    return {checks.time("stamp", from.stamp),
+            from.station,
+            from.topic,
+            from.enabled,
+            from.rate,
+            checks.size("quality", from.quality, MostQuality),
+            checks.size("max_width", from.max_width, MostPixels)};
+}
+
+void toWire(const StreamCommandSample& from, wire::leitstand_msgs::StreamCommand& to, Buffer&,
+            Checks& checks) {
+    to = {checks.wireTime("stamp", from.stamp),
+          from.station,
+          from.topic,
+          from.enabled,
+          checks.finite("rate", from.rate),
+          checks.wireSize("quality", from.quality),
+          checks.wireSize("max_width", from.maxWidth)};
+}
+
+PingSample fromWire(const wire::leitstand_msgs::Ping& from, const Source&, Checks& checks) {
+    return {from.number, from.station, checks.time("sent", from.sent)};
+}
+
+void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Checks& checks) {
+    to = {from.number, from.station, checks.wireTime("sent", from.sent)};
+}
+
+}  // namespace leitstand::detail

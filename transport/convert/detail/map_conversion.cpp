@@ -1,0 +1,184 @@
+#include <cstring>
+
+#include "transport/convert/detail/from_wire.h"
+#include "transport/convert/detail/to_wire.h"
+
+namespace leitstand::detail {
+namespace {
+
+using wire::geometry_msgs::Point;
+constexpr int MostRows = 65'536;  // rows and columns of any scanner
+
+VictimSign sign(const char* field, const wire::leitstand_msgs::VictimSign& from, Checks& checks) {
+    return {checks.enumerator<VictimSign::State>(field, from.state, 3), from.text,
+            checks.known(field, from.value)};
+}
+
+wire::leitstand_msgs::VictimSign wireSign(const VictimSign& from) {
+    return {static_cast<std::uint8_t>(from.state), from.text, from.value};
+}
+
+/// The lists of a scan fit its points and its grid.
+void checkScan(const Scan& scan, Checks& checks) {
+    const std::size_t count = scan.points.size();
+    const std::size_t grid = static_cast<std::size_t>(scan.rows) * static_cast<std::size_t>(scan.columns);
+    checks.require((scan.rows == 0 && scan.columns == 0) || grid == count, "rows, columns",
+                   "{} x {} does not fit {} points", scan.rows, scan.columns, count);
+    checks.require(scan.intensities.empty() || scan.intensities.size() == count, "intensities",
+                   "expected {} or none, found {}", count, scan.intensities.size());
+    checks.require(scan.labels.empty() || scan.labels.size() == count, "labels",
+                   "expected {} or none, found {}", count, scan.labels.size());
+}
+
+std::vector<Label> labels(std::span<const std::byte> from, Checks& checks) {
+    std::vector<Label> to(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        to[i] = checks.enumerator<Label>("labels", std::to_integer<unsigned>(from[i]), LabelCount);
+    }
+    return to;
+}
+
+}  // namespace
+
+VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks) {
+    checks.require(from.number > 0, "number", "expected a number from 1");
+    VictimSample to;
+    to.stamp = checks.time("stamp", from.stamp);
+    to.station = from.station;
+    to.number = from.number;
+    to.status = checks.enumerator<VictimSample::Status>("status", from.status, 3);
+    to.found = checks.time("found", from.found);
+    to.robot = from.robot;
+    to.autonomous = from.autonomous;
+    to.scan = from.scan;
+    to.positionInScan = checks.vector("position_in_scan", from.position_in_scan);
+    to.positionInMap = checks.vector("position_in_map", from.position_in_map);
+    to.deviation = checks.known("deviation", from.deviation);
+    to.form = sign("form", from.form, checks);
+    to.motion = sign("motion", from.motion, checks);
+    to.heat = sign("heat", from.heat, checks);
+    to.sound = sign("sound", from.sound, checks);
+    to.co2 = sign("co2", from.co2, checks);
+    to.situation = from.situation;
+    to.tag = from.tag;
+    to.area = from.area;
+    to.text = from.text;
+    for (const auto& one : from.evidence) {
+        to.evidence.push_back(
+            {one.kind, one.topic, one.sequence_number, checks.time("evidence.stamp", one.stamp)});
+    }
+    return to;
+}
+
+void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks) {
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.station = from.station;
+    to.number = from.number;
+    to.status = static_cast<std::uint8_t>(from.status);
+    to.found = checks.wireTime("found", from.found);
+    to.robot = from.robot;
+    to.autonomous = from.autonomous;
+    to.scan = from.scan;
+    to.position_in_scan = checks.wireVector<Point>("position_in_scan", from.positionInScan);
+    to.position_in_map = checks.wireVector<Point>("position_in_map", from.positionInMap);
+    to.deviation = from.deviation;
+    to.form = wireSign(from.form);
+    to.motion = wireSign(from.motion);
+    to.heat = wireSign(from.heat);
+    to.sound = wireSign(from.sound);
+    to.co2 = wireSign(from.co2);
+    to.situation = from.situation;
+    to.tag = from.tag;
+    to.area = from.area;
+    to.text = from.text;
+    for (const VictimEvidence& one : from.evidence) {
+        to.evidence.push_back(
+            {one.kind, one.topic, one.sequence, checks.wireTime("evidence.stamp", one.stamp)});
+    }
+}
+
+KeyScanSample fromWire(const wire::leitstand_msgs::KeyScan& from, const Source&, Checks& checks) {
+    auto scan = std::make_shared<Scan>();
+    scan->name = from.name;
+    scan->robot = from.robot;
+    scan->start = checks.time("start", from.start);
+    scan->end = checks.time("end", from.end);
+    scan->hasOdometry = from.has_odometry;
+    scan->sensorInOdom = checks.pose("sensor_in_odom", from.sensor_in_odom);
+    scan->rows = checks.size("rows", from.rows, MostRows);
+    scan->columns = checks.size("columns", from.columns, MostRows);
+    scan->sweep = checks.enumerator<Sweep>("sweep", from.sweep, 2);
+    checks.require(from.points.size() % 3 == 0, "points", "expected three numbers a point, found {} numbers",
+                   from.points.size());
+    scan->points.resize(from.points.size() / 3);
+    for (std::size_t i = 0; i < scan->points.size(); ++i) {
+        scan->points[i] = {from.points[3 * i], from.points[3 * i + 1], from.points[3 * i + 2]};
+    }
+    scan->intensities = from.intensities;
+    scan->labels = labels(from.labels, checks);
+    checkScan(*scan, checks);
+    KeyScanSample to;
+    to.stamp = checks.time("stamp", from.stamp);
+    to.id = from.id;
+    checks.require(from.id > 0, "id", "expected a number from 1");
+    to.sensorInBase = checks.pose("sensor_in_base", from.sensor_in_base);
+    to.scanInMap = checks.pose("scan_in_map", from.scan_in_map);
+    to.matched = from.matched;
+    to.scan = std::move(scan);
+    return to;
+}
+
+void toWire(const KeyScanSample& from, wire::leitstand_msgs::KeyScan& to, Buffer&, Checks& checks) {
+    checks.require(from.scan != nullptr, "scan", "expected one");
+    if (!checks.ok()) return;
+    const Scan& scan = *from.scan;
+    checkScan(scan, checks);
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.id = from.id;
+    to.name = scan.name;
+    to.robot = scan.robot;
+    to.start = checks.wireTime("start", scan.start);
+    to.end = checks.wireTime("end", scan.end);
+    to.has_odometry = scan.hasOdometry;
+    to.sensor_in_odom = checks.wirePose("sensor_in_odom", scan.sensorInOdom);
+    to.sensor_in_base = checks.wirePose("sensor_in_base", from.sensorInBase);
+    to.scan_in_map = checks.wirePose("scan_in_map", from.scanInMap);
+    to.matched = from.matched;
+    to.rows = checks.wireSize("rows", scan.rows);
+    to.columns = checks.wireSize("columns", scan.columns);
+    to.sweep = static_cast<std::uint8_t>(scan.sweep);
+    to.points.reserve(3 * scan.points.size());
+    for (const Eigen::Vector3f& point : scan.points) {
+        to.points.insert(to.points.end(), {point.x(), point.y(), point.z()});
+    }
+    to.intensities = scan.intensities;
+    to.labels = std::as_bytes(std::span(scan.labels));
+}
+
+ScanPosesSample fromWire(const wire::leitstand_msgs::ScanPoses& from, const Source&, Checks& checks) {
+    ScanPosesSample to;
+    to.stamp = checks.time("stamp", from.stamp);
+    to.station = from.station;
+    to.cause = checks.enumerator<ScanPosesSample::Cause>("cause", from.cause, 3);
+    to.poses.reserve(from.poses.size());
+    for (const auto& one : from.poses) {
+        checks.require(one.scan > 0, "poses.scan", "expected a number from 1");
+        to.poses.push_back(
+            {one.scan, checks.pose("poses.scan_in_map", one.scan_in_map), checks.known("poses.rms", one.rms),
+             checks.known("poses.inlier_ratio", one.inlier_ratio), checks.known("poses.overlap", one.overlap),
+             checks.known("poses.certainty", one.certainty), one.converged});
+    }
+    return to;
+}
+
+void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Buffer&, Checks& checks) {
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.station = from.station;
+    to.cause = static_cast<std::uint8_t>(from.cause);
+    for (const ScanPose& one : from.poses) {
+        to.poses.push_back({one.scan, checks.wirePose("poses.scan_in_map", one.scanInMap), one.rms,
+                            one.inlierRatio, one.overlap, one.certainty, one.converged});
+    }
+}
+
+}  // namespace leitstand::detail

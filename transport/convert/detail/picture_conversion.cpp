@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "core/perception/picture_encoding.h"
+#include "core/perception/picture_file.h"
+#include "transport/convert/detail/from_wire.h"
+#include "transport/convert/detail/to_wire.h"
+
+namespace leitstand::detail {
+namespace {
+
+constexpr int MostPixels = 65'535;          // a side of any picture
+constexpr std::size_t MostParameters = 64;  // of any distortion model
+
+/// Whether rows of @p width pixels fit into @p step bytes and @p height of them into @p size.
+void checkRaw(const PictureEncoding& encoding, std::uint64_t width, std::uint64_t height, std::uint64_t step,
+              std::uint64_t size, Checks& checks) {
+    checks.require(width > 0 && height > 0 && width <= MostPixels && height <= MostPixels, "width",
+                   "expected 1 to {} pixels a side, found {} x {}", MostPixels, width, height);
+    checks.require(step >= width * encoding.pixelSize, "step", "expected at least {} bytes, found {}",
+                   width * encoding.pixelSize, step);
+    checks.require(size >= step * height, "data", "expected {} rows of {} bytes, found {} bytes", height,
+                   step, size);
+    const bool pairs =
+        encoding.layout == PictureEncoding::Layout::Yuyv || encoding.layout == PictureEncoding::Layout::Uyvy;
+    checks.require(!pairs || width % 2 == 0, "width", "expected pairs of pixels, found {}", width);
+}
+
+template <std::size_t N>
+std::array<double, N> finite(const char* field, const std::array<double, N>& values, Checks& checks) {
+    for (const double value : values) checks.finite(field, value);
+    return values;
+}
+
+}  // namespace
+
+PictureSample fromWire(const wire::sensor_msgs::Image& from, const Source& source, Checks& checks) {
+    PictureSample to;
+    to.header = checks.header(from.header);
+    const PictureEncoding* encoding = findPictureEncoding(from.encoding);
+    checks.require(encoding != nullptr, "encoding", "\"{}\" cannot be shown", from.encoding.substr(0, 40));
+    if (!checks.ok()) return to;
+    checkRaw(*encoding, from.width, from.height, from.step, from.data.size(), checks);
+    to.encoding = from.encoding;
+    to.width = checks.size("width", from.width, MostPixels);
+    to.height = checks.size("height", from.height, MostPixels);
+    to.step = from.step;
+    to.bigEndian = from.is_bigendian != 0;
+    to.content = {source.cdr, from.data};
+    return to;
+}
+
+void toWire(const PictureSample& from, wire::sensor_msgs::Image& to, Buffer&, Checks& checks) {
+    const PictureEncoding* encoding = findPictureEncoding(from.encoding);
+    checks.require(!from.compressed && encoding != nullptr, "encoding",
+                   "expected an uncompressed picture, found \"{}\"", from.encoding);
+    if (!checks.ok()) return;
+    checkRaw(*encoding, checks.wireSize("width", from.width), checks.wireSize("height", from.height),
+             from.step, from.content.bytes.size(), checks);
+    checks.require(from.step <= UINT32_MAX, "step", "expected less than 2^32, found {}", from.step);
+    to.header = checks.wireHeader(from.header);
+    to.height = checks.wireSize("height", from.height);
+    to.width = checks.wireSize("width", from.width);
+    to.encoding = from.encoding;
+    to.is_bigendian = from.bigEndian ? 1 : 0;
+    to.step = static_cast<std::uint32_t>(from.step);
+    to.data = from.content.bytes;
+}
+
+PictureSample fromWire(const wire::sensor_msgs::CompressedImage& from, const Source& source, Checks& checks) {
+    PictureSample to;
+    to.header = checks.header(from.header);
+    to.compressed = true;
+    to.encoding = from.format;
+    to.content = {source.cdr, from.data};
+    checks.require(pictureFileKind(from.data) != PictureFileKind::Unknown, "data",
+                   "expected a JPEG or PNG file, found {} other bytes (format \"{}\")", from.data.size(),
+                   from.format.substr(0, 40));
+    return to;
+}
+
+void toWire(const PictureSample& from, wire::sensor_msgs::CompressedImage& to, Buffer&, Checks& checks) {
+    checks.require(from.compressed, "format", "expected a compressed picture, found \"{}\"", from.encoding);
+    to = {checks.wireHeader(from.header), from.encoding, from.content.bytes};
+}
+
+CameraInfoSample fromWire(const wire::sensor_msgs::CameraInfo& from, const Source&, Checks& checks) {
+    CameraInfoSample to;
+    to.header = checks.header(from.header);
+    to.width = checks.size("width", from.width, MostPixels);
+    to.height = checks.size("height", from.height, MostPixels);
+    to.distortionModel = from.distortion_model;
+    checks.require(from.d.size() <= MostParameters, "d", "expected at most {} parameters, found {}",
+                   MostParameters, from.d.size());
+    for (const double value : from.d) checks.finite("d", value);
+    to.distortion = from.d;
+    to.intrinsics = finite("k", from.k, checks);
+    to.rectification = finite("r", from.r, checks);
+    to.projection = finite("p", from.p, checks);
+    to.binningX = std::max(1, checks.size("binning_x", from.binning_x, MostPixels));
+    to.binningY = std::max(1, checks.size("binning_y", from.binning_y, MostPixels));
+    to.roiX = checks.size("roi.x_offset", from.roi.x_offset, MostPixels);
+    to.roiY = checks.size("roi.y_offset", from.roi.y_offset, MostPixels);
+    to.roiWidth = checks.size("roi.width", from.roi.width, MostPixels);
+    to.roiHeight = checks.size("roi.height", from.roi.height, MostPixels);
+    return to;
+}
+
+void toWire(const CameraInfoSample& from, wire::sensor_msgs::CameraInfo& to, Buffer&, Checks& checks) {
+    to.header = checks.wireHeader(from.header);
+    to.height = checks.wireSize("height", from.height);
+    to.width = checks.wireSize("width", from.width);
+    to.distortion_model = from.distortionModel;
+    to.d = from.distortion;
+    to.k = finite("k", from.intrinsics, checks);
+    to.r = finite("r", from.rectification, checks);
+    to.p = finite("p", from.projection, checks);
+    to.binning_x = checks.wireSize("binning_x", from.binningX);
+    to.binning_y = checks.wireSize("binning_y", from.binningY);
+    to.roi = {checks.wireSize("roi.x_offset", from.roiX), checks.wireSize("roi.y_offset", from.roiY),
+              checks.wireSize("roi.height", from.roiHeight), checks.wireSize("roi.width", from.roiWidth),
+              false};
+}
+
+}  // namespace leitstand::detail
