@@ -30,17 +30,17 @@ enum class Lane : std::uint8_t { Small, Large };
 
 /// What to listen to.
 struct ReaderSettings {
-    std::string topic;  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
-    std::string type;   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
-    Qos qos;
+    std::string topic = {};  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
+    std::string type = {};   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
+    Qos qos = {};
     Lane lane = Lane::Small;
 };
 
 /// What to say.
 struct WriterSettings {
-    std::string topic;  ///< as of ReaderSettings
-    std::string type;
-    Qos qos;
+    std::string topic = {};  ///< as of ReaderSettings
+    std::string type = {};
+    Qos qos = {};
     Flow flow = Flow::Telemetry;
 };
 

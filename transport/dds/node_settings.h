@@ -24,12 +24,12 @@ struct FlowLimit {
 
 /// Files of DDS-Security 1.1 (PEM certificates and key; governance and permissions signed as S/MIME).
 struct SecurityFiles {
-    std::filesystem::path identityCa;     ///< certificate of the authority that signed all identities
-    std::filesystem::path certificate;    ///< this participant's
-    std::filesystem::path privateKey;     ///< this participant's
-    std::filesystem::path permissionsCa;  ///< empty: the identity authority signs permissions too
-    std::filesystem::path governance;     ///< .p7s
-    std::filesystem::path permissions;    ///< .p7s
+    std::filesystem::path identityCa = {};     ///< certificate of the authority that signed all identities
+    std::filesystem::path certificate = {};    ///< this participant's
+    std::filesystem::path privateKey = {};     ///< this participant's
+    std::filesystem::path permissionsCa = {};  ///< empty: the identity authority signs permissions too
+    std::filesystem::path governance = {};     ///< .p7s
+    std::filesystem::path permissions = {};    ///< .p7s
 };
 
 /// How a process takes part in a domain.
@@ -37,22 +37,22 @@ struct NodeSettings {
     int domain = 0;                  ///< 0..232
     std::string name = "leitstand";  ///< what others see as the participant's name
     /// Names ("wlan0") or IPv4 addresses of the interfaces to use; empty: all.
-    std::vector<std::string> interfaces;
+    std::vector<std::string> interfaces = {};
     /// "192.168.0.7" (the first ten participants there) or "192.168.0.7:7410" (one of them), told of us by
     /// unicast.
-    std::vector<std::string> initialPeers;
+    std::vector<std::string> initialPeers = {};
     bool multicast = true;  ///< false: discovery by initial peers or server only, nothing is sent to groups
     /// Discovery servers as in ROS_DISCOVERY_SERVER: "192.168.0.1:11811;192.168.0.2"; the place in the list
     /// is the server's number, empty places are skipped. Empty: peers discover each other.
-    std::string discoveryServer;
+    std::string discoveryServer = {};
     /// Profiles of FASTRTPS_DEFAULT_PROFILES_FILE (when it is set) replace our participant defaults, and
     /// those named after a topic ("/kurt3d/points" or "rt/kurt3d/points") the QoS of its readers and writers.
     bool useXmlProfiles = true;
-    std::optional<SecurityFiles> security;  ///< none: open to everyone in the domain
+    std::optional<SecurityFiles> security = {};  ///< none: open to everyone in the domain
     /// A participant that was silent for so long is forgotten by the others [s]; what a radio gap shorter
     /// than this kept back still arrives afterwards.
     double lease = 20.0;
-    FlowLimit telemetryLimit, scanLimit, pictureLimit;
+    FlowLimit telemetryLimit = {}, scanLimit = {}, pictureLimit = {};
 };
 
 }  // namespace leitstand

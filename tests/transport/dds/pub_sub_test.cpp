@@ -4,26 +4,12 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
-#include "tests/support/dds/samples.h"
-#include "tests/support/dds/test_domain.h"
+#include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-const std::string Type = "std_msgs/msg/String";
-
-Qos reliable(int depth) {
-    return {.depth = depth};
-}
-
-std::unique_ptr<Node> nodeIn(const TestDomain& domain, NodeSettings settings = {}) {
-    settings.domain = domain.number();
-    auto node = Node::create(settings);
-    EXPECT_TRUE(node) << node.error().text;
-    return std::move(node).value();
-}
 
 std::string peerArgument(const TestDomain& domain) {
     return std::to_string(domain.number());
@@ -33,8 +19,8 @@ TEST(PubSub, BytesArriveAsTheyWereWritten) {
     const TestDomain domain;
     const auto node = nodeIn(domain);
     Inbox inbox;
-    const auto subscription = node->subscribe({"/k/odom", Type, reliable(10)}, inbox.callback());
-    const auto publisher = node->publisher({"/k/odom", Type, reliable(10)});
+    const auto subscription = node->subscribe({"/k/odom", TestType, reliable(10)}, inbox.callback());
+    const auto publisher = node->publisher({"/k/odom", TestType, reliable(10)});
     ASSERT_TRUE(waitUntil([&] { return (*publisher)->matched() == 1; }));
     const Time before = std::chrono::system_clock::now();
     for (std::uint32_t i = 1; i <= 5; ++i) ASSERT_TRUE((*publisher)->write(testPayload(101, i)));
@@ -43,7 +29,7 @@ TEST(PubSub, BytesArriveAsTheyWereWritten) {
     for (std::uint32_t i = 0; i < 5; ++i) {
         EXPECT_TRUE(sameBytes(*samples[i].event.cdr, *testPayload(101, i + 1)));
         EXPECT_EQ(samples[i].event.topic, "/k/odom");
-        EXPECT_EQ(samples[i].event.type, Type);
+        EXPECT_EQ(samples[i].event.type, TestType);
         EXPECT_EQ(samples[i].writer, (*publisher)->guid());
         EXPECT_EQ(samples[i].writerSequence, i + 1);
         for (const Time time : {samples[i].sourceTime, samples[i].event.received}) {
@@ -60,8 +46,8 @@ TEST(PubSub, BigEndianBytesPassUnchanged) {
     const TestDomain domain;
     const auto node = nodeIn(domain);
     Inbox inbox;
-    const auto subscription = node->subscribe({"/k/odom", Type, reliable(10)}, inbox.callback());
-    const auto publisher = node->publisher({"/k/odom", Type, reliable(10)});
+    const auto subscription = node->subscribe({"/k/odom", TestType, reliable(10)}, inbox.callback());
+    const auto publisher = node->publisher({"/k/odom", TestType, reliable(10)});
     ASSERT_TRUE(waitUntil([&] { return (*publisher)->matched() == 1; }));
     auto bytes = *testPayload(37, 1);
     bytes[1] = std::byte{0};
@@ -73,7 +59,7 @@ TEST(PubSub, BigEndianBytesPassUnchanged) {
 TEST(PubSub, WhatIsNoSampleIsRefused) {
     const TestDomain domain;
     const auto node = nodeIn(domain);
-    const auto publisher = node->publisher({"/k/odom", Type, reliable(1)});
+    const auto publisher = node->publisher({"/k/odom", TestType, reliable(1)});
     const auto three = std::make_shared<const std::vector<std::byte>>(3);
     EXPECT_FALSE((*publisher)->write(nullptr));
     const auto written = (*publisher)->write(three);
@@ -84,7 +70,7 @@ TEST(PubSub, WhatIsNoSampleIsRefused) {
 TEST(PubSub, ATopicHasOneTypeInANode) {
     const TestDomain domain;
     const auto node = nodeIn(domain);
-    const auto publisher = node->publisher({"/k/odom", Type, reliable(1)});
+    const auto publisher = node->publisher({"/k/odom", TestType, reliable(1)});
     const auto other = node->publisher({"/k/odom", "nav_msgs/msg/Odometry", reliable(1)});
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().text,
@@ -93,11 +79,11 @@ TEST(PubSub, ATopicHasOneTypeInANode) {
 
 TEST(PubSub, BetweenTwoProcessesAndBack) {
     const TestDomain domain;
-    const ChildProcess peer(DDS_PEER, {"echo", peerArgument(domain), "/k/cmd"});
+    const ChildProcess peer(DDS_PEER, {"echo", peerArgument(domain), "/k/cmd", "depth=100"});
     const auto node = nodeIn(domain);
     Inbox inbox;
-    const auto subscription = node->subscribe({"/k/cmd/back", Type, reliable(100)}, inbox.callback());
-    const auto publisher = node->publisher({"/k/cmd", Type, reliable(100), Flow::Immediate});
+    const auto subscription = node->subscribe({"/k/cmd/back", TestType, reliable(100)}, inbox.callback());
+    const auto publisher = node->publisher({"/k/cmd", TestType, reliable(100), Flow::Immediate});
     ASSERT_TRUE(
         waitUntil([&] { return (*publisher)->matched() == 1 && (*subscription)->counts().writers == 1; }));
     // Samples to a reader that matches us a moment later than we match it would be lost: ask until answered.
@@ -108,6 +94,7 @@ TEST(PubSub, BetweenTwoProcessesAndBack) {
     for (std::uint32_t i = 1; i <= 50; ++i) ASSERT_TRUE((*publisher)->write(testPayload(1000 * i, i)));
     ASSERT_TRUE(waitUntil([&] { return inbox.size() > 0 && seedOf(inbox.samples().back()) == 50; }));
     const auto samples = inbox.samples();
+    ASSERT_GT(samples.size(), 50U);
     for (std::uint32_t i = 1; i <= 50; ++i) {
         EXPECT_TRUE(sameBytes(*samples[samples.size() - 51 + i].event.cdr, *testPayload(1000 * i, i)));
     }
@@ -117,12 +104,12 @@ TEST(PubSub, BetweenTwoProcessesAndBack) {
 TEST(PubSub, ALateJoinerGetsWhatIsTransientLocal) {
     const TestDomain domain;
     const auto early = nodeIn(domain);
-    const Qos kept{.durability = Qos::Durability::TransientLocal, .depth = 50};
-    const auto publisher = early->publisher({"/k/tf_static", Type, kept});
+    const Qos kept = transientLocal(50);
+    const auto publisher = early->publisher({"/k/tf_static", TestType, kept});
     for (std::uint32_t i = 1; i <= 60; ++i) ASSERT_TRUE((*publisher)->write(testPayload(2000, i)));
     const auto late = nodeIn(domain);
     Inbox inbox;
-    const auto subscription = late->subscribe({"/k/tf_static", Type, kept}, inbox.callback());
+    const auto subscription = late->subscribe({"/k/tf_static", TestType, kept}, inbox.callback());
     ASSERT_TRUE(inbox.waitFor(50));
     EXPECT_EQ(seedOf(inbox.samples().front()), 11U);
     EXPECT_EQ(seedOf(inbox.samples().back()), 60U);
@@ -135,7 +122,7 @@ TEST(PubSub, TwoHundredSamplesOfAMegabyteAllArrive) {
     const auto node = nodeIn(domain);
     Inbox inbox;
     const auto subscription =
-        node->subscribe({"/k/points", Type, reliable(200), Lane::Large}, inbox.callback());
+        node->subscribe({"/k/points", TestType, reliable(200), Lane::Large}, inbox.callback());
     // The first may be written before the writer knows us, so the last is what tells.
     ASSERT_TRUE(waitUntil([&] { return inbox.size() > 0 && seedOf(inbox.samples().back()) == 200; }, 60s));
     EXPECT_EQ(inbox.size(), 200U);
@@ -148,13 +135,13 @@ TEST(PubSub, LossesAreCountedByTheWritersNumbers) {
     const auto node = nodeIn(domain);
     Inbox inbox;
     std::atomic<bool> blocked = true;
-    const Qos shallow{.reliability = Qos::Reliability::BestEffort, .depth = 1};
+    const Qos shallow = bestEffort(1);
     const auto subscription =
-        node->subscribe({"/k/imu", Type, shallow}, [&, keep = inbox.callback()](auto sample) {
+        node->subscribe({"/k/imu", TestType, shallow}, [&, keep = inbox.callback()](auto sample) {
             keep(std::move(sample));
             EXPECT_TRUE(waitUntil([&] { return !blocked; }));
         });
-    const auto publisher = node->publisher({"/k/imu", Type, reliable(1), Flow::Immediate});
+    const auto publisher = node->publisher({"/k/imu", TestType, reliable(1), Flow::Immediate});
     ASSERT_TRUE(waitUntil([&] { return (*subscription)->counts().writers == 1; }));
     ASSERT_TRUE((*publisher)->write(testPayload(10, 1)));
     ASSERT_TRUE(inbox.waitFor(1));
@@ -173,8 +160,8 @@ TEST(PubSub, OutlivesItsNodeInSilence) {
     const TestDomain domain;
     auto node = nodeIn(domain);
     Inbox inbox;
-    const auto subscription = node->subscribe({"/k/odom", Type, reliable(1)}, inbox.callback());
-    const auto publisher = node->publisher({"/k/odom", Type, reliable(1)});
+    const auto subscription = node->subscribe({"/k/odom", TestType, reliable(1)}, inbox.callback());
+    const auto publisher = node->publisher({"/k/odom", TestType, reliable(1)});
     node.reset();
     const auto written = (*publisher)->write(testPayload(10, 1));
     ASSERT_FALSE(written);

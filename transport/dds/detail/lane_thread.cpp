@@ -65,8 +65,10 @@ bool LaneThread::serve(const Readers& readers, const efd::ConditionSeq& active) 
         const bool due = reader->unfinished ||
                          std::any_of(active.begin(), active.end(),
                                      [&](const auto* one) { return one == reader->conditionAddress(); });
-        if (!due || m_stop) continue;
-        reader->unfinished = reader->deliver(SamplesInTurn);
+        reader->unfinished = due;
+        for (int i = 0; i < SamplesInTurn && reader->unfinished && !m_stop; ++i) {
+            reader->unfinished = reader->deliver();
+        }
         more = more || reader->unfinished;
     }
     return more;

@@ -30,9 +30,8 @@ Result<void> Reader::open() {
 }
 
 void Reader::close() {
-    const std::scoped_lock lock(m_use);
-    if (m_closed) return;
     m_closed = true;
+    const std::scoped_lock lock(m_use);
     if (m_reader != nullptr) m_participant.deleteReader(*this, m_reader);
     m_reader = nullptr;
     const std::scoped_lock countsLock(m_countsMutex);
@@ -65,16 +64,14 @@ void Reader::count(const ReceivedSample& sample) {
     last = std::max(last, sample.writerSequence);
 }
 
-bool Reader::deliver(int most) {
+bool Reader::deliver() {
+    if (m_closed) return false;  // before the lock: who closes must not wait for one sample after the other
     const std::scoped_lock lock(m_use);
-    for (int i = 0; i < most; ++i) {
-        if (m_closed) return false;
-        ReceivedSample sample;
-        if (!take(sample)) return false;
-        count(sample);
-        m_callback(std::move(sample));
-    }
-    return !m_closed;
+    ReceivedSample sample;
+    if (m_closed || !take(sample)) return false;
+    count(sample);
+    m_callback(std::move(sample));
+    return true;
 }
 
 SubscriptionCounts Reader::counts() const {

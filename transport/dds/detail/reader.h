@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -27,8 +28,8 @@ public:
     /// Leaves the topic. Waits for a callback that runs on another thread; may be called by the callback
     /// itself.
     void close();
-    /// Calls back with at most @p most samples; true when there may be more. On a lane's thread.
-    [[nodiscard]] bool deliver(int most);
+    /// Calls back with one sample, if there is one: whether there was. On a lane's thread.
+    [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
@@ -49,7 +50,7 @@ private:
     const ReaderSettings m_settings;
     const SampleCallback m_callback;
     std::recursive_mutex m_use;  // held while the reader is used and calls back
-    bool m_closed = false;       // by m_use
+    std::atomic<bool> m_closed = false;
     DataReader* m_reader = nullptr;
     eprosima::fastdds::dds::StatusCondition* m_condition = nullptr;
     mutable std::mutex m_countsMutex;

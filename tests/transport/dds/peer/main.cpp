@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
     settings.domain = std::stoi(argv[2]);
     settings.name = options.contains("name") ? options.at("name") : "peer";
     settings.multicast = number(options, "multicast", 1) != 0;
+    settings.lease = number(options, "lease", 20);
     if (options.contains("peers")) settings.initialPeers = {options.at("peers")};
     if (options.contains("server")) settings.discoveryServer = options.at("server");
     if (options.contains("interface")) settings.interfaces = {options.at("interface")};
