@@ -11,7 +11,7 @@ constexpr int ChannelTolerance = 32;
 constexpr double DifferingShare = 0.01;
 
 QString goldenFile(const std::string& name) {
-    const auto folder = std::filesystem::path(__FILE__).parent_path() / "golden";
+    const auto folder = std::filesystem::path(LEITSTAND_SOURCE_DIR) / "tests/widgets/map_view/golden";
     return QString::fromStdString((folder / (name + ".png")).string());
 }
 
