@@ -1,0 +1,259 @@
+#include "tests/support/samples.h"
+
+#include <numeric>
+
+namespace leitstand::test {
+namespace {
+
+using std::chrono::nanoseconds;
+
+Time at(std::int64_t seconds, std::int64_t ns) {
+    return Time(std::chrono::seconds(seconds) + nanoseconds(ns));
+}
+
+SampleHeader header() {
+    return {at(1'700'000'001, 123'456'789), "lidar"};
+}
+
+/// Quarter turns about all axes: exact as matrix and as quaternion.
+Pose pose(double x) {
+    Pose pose = Pose::Identity();
+    pose.linear() = Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5).toRotationMatrix();
+    pose.translation() = Eigen::Vector3d(x, x + 0.25, x + 0.5);
+    return pose;
+}
+
+template <std::size_t N>
+std::array<double, N> counted(double first) {
+    std::array<double, N> values;
+    std::iota(values.begin(), values.end(), first);
+    return values;
+}
+
+SharedBytes countedBytes(std::size_t count) {
+    std::vector<std::byte> bytes(count);
+    for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::byte>(i * 7 + 1);
+    return sharedBytes(std::move(bytes));
+}
+
+CloudSample cloud() {
+    CloudSample cloud{header(), 2, 3, {}, {}, {}, {}};
+    for (int i = 0; i < 6; ++i) {
+        const auto f = static_cast<float>(i);
+        cloud.points.push_back({f + 0.5F, f - 2.25F, 0.125F * f});
+        cloud.intensities.push_back(f * 10.0F);
+        cloud.times.push_back(i * 1'000'001);
+        cloud.rings.push_back(i / 3 + 100);
+    }
+    return cloud;
+}
+
+ImuSample imu() {
+    ImuSample imu;
+    imu.header = header();
+    imu.orientation = Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5);
+    imu.angularVelocity = Eigen::Vector3d(1.0, 2.0, 3.0);
+    imu.linearAcceleration = Eigen::Vector3d(4.0, 5.0, 9.81);
+    imu.orientationCovariance = counted<9>(1);
+    imu.angularVelocityCovariance = counted<9>(11);
+    imu.linearAccelerationCovariance = counted<9>(21);
+    return imu;
+}
+
+PictureSample picture(bool compressed) {
+    PictureSample picture;
+    picture.header = header();
+    picture.compressed = compressed;
+    if (compressed) {
+        picture.encoding = "jpeg";
+        picture.content = sharedBytes({std::byte{0xff}, std::byte{0xd8}, std::byte{0xff}, std::byte{7}});
+        return picture;
+    }
+    picture.encoding = "bgr8";
+    picture.width = 4;
+    picture.height = 2;
+    picture.step = 13;
+    picture.content = countedBytes(26);
+    return picture;
+}
+
+BatterySample battery() {
+    BatterySample battery;
+    battery.header = header();
+    battery.voltage = 24.5;
+    battery.current = -3.25;
+    battery.charge = 7.5;
+    battery.capacity = 10.0;
+    battery.fraction = 0.75;
+    battery.temperature = 31.5;
+    battery.status = BatterySample::Status::Discharging;
+    battery.location = "rear";
+    return battery;
+}
+
+VictimSample victim() {
+    using State = VictimSign::State;
+    VictimSample victim;
+    victim.stamp = at(1'700'000'100, 5);
+    victim.station = "station-1";
+    victim.number = 3;
+    victim.status = VictimSample::Status::Confirmed;
+    victim.found = at(1'700'000'090, 6);
+    victim.robot = "kurt3d";
+    victim.autonomous = true;
+    victim.scan = 12;
+    victim.positionInScan = {1.5, 2.5, -0.5};
+    victim.positionInMap = {11.5, 12.5, 0.25};
+    victim.deviation = 0.125;
+    victim.form = {State::Present, "arm", 1.0};
+    victim.motion = {State::Absent, "none", 2.0};
+    victim.heat = {State::Present, "hand", 33.5};
+    victim.sound = {State::Unknown, "", 4.0};
+    victim.co2 = {State::Present, "rising", 1800.0};
+    victim.situation = "void";
+    victim.tag = "R-17";
+    victim.area = "orange";
+    victim.text = "beneath the stairs";
+    victim.evidence = {{"picture", "/kurt3d/left/image/compressed", 4711, at(1'700'000'089, 7)},
+                       {"gas", "/kurt3d/co2", 4712, at(1'700'000'090, 8)}};
+    return victim;
+}
+
+KeyScanSample keyScan() {
+    Scan scan;
+    scan.name = "scan007";
+    scan.robot = "kurt3d";
+    scan.start = at(1'700'000'010, 1);
+    scan.end = at(1'700'000'012, 2);
+    scan.sensorInOdom = pose(3.0);
+    scan.hasOdometry = true;
+    scan.rows = 2;
+    scan.columns = 2;
+    scan.sweep = Sweep::Yawing;
+    scan.points = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}};
+    scan.intensities = {0.5F, 1.5F, 2.5F, 3.5F};
+    scan.labels = {Label::Floor, Label::Wall, Label::Ceiling, Label::Unlabelled};
+    return {at(1'700'000'013, 3), 7, std::make_shared<const Scan>(scan), pose(0.25), pose(5.0), 6};
+}
+
+std::vector<SampleCase> robotCases() {
+    using R = StreamRole;
+    const JointSample joints{header(), {"left", "right"}, {0.5, 1.5}, {2.5, 3.5}, {4.5, 5.5}};
+    const TwistSample stamped{at(1'700'000'002, 9), "base_link", {0.25, 0.5, 0.75}, {1.0, 1.25, 1.5}};
+    TwistSample twist = stamped;
+    twist.stamp.reset();
+    twist.frame.clear();
+    return {
+        {"sensor_msgs/msg/PointCloud2", R::Points, cloud()},
+        {"sensor_msgs/msg/LaserScan", R::Ranges,
+         RangesSample{header(), -1.5, 0.5, 0.25, 0.125, 0.0625, 30.0, {1, 2, 3, 4}, {5, 6, 7, 8}}},
+        {"nav_msgs/msg/Odometry", R::Odometry,
+         OdometrySample{
+             header(), "base_link", pose(1.0), {1, 2, 3}, {4, 5, 6}, counted<36>(1), counted<36>(51)}},
+        {"sensor_msgs/msg/Imu", R::Imu, imu()},
+        {"sensor_msgs/msg/JointState", R::Joints, joints},
+        {"tf2_msgs/msg/TFMessage", R::Transforms,
+         TransformsSample{{{header(), "camera", pose(2.0)}, {header(), "arm", pose(4.0)}}}},
+        {"sensor_msgs/msg/Image", R::Picture, picture(false)},
+        {"sensor_msgs/msg/CompressedImage", R::Picture, picture(true)},
+        {"sensor_msgs/msg/CameraInfo", R::CameraInfo,
+         CameraInfoSample{header(),
+                          640,
+                          480,
+                          "plumb_bob",
+                          {0.1, 0.2, 0.3, 0.4, 0.5},
+                          counted<9>(1),
+                          counted<9>(11),
+                          counted<12>(21),
+                          2,
+                          3,
+                          4,
+                          5,
+                          320,
+                          240}},
+        {"leitstand_msgs/msg/GasConcentration", R::Gas, GasSample{header(), "co2", 412.5}},
+        {"std_msgs/msg/Float32", R::Gas, GasSample{{}, "co2", 412.5}},
+        {"sensor_msgs/msg/BatteryState", R::Battery, battery()},
+        {"diagnostic_msgs/msg/DiagnosticArray", R::Diagnostics,
+         DiagnosticsSample{header(),
+                           {{DiagnosticStatus::Level::Error,
+                             "motor",
+                             "hot",
+                             "kurt3d/motor",
+                             {{"celsius", "91"}, {"limit", "80"}}}}}},
+        {"leitstand_msgs/msg/Mode", R::Mode,
+         ModeSample{header(), "explore", true, "asked", {"teleoperation", "explore"}}},
+        {"leitstand_msgs/msg/Bumps", R::Bumps,
+         BumpSample{header(), {{"front", true, 3}, {"rear", false, 1}}}},
+        {"leitstand_msgs/msg/Sightings", R::Sightings,
+         SightingSample{header(), {{4, "heat", {1.5, 2.5, 3.5}, 0.25, 0.75, 34.5, "warm"}}}},
+        {"leitstand_msgs/msg/StopState", R::StopState,
+         StopStateSample{header(), 17, "station-1", true, true, "no grant"}},
+        {"leitstand_msgs/msg/Pong", R::Pong,
+         PongSample{18, "station-1", at(1'700'000'003, 1), at(1'700'000'004, 2), at(1'700'000'005, 3)}},
+        {"geometry_msgs/msg/Twist", R::DriveCommand, twist},
+        {"geometry_msgs/msg/TwistStamped", R::DriveCommand, stamped},
+        {"leitstand_msgs/msg/StopCommand", R::StopCommand,
+         StopCommandSample{at(1'700'000'006, 4), "station-1", 19, true}},
+        {"leitstand_msgs/msg/ModeCommand", R::ModeCommand,
+         ModeCommandSample{at(1'700'000'007, 5), "station-1", "explore"}},
+        {"geometry_msgs/msg/PoseStamped", R::GoalPose, PoseSample{header(), pose(6.0)}},
+        {"leitstand_msgs/msg/StreamCommand", R::StreamCommand,
+         StreamCommandSample{at(1'700'000'008, 6), "station-1", "/kurt3d/left", true, 7.5, 60, 640}},
+        {"leitstand_msgs/msg/Ping", R::Ping, PingSample{20, "station-1", at(1'700'000'009, 7)}},
+    };
+}
+
+std::vector<SampleCase> stationCases() {
+    using std::nullopt;
+    const Time now = at(1'700'000'020, 8);
+    return {
+        {"leitstand_msgs/msg/Grant", nullopt,
+         GrantSample{now, "station-1", "Left desk", GrantSample::Kind::Camera, GrantSample::Action::Consent,
+                     "kurt3d", "station-2", 21}},
+        {"leitstand_msgs/msg/Victim", nullopt, victim()},
+        {"leitstand_msgs/msg/KeyScan", nullopt, keyScan()},
+        {"leitstand_msgs/msg/ScanPoses", nullopt,
+         ScanPosesSample{
+             now,
+             "station-1",
+             ScanPosesSample::Cause::LoopClosure,
+             {{7, pose(7.0), 0.01, 0.9, 0.8, 0.7, true}, {8, pose(8.0), 0.02, 0.6, 0.5, 0.4, false}}}},
+        {"leitstand_msgs/msg/MissionClock", nullopt,
+         ClockSample{now, "station-1", true, nanoseconds(61'000'000'001), nanoseconds(1'200'000'000'000)}},
+        {"leitstand_msgs/msg/ClockOffset", nullopt,
+         ClockOffsetSample{now, "kurt3d", nanoseconds(-5'000'000'001), nanoseconds(1'000),
+                           nanoseconds(20'000)}},
+        {"leitstand_msgs/msg/Undo", nullopt, UndoSample{now, "station-1", 22, "victim 3"}},
+        {"leitstand_msgs/msg/Checkpoint", nullopt, CheckpointSample{now, 23, 2, countedBytes(37)}},
+        {"leitstand_msgs/msg/Note", nullopt, NoteSample{now, "station-1", "kurt3d", "smoke"}},
+        {"leitstand_msgs/msg/Session", nullopt,
+         SessionSample{now, "station-1", "Left desk", true, "final", "0.1.0", 2}},
+        {"leitstand_msgs/msg/Alarm", nullopt,
+         AlarmSample{now, "station-1", "kurt3d", "link_lost", AlarmSample::Severity::Critical,
+                     AlarmSample::State::Acknowledged, "no odometry for 3 s"}},
+    };
+}
+
+}  // namespace
+
+SharedBytes sharedBytes(std::vector<std::byte> bytes) {
+    const auto owner = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+    return {owner, *owner};
+}
+
+StreamDescription SampleCase::stream() const {
+    StreamDescription stream;
+    stream.role = role.value();
+    stream.topic = "/kurt3d/" + toString(*role);
+    stream.type = type;
+    return stream;
+}
+
+std::vector<SampleCase> sampleCases() {
+    std::vector<SampleCase> cases = robotCases();
+    for (SampleCase& one : stationCases()) cases.push_back(std::move(one));
+    return cases;
+}
+
+}  // namespace leitstand::test
