@@ -170,7 +170,7 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     } else {
         auto& discovery = qos.wire_protocol().builtin.discovery_config;
         discovery.leaseDuration = duration(settings.lease);
-        discovery.leaseDuration_announcementperiod = duration(std::min(3.0, settings.lease / 3.0));
+        discovery.leaseDuration_announcementperiod = duration(std::min(1.0, settings.lease / 3.0));
     }
     if (!profiles || qos.name() == efd::DomainParticipantQos().name()) qos.name(settings.name);
     if (!profiles || !settings.interfaces.empty()) {

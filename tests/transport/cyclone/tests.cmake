@@ -1,0 +1,37 @@
+# Cyclone DDS as a peer that shares nothing with us but the IDL: its own generator, its own encoder.
+set(cyclone_dir ${CMAKE_CURRENT_SOURCE_DIR}/transport/cyclone)
+set(cyclone_out ${CMAKE_CURRENT_BINARY_DIR}/cyclone)
+set(idl_dir ${CMAKE_SOURCE_DIR}/transport/idl)
+file(GLOB idl_files CONFIGURE_DEPENDS ${idl_dir}/*.idl)
+file(GLOB idl_generator CONFIGURE_DEPENDS ${idl_dir}/generator/*.py)
+add_custom_command(OUTPUT ${cyclone_out}/peer_types.c ${cyclone_out}/our_types.cpp
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE}
+        ${cyclone_dir}/generate_fill.py ${cyclone_out} ${idl_dir} ${idl_files}
+    DEPENDS ${idl_files} ${idl_generator} ${cyclone_dir}/generate_fill.py
+    COMMENT "Making code that fills every message" VERBATIM)
+
+leitstand_test(cyclone_tests FOLDER transport/cyclone LABEL dds LIBS leitstand_transport fmt::fmt)
+target_sources(cyclone_tests PRIVATE ${cyclone_out}/our_types.cpp)
+
+find_package(CycloneDDS 0.10 QUIET)
+find_program(IDLC idlc)
+if(TARGET CycloneDDS::ddsc AND IDLC)
+    set(idlc_code)
+    foreach(idl ${idl_files})
+        cmake_path(GET idl STEM package)
+        add_custom_command(OUTPUT ${cyclone_out}/${package}.c ${cyclone_out}/${package}.h
+            COMMAND ${IDLC} -l c -x final -o ${cyclone_out} ${idl}
+            DEPENDS ${idl_files} COMMENT "idlc ${package}" VERBATIM)
+        list(APPEND idlc_code ${cyclone_out}/${package}.c ${cyclone_out}/${package}.h)
+    endforeach()
+    add_executable(cyclone_peer ${cyclone_dir}/peer/main.c ${cyclone_out}/peer_types.c ${idlc_code})
+    set_target_properties(cyclone_peer PROPERTIES C_STANDARD 11)
+    target_compile_options(cyclone_peer PRIVATE -Wall)
+    target_include_directories(cyclone_peer PRIVATE ${cyclone_out} ${cyclone_dir}/peer)
+    target_link_libraries(cyclone_peer PRIVATE CycloneDDS::ddsc)
+    target_compile_definitions(cyclone_tests PRIVATE CYCLONE_PEER="$<TARGET_FILE:cyclone_peer>")
+    add_dependencies(cyclone_tests cyclone_peer)
+else()
+    message(WARNING "Cyclone DDS was not found: the tests against it will be skipped")
+    target_compile_definitions(cyclone_tests PRIVATE CYCLONE_PEER="")
+endif()
