@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "transport/security/key_files.h"
+#include "transport/security/keys.h"
+#include "transport/security/openssl.h"
+
+namespace leitstand {
+
+/// The two authorities of a keystore with their private keys.
+struct Authorities {
+    openssl::Certificate identityCa, permissionsCa;
+    openssl::Key identityKey, permissionsKey;
+    std::string identityCaPem;  ///< the certificate, and the revocation list where there is one
+};
+
+/// Opens those of @p layout; makes them where the folder is empty or absent.
+[[nodiscard]] Result<Authorities> openAuthorities(const KeystoreLayout& layout, const KeySettings& settings);
+/// Opens those of @p layout, which must be there.
+[[nodiscard]] Result<Authorities> readAuthorities(const KeystoreLayout& layout);
+
+}  // namespace leitstand
