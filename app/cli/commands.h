@@ -13,5 +13,7 @@ namespace leitstand::cli {
 void addRegister(CLI::App& app, int& exitCode);
 /// `table1`: measures Table 1 of the paper anew.
 void addTable1(CLI::App& app, int& exitCode);
+/// `keys`: makes identities for a secured domain.
+void addKeys(CLI::App& app, int& exitCode);
 
 }  // namespace leitstand::cli

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     int exitCode = 0;
     leitstand::cli::addRegister(app, exitCode);
     leitstand::cli::addTable1(app, exitCode);
+    leitstand::cli::addKeys(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
