@@ -37,10 +37,11 @@ def _own_text(message):
 
 
 def definition(message, messages):
-    """Encoding "ros2msg" of rosbag2: the message, then each that it holds behind a line of 80 "="."""
+    """Encoding "ros2msg" of rosbag2: the message, then each that it holds behind a line of 80 "=", named as the
+    fields name it, since readers of bags compare the two."""
     parts = [_own_text(message)]
     for name in needed(message, messages):
-        parts.append('=' * 80 + f'\nMSG: {name}\n' + _own_text(messages[name]))
+        parts.append('=' * 80 + f'\nMSG: {name.replace("/msg/", "/")}\n' + _own_text(messages[name]))
     return ''.join(parts)
 
 

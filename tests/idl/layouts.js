@@ -1,0 +1,40 @@
+// layouts.js CATALOG: compares the message texts of our catalog (JSON: ROS name -> text) with those of the
+// package @foxglove/rosmsg-msgs-common: names, types, order, array lengths and constants of all fields.
+const fs = require("fs");
+const { ros2humble } = require("@foxglove/rosmsg-msgs-common");
+const { parseOurs, short } = require("./definitions.js");
+
+const catalog = JSON.parse(fs.readFileSync(process.argv[2], "utf8"));
+const faults = [];
+let compared = 0;
+
+// What of a field decides about its bytes, and about the meaning of its numbers.
+function layout({ name, type, isArray, arrayLength, arrayUpperBound, upperBound, isConstant, value }) {
+  return JSON.stringify({ name, type: short(type), isArray: !!isArray, arrayLength, arrayUpperBound, upperBound,
+                          isConstant: !!isConstant, value: isConstant ? Number(value) : undefined });
+}
+
+for (const [rosName, text] of Object.entries(catalog)) {
+  const [ours, ...held] = parseOurs(text); // of our own messages it is enough that all of them can be parsed
+  const held_names = held.map((one) => one.name);
+  for (const field of ours.definitions) {
+    if (field.isComplex && !held_names.includes(field.type)) faults.push(`${rosName}: ${field.type} is missing`);
+  }
+  if (rosName.startsWith("leitstand_msgs/")) continue;
+  const theirs = ros2humble[short(rosName)];
+  if (!theirs) {
+    faults.push(`${rosName}: the package does not know it`);
+    continue;
+  }
+  ++compared;
+  const our = ours.definitions.map(layout), their = theirs.definitions.map(layout);
+  for (let i = 0; i < Math.max(our.length, their.length); ++i) {
+    if (our[i] !== their[i]) faults.push(`${rosName}, field ${i}: ours ${our[i]}, theirs ${their[i]}`);
+  }
+}
+if (compared < 30) faults.push(`only ${compared} messages were compared`);
+console.log(`${compared} layouts compared`);
+if (faults.length > 0) {
+  console.error(faults.join("\n"));
+  process.exit(1);
+}
