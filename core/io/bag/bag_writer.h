@@ -64,7 +64,7 @@ class BagStore;
 /// and close() waits for the disk.
 class BagWriter {
 public:
-    /// Called on the writer's thread; must not call the writer.
+    /// Called on a thread of the writer's own; must not call close().
     using AlarmHandler = std::function<void(const BagAlarm&)>;
 
     /// Opens a new session in folder @p mission, which is made where it is absent; files of earlier sessions

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/bag/topic_info.h"
+#include "core/mission/raw_event.h"
+
+namespace leitstand::detail {
+
+/// What goes to the disk together: all of it or nothing.
+struct BagBatch {
+    std::vector<TopicInfo> topics;  ///< new ones
+    std::vector<RawEvent> events;   ///< rising sequences
+    bool metadata = false;          ///< whether the bag's metadata are brought up to date too
+    [[nodiscard]] bool empty() const { return topics.empty() && events.empty() && !metadata; }
+};
+
+/// Why a batch is not on the disk.
+struct StoreProblem {
+    enum class Kind : std::uint8_t {
+        DiskFull,  ///< try again when there is space
+        Refused,   ///< BagBatch::events[event] can never be written
+        Failed,
+    };
+    Kind kind = Kind::Failed;
+    std::string text;       ///< names the file
+    std::size_t event = 0;  ///< of Refused
+};
+
+/// Where a BagWriter puts what it has: the disk, or in tests one that is slow or full. One thread uses it;
+/// freeBytes() may be called from another.
+class BagStore {
+public:
+    virtual ~BagStore() = default;
+    /// Brings @p batch to the disk (fsync). Afterwards nothing of it is there when it fails.
+    [[nodiscard]] virtual std::optional<StoreProblem> commit(const BagBatch& batch) = 0;
+    /// Free space that an ordinary user may fill [B].
+    [[nodiscard]] virtual std::uint64_t freeBytes() = 0;
+    /// Makes the file self-contained and the metadata final.
+    [[nodiscard]] virtual std::optional<StoreProblem> close() = 0;
+    [[nodiscard]] virtual const std::filesystem::path& file() const = 0;
+    /// Last sequence of the sessions before this one.
+    [[nodiscard]] virtual std::uint64_t earlierSequence() const = 0;
+};
+
+}  // namespace leitstand::detail

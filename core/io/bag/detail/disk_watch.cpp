@@ -1,0 +1,68 @@
+#include "core/io/bag/detail/disk_watch.h"
+
+#include <fmt/format.h>
+
+namespace leitstand::detail {
+
+namespace {
+
+using std::chrono::duration;
+using std::chrono::seconds;
+
+constexpr auto Window = seconds(10);  // the rate is the mean over it
+constexpr auto Calm = seconds(5);     // without drops, until the alarm is over
+constexpr double Behind = 2.0;        // [s]
+
+}  // namespace
+
+void DiskWatch::measure(const DiskReading& reading) {
+    m_marks.push_back({reading.now, reading.writtenBytes});
+    while (m_marks.size() > 2 && reading.now - m_marks.front().time > Window) m_marks.pop_front();
+    const double elapsed = duration<double>(m_marks.back().time - m_marks.front().time).count();
+    if (elapsed > 0.0) {
+        m_rate = static_cast<double>(m_marks.back().bytes - m_marks.front().bytes) / elapsed;
+    }
+    const double left = static_cast<double>(reading.freeBytes) / m_rate / 60.0;
+    m_minutesLeft = reading.full ? 0.0 : m_rate > 0.0 ? left : std::numeric_limits<double>::infinity();
+}
+
+void DiskWatch::judge(BagAlarm::Kind kind, bool raised, const std::string& text,
+                      std::vector<BagAlarm>& changed) {
+    bool& before = m_raised[kind];
+    if (before == raised) return;
+    before = raised;
+    changed.push_back({kind, raised, m_minutesLeft, text});
+}
+
+std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
+    measure(reading);
+    if (reading.droppedPictures > m_droppedPictures) m_lastDrop = reading.now;
+    if (reading.lostEvents > m_lostEvents) m_lastLoss = reading.now;
+    m_droppedPictures = reading.droppedPictures;
+    m_lostEvents = reading.lostEvents;
+    const bool dropping = m_droppedPictures > 0 && reading.now - m_lastDrop < Calm;
+    const bool losing = m_lostEvents > 0 && reading.now - m_lastLoss < Calm;
+    const double megabytes = static_cast<double>(reading.queuedBytes) * 1e-6;
+
+    std::vector<BagAlarm> changed;
+    using Kind = BagAlarm::Kind;
+    // What is nearly over must not end and begin again with every reading.
+    const double margin = m_raised[Kind::DiskFilling] ? 1.2 : 1.0;
+    judge(Kind::DiskFilling, m_minutesLeft < m_alarmMinutes * margin,
+          fmt::format("{}: the disk is full in {:.0f} minutes at {:.1f} MB/s", reading.where, m_minutesLeft,
+                      m_rate * 1e-6),
+          changed);
+    judge(Kind::DiskFull, reading.full,
+          fmt::format("{}: the disk is full; {:.0f} MB wait in memory", reading.where, megabytes), changed);
+    judge(Kind::DiskSlow, !reading.full && (dropping || reading.secondsBehind > Behind),
+          fmt::format("{}: the disk does not keep up: {:.1f} s behind, {:.0f} MB wait, {} pictures dropped",
+                      reading.where, reading.secondsBehind, megabytes, reading.droppedPictures),
+          changed);
+    judge(Kind::EventsLost, losing,
+          fmt::format("{}: {} events that are no pictures are lost", reading.where, reading.lostEvents),
+          changed);
+    judge(Kind::Failed, !reading.failure.empty(), reading.failure, changed);
+    return changed;
+}
+
+}  // namespace leitstand::detail

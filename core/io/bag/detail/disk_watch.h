@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/io/bag/bag_writer.h"
+
+namespace leitstand::detail {
+
+/// What a writer knows of its disk at a moment.
+struct DiskReading {
+    std::chrono::steady_clock::time_point now{};
+    std::uint64_t writtenBytes = 0, freeBytes = 0;
+    std::uint64_t droppedPictures = 0, lostEvents = 0;
+    std::size_t queuedBytes = 0;
+    double secondsBehind = 0.0;  ///< age of the oldest event that is not on the disk [s]
+    bool full = false;           ///< the last attempt met a full disk
+    std::string failure;         ///< the last attempt failed otherwise; empty: it did not
+    std::string where;           ///< file
+};
+
+/// Turns readings into rate, minutes left and alarms that begin and end. Not thread-safe.
+class DiskWatch {
+public:
+    explicit DiskWatch(double alarmMinutes) : m_alarmMinutes(alarmMinutes) {}
+    /// The alarms that changed since the last reading.
+    [[nodiscard]] std::vector<BagAlarm> update(const DiskReading& reading);
+    [[nodiscard]] double bytesPerSecond() const { return m_rate; }
+    [[nodiscard]] double minutesLeft() const { return m_minutesLeft; }
+
+private:
+    struct Mark {
+        std::chrono::steady_clock::time_point time{};
+        std::uint64_t bytes = 0;
+    };
+    void measure(const DiskReading& reading);
+    void judge(BagAlarm::Kind kind, bool raised, const std::string& text, std::vector<BagAlarm>& changed);
+
+    double m_alarmMinutes;
+    double m_rate = 0.0, m_minutesLeft = std::numeric_limits<double>::infinity();
+    std::deque<Mark> m_marks;  // of the last seconds
+    std::map<BagAlarm::Kind, bool> m_raised;
+    std::uint64_t m_droppedPictures = 0, m_lostEvents = 0;
+    std::chrono::steady_clock::time_point m_lastDrop{}, m_lastLoss{};
+};
+
+}  // namespace leitstand::detail

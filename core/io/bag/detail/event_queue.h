@@ -1,0 +1,69 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/mission/raw_event.h"
+
+namespace leitstand::detail {
+
+/// Events that wait for the disk, bounded in bytes; which go first when they do not fit. Not thread-safe.
+/// What take() gave out still counts as waiting until settle().
+class EventQueue {
+public:
+    using Clock = std::chrono::steady_clock;
+    /// @p droppableBound: bytes that may wait when a picture comes; @p bound: when anything else comes [B].
+    EventQueue(std::size_t droppableBound, std::size_t bound)
+        : m_droppableBound(droppableBound), m_bound(bound) {}
+
+    /// Takes @p event, or drops it: a picture beyond the first bound, the rest beyond the second, for which
+    /// waiting pictures make room.
+    void push(RawEvent event, bool droppable, Clock::time_point now);
+    /// The oldest events, at least one and together about @p bytes.
+    [[nodiscard]] std::vector<RawEvent> take(std::size_t bytes);
+    /// An event of take() is written, or was dropped after all.
+    void settle(const RawEvent& event);
+    /// Whether pictures are dropped at once (a full disk), which empties the queue of them.
+    void refuseDroppables(bool refuse);
+    /// Counts @p event as dropped without taking it.
+    void drop(const RawEvent& event, bool droppable);
+
+    [[nodiscard]] bool empty() const { return m_events.empty(); }
+    /// When the oldest that waits came; @p otherwise when none does.
+    [[nodiscard]] Clock::time_point oldest(Clock::time_point otherwise) const {
+        return m_events.empty() ? otherwise : m_events.front().came;
+    }
+    [[nodiscard]] std::size_t waitingBytes() const { return m_waitingBytes; }  ///< not given out
+    [[nodiscard]] std::size_t bytes() const { return m_waitingBytes + m_takenBytes; }
+    [[nodiscard]] std::size_t events() const { return m_events.size() + m_taken; }
+    [[nodiscard]] const std::map<std::string, std::uint64_t>& dropped() const { return m_dropped; }
+    [[nodiscard]] std::uint64_t droppedPictures() const { return m_droppedPictures; }
+    [[nodiscard]] std::uint64_t lostEvents() const { return m_lost; }  ///< dropped, and no pictures
+    [[nodiscard]] std::uint64_t pushed() const { return m_pushed; }
+    [[nodiscard]] std::uint64_t settled() const { return m_settled; }  ///< of the pushed ones
+
+    /// Memory that @p event takes [B].
+    [[nodiscard]] static std::size_t sizeOf(const RawEvent& event);
+
+private:
+    struct Waiting {
+        RawEvent event;
+        bool droppable = false;
+        Clock::time_point came{};
+    };
+    void removeDroppables();
+
+    std::size_t m_droppableBound, m_bound;
+    std::deque<Waiting> m_events;
+    std::size_t m_waitingBytes = 0, m_takenBytes = 0, m_taken = 0, m_droppables = 0;
+    bool m_refuse = false;
+    std::map<std::string, std::uint64_t> m_dropped;
+    std::uint64_t m_droppedPictures = 0, m_lost = 0, m_pushed = 0, m_settled = 0;
+};
+
+}  // namespace leitstand::detail

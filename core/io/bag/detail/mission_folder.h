@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace leitstand::detail {
+
+/// A mission's folder held by one writer, for as long as this lives (flock: gone with the process).
+class FolderLock {
+public:
+    /// Locks @p folder; an error when another writer has it.
+    [[nodiscard]] static Result<FolderLock> take(const std::filesystem::path& folder);
+    /// Whether a writer has @p folder now.
+    [[nodiscard]] static bool isTaken(const std::filesystem::path& folder);
+    FolderLock(FolderLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
+    FolderLock& operator=(FolderLock&&) = delete;
+    ~FolderLock();
+
+private:
+    explicit FolderLock(int descriptor) : m_descriptor(descriptor) {}
+    int m_descriptor = -1;
+};
+
+/// Brings the entries of @p folder to the disk.
+void syncFolder(const std::filesystem::path& folder);
+
+/// A file of a bag and its number: 2 of "mission_2.db3".
+struct NumberedFile {
+    std::filesystem::path path;
+    std::optional<unsigned long> number;
+};
+
+/// The database files in @p folder by number, those without one last, by name.
+[[nodiscard]] Result<std::vector<NumberedFile>> databaseFiles(const std::filesystem::path& folder);
+
+}  // namespace leitstand::detail

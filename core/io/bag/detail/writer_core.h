@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/bag/bag_writer.h"
+#include "core/io/bag/detail/bag_store.h"
+#include "core/io/bag/detail/disk_watch.h"
+#include "core/io/bag/detail/event_queue.h"
+
+namespace leitstand::detail {
+
+/// The two threads of a BagWriter: one that waits for the disk, and one that watches how that goes, since a
+/// disk that hangs must not keep its alarm.
+class WriterCore {
+public:
+    WriterCore(std::unique_ptr<BagStore> store, const BagWriterSettings& settings,
+               BagWriter::AlarmHandler onAlarm);
+    ~WriterCore();
+
+    void addTopic(const TopicInfo& topic);
+    void write(RawEvent event);
+    [[nodiscard]] BagWriterStatistics statistics() const;
+    [[nodiscard]] Result<void> flush(std::chrono::milliseconds deadline);
+    [[nodiscard]] Result<void> close();
+    [[nodiscard]] const BagStore& store() const { return *m_store; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using TopicKey = std::pair<std::string, std::string>;  // name, type
+
+    void announce(const TopicInfo& topic);  // locked
+    void run();
+    [[nodiscard]] bool shallCommit(Clock::time_point now) const;  // locked
+    [[nodiscard]] std::optional<BagBatch> nextBatch();
+    void commit(BagBatch batch);
+    void settle(const BagBatch& batch);
+    void refuse(BagBatch& batch, std::size_t index);
+    void dropPictures(BagBatch& batch);
+    [[nodiscard]] bool waitToRetry();
+    void giveUp(const BagBatch& batch);
+
+    void watch();
+    [[nodiscard]] DiskReading reading();
+
+    std::unique_ptr<BagStore> m_store;
+    const BagWriterSettings m_settings;
+    const BagWriter::AlarmHandler m_onAlarm;
+
+    mutable std::mutex m_mutex;  // guards all below but the threads
+    std::condition_variable m_wake, m_settled, m_watchWake;
+    EventQueue m_queue;
+    std::map<TopicKey, bool> m_topics;  // known ones -> droppable
+    std::vector<TopicInfo> m_newTopics;
+    std::uint64_t m_lastSequence = 0;
+    Clock::time_point m_topicsCame{}, m_oldestTaken{}, m_lastMetadata{};
+    bool m_committing = false, m_flushing = false, m_stopping = false, m_watchStopping = false;
+    bool m_diskFull = false, m_closed = false;
+    std::string m_failure;  // of the last attempt; empty: it did not fail
+    std::uint64_t m_writtenEvents = 0, m_writtenBytes = 0, m_commits = 0, m_abandoned = 0;
+    Time m_lastCommit{};
+    double m_rate = 0.0, m_minutesLeft = std::numeric_limits<double>::infinity();
+
+    std::jthread m_writer, m_watcher;  // last: joined first
+};
+
+}  // namespace leitstand::detail
