@@ -35,9 +35,9 @@ struct BagSession {
 struct BagQuery {
     std::uint64_t fromSequence = 0;                                        ///< first that may come
     std::uint64_t toSequence = std::numeric_limits<std::uint64_t>::max();  ///< last that may come
-    std::optional<Time> from;                                              ///< receive time, inclusive
-    std::optional<Time> to;                                                ///< receive time, exclusive
-    std::vector<std::string> topics;                                       ///< empty: all
+    std::optional<Time> from{};                                            ///< receive time, inclusive
+    std::optional<Time> to{};                                              ///< receive time, exclusive
+    std::vector<std::string> topics{};                                     ///< empty: all
 };
 
 /// Events of a bag, one after the other. Must not outlive its reader.

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "core/io/bag/detail/bag_store.h"
-#include "core/io/bag/detail/sqlite_store.h"
-#include "core/io/bag/detail/writer_core.h"
+#include "core/io/bag/writing/bag_store.h"
+#include "core/io/bag/writing/sqlite_store.h"
+#include "core/io/bag/writing/writer_core.h"
 
 namespace leitstand {
 

@@ -1,4 +1,4 @@
-#include "core/io/bag/detail/disk_watch.h"
+#include "core/io/bag/writing/disk_watch.h"
 
 #include <fmt/format.h>
 

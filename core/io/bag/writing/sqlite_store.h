@@ -11,9 +11,9 @@
 
 #include "core/base/result.h"
 #include "core/io/bag/detail/bag_metadata.h"
-#include "core/io/bag/detail/bag_store.h"
 #include "core/io/bag/detail/mission_folder.h"
 #include "core/io/bag/detail/sqlite.h"
+#include "core/io/bag/writing/bag_store.h"
 
 namespace leitstand::detail {
 

@@ -14,9 +14,9 @@
 
 #include "core/base/result.h"
 #include "core/io/bag/bag_writer.h"
-#include "core/io/bag/detail/bag_store.h"
-#include "core/io/bag/detail/disk_watch.h"
-#include "core/io/bag/detail/event_queue.h"
+#include "core/io/bag/writing/bag_store.h"
+#include "core/io/bag/writing/disk_watch.h"
+#include "core/io/bag/writing/event_queue.h"
 
 namespace leitstand::detail {
 

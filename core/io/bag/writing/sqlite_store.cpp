@@ -1,4 +1,4 @@
-#include "core/io/bag/detail/sqlite_store.h"
+#include "core/io/bag/writing/sqlite_store.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // The watching half of WriterCore: statistics and alarms.
-#include "core/io/bag/detail/writer_core.h"
+#include "core/io/bag/writing/writer_core.h"
 
 namespace leitstand::detail {
 

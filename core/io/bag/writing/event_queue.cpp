@@ -1,4 +1,4 @@
-#include "core/io/bag/detail/event_queue.h"
+#include "core/io/bag/writing/event_queue.h"
 
 #include <utility>
 

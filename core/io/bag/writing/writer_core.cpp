@@ -1,4 +1,4 @@
-#include "core/io/bag/detail/writer_core.h"
+#include "core/io/bag/writing/writer_core.h"
 
 #include <algorithm>
 

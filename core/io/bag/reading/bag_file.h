@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/io/bag/topic_info.h"
+#include "core/mission/raw_event.h"
+
+namespace leitstand::detail {
+
+/// A topic as one file has it.
+struct FileTopic {
+    TopicInfo info;
+    std::optional<std::uint64_t> messages;  ///< empty: not counted
+};
+
+/// A row of the table messages.
+struct BagRow {
+    std::uint64_t id = 0;
+    std::int64_t topic = 0;  ///< key of BagFile::topics
+    Time received{};
+    Payload cdr;
+};
+
+/// What the files of a bag have in common, and how they are read.
+struct BagFileFacts {
+    std::map<std::int64_t, FileTopic> topics;  ///< by id
+    std::uint64_t firstId = 0, lastId = 0;     ///< of messages; 0: none
+    Time first{}, last{};                      ///< receive times
+    bool ours = false;                         ///< ordered by id, else by time
+    bool closed = true;                        ///< its writer finished it
+    std::vector<std::string> problems;
+};
+
+/// Which rows to read.
+struct RowQuery {
+    Time afterTime = Time::min();  ///< where order is by time: the last row read
+    std::uint64_t afterId = 0;     ///< the last row read
+    std::uint64_t lastId = std::numeric_limits<std::int64_t>::max();
+    Time toTime = Time::max();                     ///< exclusive
+    std::optional<std::set<std::int64_t>> topics;  ///< empty: all
+};
+
+/// One file of a bag, read by SQLite or by us.
+class BagFile {
+public:
+    virtual ~BagFile() = default;
+    [[nodiscard]] const BagFileFacts& facts() const { return m_facts; }
+
+    enum class Outcome { More, End, Broken };
+    /// Appends the next rows to @p rows, some dozens at most. Broken: the file is damaged behind them.
+    [[nodiscard]] virtual Outcome fetch(const RowQuery& query, std::vector<BagRow>& rows) = 0;
+    /// The row of @p id.
+    [[nodiscard]] virtual std::optional<BagRow> row(std::uint64_t id, bool& broken) = 0;
+    /// The newest row of @p topics up to and with @p id. Broken (@p broken set): the file is damaged.
+    [[nodiscard]] virtual std::optional<BagRow> lastUpTo(const std::set<std::int64_t>& topics,
+                                                         std::uint64_t id, bool& broken) = 0;
+    /// The first id received at or after @p time; 0 when there is none.
+    [[nodiscard]] virtual std::uint64_t idAt(Time time, bool& broken) = 0;
+    /// Counts the messages of each topic.
+    virtual void count() = 0;
+    /// What was met and could not be read since the last call.
+    [[nodiscard]] virtual std::vector<std::string> newProblems() { return {}; }
+
+protected:
+    BagFileFacts m_facts;
+};
+
+/// Rows with an id above this make no sense: sequences of a bag are numbered on from file to file.
+inline constexpr std::uint64_t MaxId = 1'000'000'000'000'000;
+
+/// No message is longer; what a damaged file says beyond that is not believed [B].
+inline constexpr std::uint64_t MaxMessageBytes = 256U << 20U;
+
+/// The limits of one fetch().
+inline constexpr std::size_t FetchRows = 64, FetchBytes = 8U << 20U;
+
+}  // namespace leitstand::detail

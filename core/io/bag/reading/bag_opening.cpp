@@ -1,0 +1,153 @@
+#include "core/io/bag/reading/bag_opening.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/io/bag/detail/mission_folder.h"
+#include "core/io/bag/reading/salvaged_file.h"
+#include "core/io/bag/reading/sqlite_file.h"
+
+namespace leitstand::detail {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t MaxMetadataBytes = 16U << 20U;
+
+/// What metadata.yaml in @p folder says, when there is one that can be read.
+std::optional<BagMetadata> readMetadata(const fs::path& folder, std::vector<std::string>& problems) {
+    const fs::path file = folder / "metadata.yaml";
+    std::error_code problem;
+    const auto size = fs::file_size(file, problem);
+    if (problem) {
+        problems.push_back(file.string() + ": is missing or cannot be read; the files were asked instead");
+        return std::nullopt;
+    }
+    if (size > MaxMetadataBytes) {
+        problems.push_back(
+            fmt::format("{}: expected at most {} bytes, found {}", file.string(), MaxMetadataBytes, size));
+        return std::nullopt;
+    }
+    std::ifstream in(file, std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    auto metadata = parseMetadata(text.str(), file.string());
+    if (metadata) return std::move(metadata).value();
+    problems.push_back(metadata.error().text);
+    return std::nullopt;
+}
+
+/// Bags that we cannot read, told by their metadata or their files.
+Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>& metadata, bool anyDatabase) {
+    if (metadata && !metadata->compression.empty()) {
+        return Error{
+            fmt::format("{}: expected an uncompressed bag, found compression \"{}\"; `ros2 bag convert` "
+                        "writes one without",
+                        folder.string(), metadata->compression)};
+    }
+    if (metadata && metadata->storage != "sqlite3" && !anyDatabase) {
+        return Error{
+            fmt::format("{}: expected a bag in SQLite files (sqlite3), found storage \"{}\"; `ros2 bag "
+                        "convert` turns it into one",
+                        folder.string(), metadata->storage)};
+    }
+    if (anyDatabase) return {};
+    std::error_code problem;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        const auto ending = entry->path().extension();
+        if (ending == ".mcap" || ending == ".zstd") {
+            return Error{fmt::format("{}: expected a bag in SQLite files (.db3), found {}", folder.string(),
+                                     entry->path().filename().string())};
+        }
+    }
+    return Error{folder.string() + ": expected a bag: metadata.yaml and files that end in .db3"};
+}
+
+Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, bool locked) {
+    std::string firstError;
+    for (const NumberedFile& file : files) {
+        BagPart part{.path = file.path};
+        part.live = locked && &file == &files.back();
+        auto opened = openFile(file.path, part.live, part.damaged);
+        if (!opened) {
+            bag.problems.push_back(opened.error().text);
+            if (firstError.empty()) firstError = opened.error().text;
+            continue;
+        }
+        part.file = std::move(opened).value();
+        const auto& problems = part.file->facts().problems;
+        bag.problems.insert(bag.problems.end(), problems.begin(), problems.end());
+        bag.parts.push_back(std::move(part));
+    }
+    if (bag.parts.empty()) return Error{firstError};
+    return {};
+}
+
+void numberOn(std::vector<BagPart>& parts) {
+    std::uint64_t last = 0;
+    for (BagPart& part : parts) {
+        const BagFileFacts& facts = part.file->facts();
+        if (facts.lastId == 0) {
+            part.offset = last;
+            if (facts.ours) part.offset = 0;
+            continue;
+        }
+        part.offset = facts.firstId > last ? 0 : last;
+        last = facts.lastId + part.offset;
+    }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool& damaged) {
+    std::error_code problem;
+    const auto size = fs::file_size(path, problem);
+    if (problem) return Error{fmt::format("{}: cannot be opened: {}", path.string(), problem.message())};
+    if (size == 0) return Error{path.string() + ": expected an SQLite database, found an empty file"};
+    auto opened = SqliteFile::open(path, live);
+    if (opened) return std::shared_ptr<BagFile>(std::move(opened).value());
+    if (live) return opened.error();  // its pages are changing
+    auto salvaged = SalvagedFile::open(path, opened.error().text);
+    if (!salvaged) return salvaged.error();
+    damaged = true;
+    return std::shared_ptr<BagFile>(std::move(salvaged).value());
+}
+
+Result<OpenBag> openBag(const fs::path& path) {
+    OpenBag bag{.path = path};
+    std::error_code problem;
+    const fs::file_status status = fs::status(path, problem);
+    if (!fs::exists(status)) return Error{path.string() + ": expected a bag's folder or file, found nothing"};
+    if (!fs::is_directory(status)) {
+        const auto ending = path.extension();
+        if (ending == ".mcap" || ending == ".zstd") {
+            return Error{path.string() + ": expected a bag in SQLite files (.db3)"};
+        }
+        if (!fs::is_regular_file(status))
+            return Error{path.string() + ": expected a folder or a regular file"};
+        const fs::path folder = fs::absolute(path, problem).parent_path();
+        bool locked = FolderLock::isTaken(folder);
+        if (locked) {
+            const auto files = databaseFiles(folder);
+            locked = files && !files->empty() && fs::equivalent(files->back().path, path, problem);
+        }
+        if (auto opened = openParts(bag, {{path, std::nullopt}}, locked); !opened) return opened.error();
+        numberOn(bag.parts);
+        return bag;
+    }
+    auto files = databaseFiles(path);
+    if (!files) return files.error();
+    bag.metadata = readMetadata(path, bag.problems);
+    if (auto kind = checkKind(path, bag.metadata, !files->empty()); !kind) return kind.error();
+    if (auto opened = openParts(bag, *files, FolderLock::isTaken(path)); !opened) return opened.error();
+    numberOn(bag.parts);
+    return bag;
+}
+
+}  // namespace leitstand::detail
