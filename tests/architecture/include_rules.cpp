@@ -81,7 +81,8 @@ std::optional<std::string_view> includedHeader(std::string_view line) {
 }
 
 bool isProject(std::string_view header) {
-    for (const std::string_view top : {"core/", "transport/", "robots/", "widgets/", "app/", "tests/"}) {
+    for (const std::string_view top :
+         {"core/", "transport/", "robots/", "widgets/", "app/", "tests/", "fuzz/"}) {
         if (header.starts_with(top)) return true;
     }
     return false;

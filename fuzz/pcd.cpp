@@ -1,0 +1,9 @@
+#include "core/io/pcd.h"
+#include "fuzz/input_file.h"
+#include "fuzz/scan_checks.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace leitstand;
+    fuzz::checkReading(readPcd(fuzz::InputFile(data, size).path()));
+    return 0;
+}
