@@ -32,7 +32,7 @@ enum class Lane : std::uint8_t { Small, Large };
 struct ReaderSettings {
     std::string topic = {};  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
     std::string type = {};   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
-    Qos qos = {};
+    Qos qos = {};            ///< depth: at least 16 are kept between network and callback
     Lane lane = Lane::Small;
 };
 

@@ -11,6 +11,10 @@ namespace efd = eprosima::fastdds::dds;
 using eprosima::fastrtps::Duration_t;
 
 constexpr int MostKept = 5000;  // samples of a keep_all history
+// A reliable Fast DDS reader that may keep one sample only is stuck after a loss: the newer sample waits for
+// the lost one to be given up, and there is no room for the next. Over a link with 5 % loss, one of two is
+// lost then.
+constexpr int LeastKeptByReaders = 16;
 
 /// What readers and writers have in common.
 template <class EndpointQos>
@@ -52,7 +56,9 @@ void keepSound(efd::DataWriterQos& qos) {
 
 efd::DataReaderQos readerQos(const Qos& qos) {
     efd::DataReaderQos made;
-    apply(qos, made);
+    Qos roomy = qos;
+    if (qos.depth > 0) roomy.depth = std::max(qos.depth, LeastKeptByReaders);
+    apply(roomy, made);
     // A reader's own lifespan would count from the writer's clock: one second of difference, and all is lost.
     keepSound(made);
     return made;

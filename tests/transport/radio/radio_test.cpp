@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/child_process.h"
+#include "tests/support/net/radio_link.h"
+#include "tests/transport/dds/test_node.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1,
+                           static_cast<std::size_t>(share * static_cast<double>(values.size())))];
+}
+
+/// What a robot said at its end.
+struct RobotReport {
+    unsigned points = 0, odom = 0;
+    std::size_t commands = 0;
+    double p50 = 0.0, p99 = 0.0, worst = 0.0;
+};
+
+/// One robot behind the radio link and what the station hears of it.
+class RobotLink {
+public:
+    RobotLink(Node& station, const RadioLink& radio, int domain, const std::string& name, int seconds,
+              const std::vector<std::string>& options, bool transientPoints)
+        : m_name(name) {
+        const std::string prefix = "/" + name + "/";
+        const auto listen = [&](const std::string& topic, const Qos& qos, Lane lane,
+                                SampleCallback callback) {
+            m_subscriptions.push_back(
+                must(station.subscribe({prefix + topic, TestType, qos, lane}, std::move(callback))));
+        };
+        listen("points", transientPoints ? transientLocal(600) : reliable(600), Lane::Large,
+               [this](auto sample) {
+                   const std::scoped_lock lock(m_mutex);
+                   m_points.insert(seedOf(sample));
+                   ++m_pointSamples;
+               });
+        listen("odom", bestEffort(), Lane::Small, [this](auto sample) {
+            const std::chrono::duration<double, std::milli> delay = sample.event.received - sample.sourceTime;
+            const std::scoped_lock lock(m_mutex);
+            m_odometryDelays.push_back(delay.count());
+        });
+        for (const char* topic : {"imu", "tf"}) listen(topic, bestEffort(), Lane::Small, [](auto) {});
+        for (const char* topic : {"left", "ir", "omni"}) {
+            listen(std::string(topic) + "/image/compressed", bestEffort(), Lane::Large,
+                   [this](auto) { ++m_pictures; });
+        }
+        Qos command;
+        command.lifespan = 0.3;
+        m_commands = must(station.publisher({prefix + "cmd_vel", TestType, command, Flow::Immediate}));
+        const InNamespace there(radio.robots());
+        std::vector<std::string> words = {std::to_string(domain), name, std::to_string(seconds)};
+        words.insert(words.end(), options.begin(), options.end());
+        m_process = std::make_unique<ChildProcess>(RADIO_ROBOT, words);
+    }
+
+    [[nodiscard]] bool said(const std::string& word) const {
+        return m_process->out().find(word) != std::string::npos;
+    }
+    void command() { static_cast<void>(m_commands->write(testPayload(60, ++m_commandsSent))); }
+    [[nodiscard]] std::size_t points() const {
+        const std::scoped_lock lock(m_mutex);
+        return m_points.size();
+    }
+    [[nodiscard]] RobotReport report() const {
+        RobotReport told;
+        const std::string out = m_process->out();
+        const auto begin = out.find("points ");
+        if (begin == std::string::npos) return told;
+        std::sscanf(out.c_str() + begin, "points %u odom %u commands %zu p50 %lf p99 %lf worst %lf",
+                    &told.points, &told.odom, &told.commands, &told.p50, &told.p99, &told.worst);
+        return told;
+    }
+    [[nodiscard]] double odometryP99() const {
+        const std::scoped_lock lock(m_mutex);
+        return quantile(m_odometryDelays, 0.99);
+    }
+    void print() const {
+        const std::scoped_lock lock(m_mutex);
+        const RobotReport told = report();
+        std::printf(
+            "%s: points %zu of %u (%zu twice): p50 %.2f s, p99 %.2f s, odometry %zu of %u: p50 %.1f ms, p99 "
+            "%.1f ms, commands %zu of "
+            "%u: p50 %.1f ms, p99 %.1f ms, worst %.1f ms, pictures %d\n",
+            m_name.c_str(), m_points.size(), told.points, m_pointDelays.size() - m_points.size(),
+            quantile(m_pointDelays, 0.5), quantile(m_pointDelays, 0.99), m_odometryDelays.size(), told.odom,
+            quantile(m_odometryDelays, 0.5), quantile(m_odometryDelays, 0.99), told.commands, m_commandsSent,
+            told.p50, told.p99, told.worst, m_pictures.load());
+    }
+
+private:
+    std::string m_name;
+    mutable std::mutex m_mutex;
+    std::set<std::uint32_t> m_points;
+    std::vector<double> m_pointDelays;     // [s]
+    std::vector<double> m_odometryDelays;  // [ms]
+    std::atomic<int> m_pictures = 0;
+    std::uint32_t m_commandsSent = 0;
+    std::vector<std::unique_ptr<Subscription>> m_subscriptions;
+    std::unique_ptr<Publisher> m_commands;
+    std::unique_ptr<ChildProcess> m_process;
+};
+
+/// A station and two robots with the streams of design section 4 on a link of 10 Mbit/s, 20 ms, 5 % loss.
+class Radio : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const std::string why = whyNoNamespaces(); !why.empty()) {
+            GTEST_SKIP() << "SKIPPED: the radio link needs network namespaces and TUN: " << why;
+        }
+        m_radio.emplace();
+        m_here.emplace(m_radio->station());
+    }
+    void start(int seconds, NodeSettings settings = {}, bool transientPoints = false) {
+        m_station = nodeIn(m_domain, settings);
+        std::vector<std::string> options = {"lease=" + std::to_string(static_cast<int>(settings.lease))};
+        if (transientPoints) options.emplace_back("transient");
+        for (const char* name : {"kurt3d", "crawler"}) {
+            m_robots.push_back(std::make_unique<RobotLink>(*m_station, *m_radio, m_domain.number(), name,
+                                                           seconds, options, transientPoints));
+        }
+        ASSERT_TRUE(waitUntil([&] { return all("begin"); })) << "the robots were not found over the link";
+    }
+    [[nodiscard]] bool all(const std::string& word) const {
+        return std::all_of(m_robots.begin(), m_robots.end(),
+                           [&](const auto& robot) { return robot->said(word); });
+    }
+    /// Sends commands at 20 Hz until @p condition holds.
+    template <class Condition>
+    bool driveUntil(Condition condition, std::chrono::milliseconds atMost) {
+        auto next = std::chrono::steady_clock::now();
+        return waitUntil(
+            [&] {
+                if (std::chrono::steady_clock::now() >= next) {
+                    for (const auto& robot : m_robots) robot->command();
+                    next += 50ms;
+                }
+                return condition();
+            },
+            atMost);
+    }
+    void expectAllPoints(std::chrono::milliseconds atMost) {
+        const auto complete = [&] {
+            return std::all_of(m_robots.begin(), m_robots.end(), [](const auto& robot) {
+                return robot->report().points > 0 && robot->points() >= robot->report().points;
+            });
+        };
+        EXPECT_TRUE(waitUntil(complete, atMost)) << "slices are missing";
+        for (const auto& robot : m_robots) {
+            robot->print();
+            EXPECT_EQ(robot->points(), robot->report().points);
+        }
+        std::printf("radio: %.1f MB delivered, %llu packets dropped by full queues\n",
+                    1e-6 * static_cast<double>(m_radio->bytes()),
+                    static_cast<unsigned long long>(m_radio->congested()));
+    }
+    /// Lets the streams run for two seconds, breaks the link for @p gap, and lets them end.
+    void driveThroughAGap(std::chrono::seconds gap) {
+        ASSERT_TRUE(waitUntil([&] { return m_robots[0]->points() >= 20 && m_robots[1]->points() >= 20; }));
+        m_radio->setOutage(true);
+        const auto end = std::chrono::steady_clock::now() + gap;
+        EXPECT_FALSE(driveUntil([&] { return std::chrono::steady_clock::now() > end + 1h; }, gap));
+        m_radio->setOutage(false);
+        EXPECT_TRUE(driveUntil([&] { return all("end"); }, 60s));
+        expectAllPoints(60s);
+    }
+
+    TestDomain m_domain;
+    std::optional<RadioLink> m_radio;
+    std::optional<InNamespace> m_here;
+    std::unique_ptr<Node> m_station;
+    std::vector<std::unique_ptr<RobotLink>> m_robots;
+};
+
+using RadioLatency = Radio;
+using RadioLong = Radio;
+
+TEST_F(RadioLatency, OdometryAndCommandsAreQuickAndEverySliceArrives) {
+    start(15);
+    EXPECT_TRUE(driveUntil([&] { return all("end"); }, 30s));
+    expectAllPoints(20s);
+    for (const auto& robot : m_robots) {
+        EXPECT_GT(robot->report().commands, 200U);
+        EXPECT_LT(robot->report().p99, 60.0);
+        EXPECT_LT(robot->odometryP99(), 60.0);
+    }
+}
+
+TEST_F(Radio, NoSliceIsLostInAGapOf6Seconds) {
+    start(12);
+    driveThroughAGap(6s);
+}
+
+TEST_F(RadioLong, NoSliceIsLostInAGapOf30Seconds) {
+    start(40);
+    driveThroughAGap(30s);
+}
+
+}  // namespace
+}  // namespace leitstand::test
