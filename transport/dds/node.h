@@ -18,9 +18,9 @@ namespace leitstand {
 
 /// One sample as it came over the wire.
 struct ReceivedSample {
-    RawEvent event;                    ///< topic, type, bytes as received, receive time; not yet numbered
-    Guid writer;                       ///< who wrote it
-    Time sourceTime;                   ///< when it was written, writer's clock; 0 when not told
+    RawEvent event;   ///< topic, type, bytes as received, time when it was complete here; not yet numbered
+    Guid writer;      ///< who wrote it
+    Time sourceTime;  ///< when it was written, writer's clock; 0 when not told
     std::uint64_t writerSequence = 0;  ///< number of the sample at its writer, from 1: gaps are losses
 };
 using SampleCallback = std::function<void(ReceivedSample)>;

@@ -43,8 +43,9 @@ public:
         listen("points", transientPoints ? transientLocal(600) : reliable(600), Lane::Large,
                [this](auto sample) {
                    const std::scoped_lock lock(m_mutex);
+                   const std::chrono::duration<double> delay = sample.event.received - sample.sourceTime;
                    m_points.insert(seedOf(sample));
-                   ++m_pointSamples;
+                   m_pointDelays.push_back(delay.count());
                });
         listen("odom", bestEffort(), Lane::Small, [this](auto sample) {
             const std::chrono::duration<double, std::milli> delay = sample.event.received - sample.sourceTime;

@@ -1,5 +1,8 @@
 #include "transport/dds/detail/reader.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
@@ -45,7 +48,9 @@ bool Reader::take(ReceivedSample& sample) {
         if (!info.valid_data || !raw.cdr) continue;
         sample.event.topic = m_settings.topic;
         sample.event.type = m_settings.type;
-        sample.event.received = timeOf(info.reception_timestamp);
+        // Fast DDS's own reception time is that of the first piece of a sample: a slice may take seconds
+        // more.
+        sample.event.received = std::chrono::system_clock::now();
         sample.event.cdr = std::move(raw.cdr);
         sample.writer = guidOf(info.sample_identity.writer_guid());
         sample.sourceTime = timeOf(info.source_timestamp);
