@@ -7,7 +7,7 @@ from pathlib import Path
 PRIMITIVES = {'boolean', 'octet', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64',
               'float', 'double', 'string'}
 
-TOKEN = re.compile(r'\s+|//[^\n]*|(?P<word>[A-Za-z_][\w:]*)|(?P<number>-?\d+)|(?P<sign>[{}<>;=\[\]])')
+TOKEN = re.compile(r'\s+|//[^\n]*|@final\b|(?P<word>[A-Za-z_][\w:]*)|(?P<number>-?\d+)|(?P<sign>[{}<>;=\[\]])')
 
 
 class IdlError(Exception):
