@@ -1,0 +1,198 @@
+#pragma once
+
+#include <bit>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace leitstand {
+
+static_assert(std::endian::native == std::endian::little, "the bytes of checkpoints are little-endian");
+
+/// Appends @p size bytes.
+void append(std::vector<std::byte>& to, const void* bytes, std::size_t size);
+/// Moves the first @p size bytes of @p from to @p into; false when there are not so many.
+[[nodiscard]] bool extract(std::span<const std::byte>& from, void* into, std::size_t size);
+
+/// Turns values into bytes, or bytes into values; types describe themselves once for both by a free function
+/// `describe(archive, value)` that names their fields: `archive(value.a, value.b)`. Reading believes nothing:
+/// after the first thing that makes no sense, ok() is false and values stay as they are.
+template <bool Writing>
+class Archive {
+public:
+    static constexpr bool Writes = Writing;
+
+    Archive() requires Writing = default;
+    explicit Archive(std::span<const std::byte> bytes) requires(!Writing) : m_rest(bytes) {}
+
+    [[nodiscard]] bool ok() const { return m_ok; }
+    [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
+    void fail() { m_ok = false; }
+
+    template <class... Fields>
+    void operator()(Fields&... fields) {
+        (one(fields), ...);
+    }
+
+private:
+    template <class T>
+    static constexpr bool Plain = std::is_floating_point_v<T> ||
+                                  (std::is_integral_v<T> && !std::same_as<T, bool>);
+
+    void raw(void* bytes, std::size_t size) {
+        if constexpr (Writing) {
+            append(m_bytes, bytes, size);
+        } else {
+            m_ok = m_ok && extract(m_rest, bytes, size);
+        }
+    }
+
+    /// A count of things of which each takes at least a byte.
+    std::size_t count(std::size_t size) {
+        auto number = static_cast<std::uint32_t>(size);
+        raw(&number, sizeof number);
+        if (!Writing && number > m_rest.size()) m_ok = false;
+        return m_ok ? number : 0;
+    }
+
+    template <class T>
+    requires Plain<T>
+    void one(T& value) { raw(&value, sizeof value); }
+
+    void one(bool& value) {
+        std::uint8_t byte = value ? 1 : 0;
+        raw(&byte, 1);
+        if (byte > 1) m_ok = false;
+        value = byte == 1;
+    }
+
+    /// Enumerations end with the value that lastOf() tells.
+    template <class T>
+    requires std::is_enum_v<T>
+    void one(T& value) {
+        auto number = static_cast<std::uint8_t>(value);
+        raw(&number, 1);
+        if (number > static_cast<std::uint8_t>(lastOf(value))) {
+            m_ok = false;
+        } else {
+            value = static_cast<T>(number);
+        }
+    }
+
+    template <class Rep, class Period>
+    void one(std::chrono::duration<Rep, Period>& value) {
+        std::int64_t number = value.count();
+        raw(&number, sizeof number);
+        value = std::chrono::duration<Rep, Period>(number);
+    }
+    template <class Clock, class Duration>
+    void one(std::chrono::time_point<Clock, Duration>& value) {
+        Duration since = value.time_since_epoch();
+        one(since);
+        value = std::chrono::time_point<Clock, Duration>(since);
+    }
+
+    void one(std::string& value) {
+        const std::size_t size = count(value.size());
+        if constexpr (!Writing) value.resize(size);
+        raw(value.data(), size);
+    }
+
+    template <int Rows>
+    void one(Eigen::Matrix<double, Rows, 1>& value) {
+        for (int i = 0; i < Rows; ++i) raw(&value[i], sizeof(double));
+    }
+    void one(Eigen::Quaterniond& value) { one(value.coeffs()); }
+    void one(Eigen::Isometry3d& value) {
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 4; ++column) raw(&value.matrix()(row, column), sizeof(double));
+        }
+    }
+
+    template <class T>
+    void one(std::optional<T>& value) {
+        bool there = value.has_value();
+        one(there);
+        if (!there || !m_ok) {
+            if constexpr (!Writing) value.reset();
+            return;
+        }
+        if constexpr (!Writing) value.emplace();
+        one(*value);
+    }
+
+    template <class T>
+    void one(std::vector<T>& values) {
+        const std::size_t size = count(values.size());
+        if constexpr (Writing) {
+            for (T& value : values) one(value);
+        } else {
+            for (std::size_t i = 0; i < size && m_ok; ++i) one(values.emplace_back());
+        }
+    }
+
+    template <class Key, class Value>
+    void one(std::map<Key, Value>& values) {
+        const std::size_t size = count(values.size());
+        if constexpr (Writing) {
+            for (auto& [key, value] : values) {
+                Key copy = key;
+                (*this)(copy, value);
+            }
+        } else {
+            for (std::size_t i = 0; i < size && m_ok; ++i) {
+                Key key{};
+                one(key);
+                const auto [place, fresh] = values.try_emplace(std::move(key));
+                if (!fresh) m_ok = false;
+                one(place->second);
+            }
+        }
+    }
+
+    template <class A, class B>
+    void one(std::pair<A, B>& value) {
+        (*this)(value.first, value.second);
+    }
+    template <class... T>
+    void one(std::tuple<T...>& value) {
+        std::apply([this](auto&... parts) { (*this)(parts...); }, value);
+    }
+
+    template <class... T>
+    void one(std::variant<T...>& value) {
+        auto index = static_cast<std::uint8_t>(value.index());
+        raw(&index, 1);
+        if constexpr (!Writing) {
+            if (!emplace(value, index, std::index_sequence_for<T...>{})) m_ok = false;
+        }
+        if (m_ok) std::visit([this](auto& content) { one(content); }, value);
+    }
+    template <class Variant, std::size_t... Index>
+    static bool emplace(Variant& value, std::size_t wanted, std::index_sequence<Index...>) {
+        return ((wanted == Index && (value.template emplace<Index>(), true)) || ...);
+    }
+
+    template <class T>
+    requires requires(Archive& archive, T& value) { describe(archive, value); }
+    void one(T& value) { describe(*this, value); }
+
+    std::vector<std::byte> m_bytes;     // written
+    std::span<const std::byte> m_rest;  // to be read
+    bool m_ok = true;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "core/mission/event.h"
+#include "core/mission/fold.h"
+
+namespace leitstand::test {
+
+/// A moment of the tests' station, @p milliseconds after its mission began.
+[[nodiscard]] Time at(std::int64_t milliseconds);
+/// @p sample as event @p sequence, of @p robot (empty: the station's own).
+[[nodiscard]] Event event(std::uint64_t sequence, Sample sample, const std::string& robot = {});
+/// A victim as filed, a pose of a key scan, an undo.
+[[nodiscard]] VictimSample victim(std::uint32_t number, const std::string& text);
+[[nodiscard]] ScanPosesSample moved(std::uint64_t scan, double x);
+[[nodiscard]] KeyScanSample keyScan(std::uint64_t id, double x);
+[[nodiscard]] UndoSample undo(std::uint64_t sequence);
+
+/// A random mission: everything a fold handles, in any order, with undo of whatever comes to mind.
+[[nodiscard]] std::vector<Event> randomMission(unsigned seed, std::size_t events);
+
+/// A log in memory that holds @p events and a checkpoint every so often.
+class MemoryHistory final : public MissionHistory {
+public:
+    explicit MemoryHistory(std::vector<Event> events) : m_events(std::move(events)) {}
+    [[nodiscard]] std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) override;
+    void events(std::uint64_t after, std::uint64_t upTo,
+                const std::function<void(const Event&)>& take) override;
+    [[nodiscard]] std::size_t given() const { return m_given; }  ///< events that were asked for
+
+private:
+    std::vector<Event> m_events;
+    std::size_t m_given = 0;
+};
+
+}  // namespace leitstand::test

@@ -1,0 +1,151 @@
+#include "core/mission/fold.h"
+
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/mission/event_stream.h"
+
+namespace leitstand {
+namespace {
+
+using test::at;
+using test::event;
+using test::keyScan;
+using test::moved;
+using test::undo;
+using test::victim;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+MissionState folded(const std::vector<Event>& events) {
+    Fold fold;
+    for (const Event& event : events) fold.add(event);
+    return fold.state();
+}
+
+TEST(Fold, KeepsWhatARobotSaidLast) {
+    BatterySample battery;
+    battery.voltage = 24.0;
+    OdometrySample odometry;
+    odometry.header.stamp = at(5);
+    odometry.baseInOdom.translation().x() = 2.0;
+    const MissionState state = folded(
+        {event(1, OdometrySample{}, "kurt3d"), event(2, odometry, "kurt3d"), event(3, battery, "kurt3d"),
+         event(4,
+               ModeSample{.header = {}, .mode = "explore", .autonomous = true, .reason = {}, .available = {}},
+               "crawler")});
+    ASSERT_THAT(state.robots, SizeIs(2));
+    const RobotState& kurt = *state.robots.at("kurt3d");
+    EXPECT_EQ(kurt.odometry->sample.baseInOdom.translation().x(), 2.0);
+    EXPECT_EQ(kurt.battery->sample.voltage, 24.0);
+    EXPECT_EQ(state.robots.at("crawler")->mode->sample.mode, "explore");
+    const StreamState& stream = kurt.streams.at(event(1, OdometrySample{}, "kurt3d").topic);
+    EXPECT_EQ(stream.events, 2U);
+    EXPECT_EQ(stream.received, at(20));
+    EXPECT_EQ(stream.stamp, at(5));
+    EXPECT_EQ(state.first, at(10));
+    EXPECT_EQ(state.last, at(40));
+    EXPECT_EQ(state.events, 4U);
+}
+
+TEST(Fold, IsPure) {
+    const MissionState before = folded({event(1, victim(1, "a"))});
+    const auto bytes = serialised(before);
+    const MissionState after = fold(before, event(2, victim(1, "b")));
+    EXPECT_EQ(serialised(before), bytes);
+    EXPECT_EQ(before.victims->at(1).victim.text, "a");
+    EXPECT_EQ(after.victims->at(1).victim.text, "b");
+}
+
+TEST(Fold, TheNewestFormOfAVictimCountsAndUndoTakesItBack) {
+    std::vector<Event> events = {event(1, victim(1, "a")), event(2, victim(1, "b")), event(3, victim(2, "c")),
+                                 event(4, undo(2))};
+    EXPECT_EQ(folded(events).victims->at(1).victim.text, "a");
+    events.push_back(event(5, undo(1)));
+    EXPECT_THAT(*folded(events).victims, SizeIs(1));
+    events.push_back(event(6, undo(4)));  // b is there again, a is not
+    const MissionState state = folded(events);
+    EXPECT_EQ(state.victims->at(1).victim.text, "b");
+    EXPECT_EQ(state.victims->at(1).filed, 2U);
+    EXPECT_TRUE(decisionAt(state, 4)->undone);
+    EXPECT_THAT(*state.remarks, IsEmpty());
+    events.push_back(event(7, undo(6)));
+    EXPECT_THAT(*folded(events).victims, SizeIs(1));
+}
+
+TEST(Fold, UndoOfSomethingUnknownIsTold) {
+    BatterySample battery;
+    battery.voltage = 24.0;
+    const MissionState state =
+        folded({event(1, OdometrySample{}, "kurt3d"), event(2, undo(1)), event(3, undo(77)),
+                event(4, undo(4)), event(5, victim(1, "a")), event(6, undo(5)), event(7, undo(5))});
+    ASSERT_THAT(*state.remarks, SizeIs(4));
+    EXPECT_THAT((*state.remarks)[0].text, HasSubstr("undo of event 1"));
+    EXPECT_THAT((*state.remarks)[1].text, HasSubstr("undo of event 77"));
+    EXPECT_THAT((*state.remarks)[3].text, HasSubstr("undone already"));
+    EXPECT_THAT(*state.victims, IsEmpty());
+}
+
+TEST(Fold, CorrectionsMoveScansAndTheVictimsThatHangOnThem) {
+    VictimSample filed = victim(1, "a");
+    filed.scan = 1;
+    filed.positionInScan = {1.0, 0.0, 0.0};
+    ScanPosesSample correction = moved(1, 0.0);
+    correction.poses[0].scanInMap.translation().y() = 5.0;
+    std::vector<Event> events = {event(1, keyScan(1, 0.0)), event(2, filed), event(3, correction)};
+    EXPECT_TRUE(positionInMap(folded(events), filed).isApprox(Eigen::Vector3d(1, 5, 0)));
+    EXPECT_EQ(folded(events).keyScans->at(1).sequence, 1U);
+    EXPECT_EQ(folded(events).keyScans->at(1).entry.points, 100U);
+    events.push_back(event(4, undo(3)));
+    EXPECT_TRUE(positionInMap(folded(events), filed).isApprox(Eigen::Vector3d(1, 0, 0)));
+    events.push_back(event(5, undo(1)));
+    EXPECT_THAT(*folded(events).keyScans, IsEmpty());
+}
+
+TEST(Fold, GrantsFollowTheHigherTerm) {
+    GrantSample hold{.stamp = {},
+                     .station = "a",
+                     .title = "A",
+                     .kind = GrantSample::Kind::Drive,
+                     .action = GrantSample::Action::Hold,
+                     .robot = "kurt3d",
+                     .other = {},
+                     .term = 2};
+    GrantSample older = hold;
+    older.station = "b";
+    older.term = 1;
+    const MissionState state = folded({event(1, hold), event(2, older)});
+    const MissionState::GrantKey key{GrantSample::Kind::Drive, "kurt3d"};
+    EXPECT_EQ(state.grants->at(key).station, "a");
+    hold.action = GrantSample::Action::Release;
+    EXPECT_EQ(fold(state, event(3, hold)).grants->at(key).station, "");
+}
+
+TEST(Fold, EventsOutOfOrderAreToldAndLeftOut) {
+    const MissionState state =
+        folded({event(5, victim(1, "a")), event(5, victim(1, "b")), event(4, victim(2, "c"))});
+    EXPECT_THAT(*state.remarks, SizeIs(2));
+    EXPECT_EQ(state.victims->at(1).victim.text, "a");
+    EXPECT_EQ(state.events, 1U);
+}
+
+TEST(Fold, SnapshotsStayAsTheyWereWhileTheFoldGoesOn) {
+    Fold fold;
+    const auto events = test::randomMission(3, 600);
+    std::vector<std::jthread> readers;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        fold.add(events[i]);
+        if (i % 50 != 0) continue;
+        readers.emplace_back([snapshot = fold.snapshot()] {
+            const auto bytes = serialised(*snapshot);
+            const MissionState copy = *snapshot;
+            EXPECT_EQ(serialised(copy), bytes);
+        });
+    }
+}
+
+}  // namespace
+}  // namespace leitstand
