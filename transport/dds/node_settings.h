@@ -49,9 +49,11 @@ struct NodeSettings {
     /// those named after a topic ("/kurt3d/points" or "rt/kurt3d/points") the QoS of its readers and writers.
     bool useXmlProfiles = true;
     std::optional<SecurityFiles> security = {};  ///< none: open to everyone in the domain
-    /// A participant that was silent for so long is forgotten by the others [s]; what a radio gap shorter
-    /// than this kept back still arrives afterwards.
-    double lease = 20.0;
+    /// A participant that was silent for so long is forgotten by the others [s]. What a shorter radio gap
+    /// kept back arrives afterwards, as far as the writers' histories reach; after a longer one only what is
+    /// transient local (a gap of 30 s with a lease of 20 s costs every volatile slice of it). One that ends
+    /// in order is forgotten at once, and data tells earlier than the lease that somebody is silent.
+    double lease = 100.0;
     /// Set for a link of 10 Mbit/s that two robots share: p99 of odometry and commands stays at 40 ms beside
     /// scans and pictures; at 2 ms for all it is 50 ms. With security on, pieces should be larger: 7500 B a
     /// 20 ms.

@@ -208,5 +208,12 @@ TEST_F(RadioLong, NoSliceIsLostInAGapOf30Seconds) {
     driveThroughAGap(30s);
 }
 
+TEST_F(RadioLong, TransientLocalSlicesOutlastEvenTheLease) {
+    NodeSettings settings;
+    settings.lease = 20.0;
+    start(40, settings, true);
+    driveThroughAGap(30s);
+}
+
 }  // namespace
 }  // namespace leitstand::test

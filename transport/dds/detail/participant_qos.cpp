@@ -28,6 +28,7 @@ constexpr const char* ProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
 constexpr const char* MulticastGroup = "239.255.0.1";  // of discovery: RTPS 2.2, section 9.6.1.4
 constexpr std::uint16_t ServerPort = 11811;
 constexpr std::uint32_t PeersPerHost = 10;
+constexpr int SecurePiece = 7500;  // [B] smaller ones spend the link on signatures
 
 rtps::Locator_t locator(const std::string& address, std::uint32_t port) {
     rtps::Locator_t made;
@@ -93,7 +94,11 @@ Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos&
     }
 }
 
-void addFlow(Flow flow, const FlowLimit& limit, efd::DomainParticipantQos& qos) {
+void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos& qos) {
+    if (secure && limit.bytes > 0 && limit.bytes < SecurePiece) {
+        limit.milliseconds = limit.milliseconds * SecurePiece / limit.bytes;
+        limit.bytes = SecurePiece;
+    }
     const auto controller = std::make_shared<FlowControllerDescriptor>();
     controller->name = flowControllerName(flow);
     controller->max_bytes_per_period = limit.bytes;
@@ -178,9 +183,9 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     }
     if (auto added = addPeers(settings, qos); !added) return added.error();
     if (auto added = addServers(settings, qos); !added) return added.error();
-    addFlow(Flow::Telemetry, settings.telemetryLimit, qos);
-    addFlow(Flow::Scans, settings.scanLimit, qos);
-    addFlow(Flow::Pictures, settings.pictureLimit, qos);
+    addFlow(Flow::Telemetry, settings.telemetryLimit, settings.security.has_value(), qos);
+    addFlow(Flow::Scans, settings.scanLimit, settings.security.has_value(), qos);
+    addFlow(Flow::Pictures, settings.pictureLimit, settings.security.has_value(), qos);
     if (settings.security) {
         if (auto added = addSecurity(*settings.security, qos); !added) return added.error();
     }
