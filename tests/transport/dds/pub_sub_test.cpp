@@ -145,10 +145,10 @@ TEST(PubSub, LossesAreCountedByTheWritersNumbers) {
     ASSERT_TRUE(waitUntil([&] { return (*subscription)->counts().writers == 1; }));
     ASSERT_TRUE((*publisher)->write(testPayload(10, 1)));
     ASSERT_TRUE(inbox.waitFor(1));
-    for (std::uint32_t i = 2; i <= 11; ++i) ASSERT_TRUE((*publisher)->write(testPayload(10, i)));
+    for (std::uint32_t i = 2; i <= 101; ++i) ASSERT_TRUE((*publisher)->write(testPayload(10, i)));
     blocked = false;
     ASSERT_TRUE(waitUntil([&] {
-        EXPECT_TRUE((*publisher)->write(testPayload(10, 12)));
+        EXPECT_TRUE((*publisher)->write(testPayload(10, 102)));
         return inbox.size() > 2;
     }));
     const auto all = inbox.samples();
