@@ -9,6 +9,7 @@
 namespace leitstand {
 namespace {
 
+constexpr std::size_t MostStructures = 100'000;
 constexpr std::size_t MostPadding = 7;  // after the last field, by senders that round their buffers up
 
 }  // namespace
@@ -55,6 +56,13 @@ std::size_t CdrReader::readCount(const char* field, std::size_t leastSize) {
     return count;
 }
 
+std::size_t CdrReader::readStructureCount(const char* field, std::size_t leastSize) {
+    const std::size_t count = readCount(field, leastSize);
+    if (count <= MostStructures) return count;
+    fail(fmt::format("{}: expected at most {} elements, found {}", field, MostStructures, count));
+    return 0;
+}
+
 void CdrReader::read(const char* field, bool& to) {
     std::uint8_t value = 0;
     read(field, value);
@@ -84,7 +92,7 @@ void CdrReader::read(const char* field, std::span<const std::byte>& to) {
 }
 
 void CdrReader::read(const char* field, std::vector<std::string>& to) {
-    to.resize(readCount(field, sizeof(std::uint32_t)));
+    to.resize(readStructureCount(field, sizeof(std::uint32_t)));
     for (std::string& text : to) {
         if (!ok()) return;
         read(field, text);

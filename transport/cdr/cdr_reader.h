@@ -15,8 +15,9 @@
 namespace leitstand {
 
 /// A cursor over a sample in XCDR1 with its encapsulation header, of either byte order. The first thing that
-/// does not fit ends it: all that is read afterwards stays as it was, and error() tells what was wrong. No
-/// count of the sender is believed before the bytes that it needs were seen.
+/// does not fit ends it: all that is read afterwards stays as it was, and finish() tells what was wrong. No
+/// count of the sender is believed before the bytes that it needs were seen; of texts and structures, which
+/// take more memory here than bytes there, a sequence has at most 100 000.
 class CdrReader {
 public:
     explicit CdrReader(std::span<const std::byte> sample);
@@ -49,7 +50,7 @@ public:
             to.resize(count);
             copy(from, to.data(), count);
         } else {
-            to.resize(readCount(field, T::LeastSize));
+            to.resize(readStructureCount(field, T::LeastSize));
             for (T& element : to) {
                 if (!ok()) return;
                 decode(*this, element);
@@ -66,6 +67,7 @@ private:
     const std::byte* take(const char* field, std::size_t alignment, std::size_t size);
     /// Count of a sequence whose elements take @p leastSize bytes each; 0 when it does not fit.
     std::size_t readCount(const char* field, std::size_t leastSize);
+    std::size_t readStructureCount(const char* field, std::size_t leastSize);
     void fail(std::string text);
 
     template <class T>

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/diagnostic_msgs.h"
+#include "messages/leitstand_msgs.h"
+#include "messages/sensor_msgs.h"
+#include "messages/tf2_msgs.h"
 #include "tests/transport/convert/allocations.h"
 #include "tests/transport/convert/conversion.h"
 
@@ -95,6 +99,36 @@ TEST(Hostile, GarbageNeverHarms) {
             ASSERT_NO_FATAL_FAILURE(decodeHostile(one, std::move(garbage)));
         }
     }
+}
+
+/// Decodes a message that @p fill made long, its cost measured.
+template <class Message, class Fill>
+void decodeLong(StreamRole role, Fill fill) {
+    Message message;
+    fill(message);
+    CdrWriter out;
+    encode(out, message);
+    const SampleCase one{Message::RosName, role, {}};
+    decodeHostile(one, std::move(out).finish());
+}
+
+TEST(Hostile, SequencesOfTheShortestElementsCostNoMoreThanOthers) {
+    using namespace wire;
+    for (const std::size_t count : {1'000u, 100'000u, 1'000'000u}) {
+        decodeLong<sensor_msgs::JointState>(StreamRole::Joints, [&](auto& m) { m.name.resize(count); });
+        decodeLong<diagnostic_msgs::DiagnosticArray>(StreamRole::Diagnostics,
+                                                     [&](auto& m) { m.status.resize(count); });
+        decodeLong<tf2_msgs::TFMessage>(StreamRole::Transforms, [&](auto& m) { m.transforms.resize(count); });
+        decodeLong<sensor_msgs::PointCloud2>(StreamRole::Points, [&](auto& m) { m.fields.resize(count); });
+        decodeLong<leitstand_msgs::Bumps>(StreamRole::Bumps, [&](auto& m) { m.bumpers.resize(count); });
+    }
+    sensor_msgs::JointState message;
+    message.name.resize(100'001);
+    CdrWriter out;
+    encode(out, message);
+    const SampleCase one{message.RosName, StreamRole::Joints, {}};
+    EXPECT_THAT(decodeCase(one, rawEvent(one, std::move(out).finish())).error().text,
+                HasSubstr("name: expected at most 100000 elements, found 100001"));
 }
 
 TEST(Hostile, OtherRepresentationsAndTypesAreRefusedWithWords) {

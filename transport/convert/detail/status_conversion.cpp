@@ -79,6 +79,7 @@ DiagnosticsSample fromWire(const wire::diagnostic_msgs::DiagnosticArray& from, c
     DiagnosticsSample to;
     to.header = checks.header(from.header);
     const std::string ours = source.stream == nullptr ? std::string() : source.stream->hardwareId;
+    to.statuses.reserve(from.status.size());
     for (const auto& one : from.status) {
         if (!one.hardware_id.starts_with(ours)) continue;
         DiagnosticStatus& status = to.statuses.emplace_back();
@@ -86,6 +87,7 @@ DiagnosticsSample fromWire(const wire::diagnostic_msgs::DiagnosticArray& from, c
         status.name = one.name;
         status.message = one.message;
         status.hardwareId = one.hardware_id;
+        status.values.reserve(one.values.size());
         for (const auto& value : one.values) status.values.emplace_back(value.key, value.value);
     }
     return to;
@@ -113,6 +115,7 @@ void toWire(const ModeSample& from, wire::leitstand_msgs::Mode& to, Buffer&, Che
 BumpSample fromWire(const wire::leitstand_msgs::Bumps& from, const Source&, Checks& checks) {
     BumpSample to;
     to.header = checks.header(from.header);
+    to.bumpers.reserve(from.bumpers.size());
     for (const auto& one : from.bumpers) to.bumpers.push_back({one.name, one.pressed, one.hits});
     return to;
 }
@@ -125,6 +128,7 @@ void toWire(const BumpSample& from, wire::leitstand_msgs::Bumps& to, Buffer&, Ch
 SightingSample fromWire(const wire::leitstand_msgs::Sightings& from, const Source&, Checks& checks) {
     SightingSample to;
     to.header = checks.header(from.header);
+    to.sightings.reserve(from.sightings.size());
     for (const auto& one : from.sightings) {
         checks.require(!(one.confidence < 0.0 || one.confidence > 1.0), "sightings.confidence",
                        "expected 0 to 1, found {}", one.confidence);
