@@ -3,12 +3,15 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
 
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/tum.h"
 #include "core/io/uos.h"
 #include "core/io/xyz.h"
+#include "core/mission/checkpoint.h"
+#include "core/mission/fold.h"
 #include "tests/support/samples.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/message_catalog.h"
@@ -85,6 +88,47 @@ void writeMessages(const fs::path& corpus) {
     }
 }
 
+/// States of a mission in which everything was said once, and nothing.
+void writeCheckpoints(const fs::path& corpus) {
+    MissionState state;
+    const auto text = [&] {
+        const auto bytes = serialised(state);
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+    write(corpus / "checkpoint/empty", text());
+    for (const test::SampleCase& one : test::sampleCases()) {
+        Event event;
+        event.sequence = state.sequence + 1;
+        event.received = Time(std::chrono::seconds(event.sequence));
+        event.robot = one.role ? "kurt3d" : "";
+        event.topic = one.role ? "/kurt3d/" + toString(*one.role) : "/leitstand/" + one.type;
+        event.role = one.role;
+        event.sample = one.sample;
+        state = fold(std::move(state), event);
+    }
+    write(corpus / "checkpoint/all", text());
+}
+
+/// A picture of 4 x 3 in every kind that fuzz_picture chooses.
+void writePictures(const fs::path& corpus) {
+    const cv::Mat colour(3, 4, CV_8UC3, cv::Scalar(200, 100, 50)), warm(3, 4, CV_16UC1, cv::Scalar(30'000));
+    std::vector<unsigned char> jpeg, png, thermal;
+    cv::imencode(".jpg", colour, jpeg);
+    cv::imencode(".png", colour, png);
+    cv::imencode(".png", warm, thermal);
+    const auto text = [](const std::vector<unsigned char>& file) {
+        return std::string(file.begin(), file.end());
+    };
+    const std::string unused(5, '\0');
+    write(corpus / "picture/jpeg", '\0' + unused + text(jpeg));
+    write(corpus / "picture/png", '\1' + unused + text(png));
+    write(corpus / "picture/thermal", '\1' + unused + text(thermal));
+    for (char choice = 2; choice < 10; ++choice) {
+        const std::string head = {choice, 4, 3, 4, 0, 0};  // rows of 16 bytes
+        write(corpus / "picture" / fmt::format("raw{}", int(choice)), head + std::string(48, '\x40'));
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,5 +141,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     writeMessages(argv[1]);
+    writePictures(argv[1]);
+    writeCheckpoints(argv[1]);
     return 0;
 }
