@@ -46,10 +46,10 @@ async function main() {
   }
   const { rosbag2_bagfile_information: metadata } = parseYaml(fs.readFileSync(metadataFile, "utf8"));
   for (const { topic_metadata: topic, message_count: number } of metadata.topics_with_message_count) {
-    if (read[topic.name] !== number) throw new Error(`metadata.yaml: ${topic.name}: ${number} messages`);
+    if (read[topic.name] !== Number(number)) throw new Error(`metadata.yaml: ${topic.name}: ${number} messages`);
     if (parseQosProfiles(topic.offered_qos_profiles).length !== 1) throw new Error(`${topic.name}: no QoS profile`);
   }
-  console.log(JSON.stringify({ topics: topics.length, messages: metadata.message_count,
+  console.log(JSON.stringify({ topics: topics.length, messages: Number(metadata.message_count),
     file: metadata.relative_file_paths[0] }));
   await bag.close();
 }

@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "tests/io/bag/sample_bags.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+using test::readAll;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Makes an SQLite file as @p sql tells.
+void makeDatabase(const fs::path& file, const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    char* problem = nullptr;
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &problem), SQLITE_OK) << problem;
+    sqlite3_close(database);
+}
+
+/// What rosbag2 wrote at @p version of its schema, with three messages whose times do not rise with their
+/// ids.
+std::string schema(int version) {
+    std::string sql =
+        "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, "
+        "serialization_format TEXT NOT NULL";
+    if (version >= 2) sql += ", offered_qos_profiles TEXT NOT NULL";
+    if (version >= 4) sql += ", type_description_hash TEXT NOT NULL";
+    sql +=
+        "); CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT "
+        "NULL, "
+        "data BLOB NOT NULL); CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
+    if (version >= 3) {
+        sql += fmt::format(
+            "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
+            "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, "
+            "metadata TEXT NOT NULL); INSERT INTO schema VALUES ({}, 'humble');",
+            version);
+    }
+    if (version >= 4) {
+        sql +=
+            "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding "
+            "TEXT NOT "
+            "NULL, encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);"
+            "INSERT INTO message_definitions VALUES (1, 'std_msgs/msg/String', 'ros2msg', 'string data', "
+            "'h');";
+    }
+    sql += fmt::format("INSERT INTO topics VALUES (5, '/talk', 'std_msgs/msg/String', 'cdr'{}{});",
+                       version >= 2 ? ", '- history: 1'" : "", version >= 4 ? ", 'RIHS01_x'" : "");
+    return sql +
+           "INSERT INTO messages VALUES (1, 5, 3000, x'00010000AA'), (2, 5, 1000, x'00010000BB'), "
+           "(3, 5, 2000, x'00010000CC');";
+}
+
+class ForeignBag : public testing::Test {
+protected:
+    ForeignBag() { fs::create_directory(m_bag); }
+    std::string errorOf(const fs::path& path) {
+        const auto reader = BagReader::open(path);
+        return reader ? "" : reader.error().text;
+    }
+
+    const test::TemporaryFolder m_folder;
+    const fs::path m_bag = m_folder / "bag";
+};
+
+TEST_F(ForeignBag, AllVersionsOfTheSchemaAreReadByTime) {
+    for (int version = 1; version <= 4; ++version) {
+        const auto file = m_bag / fmt::format("bag_{}.db3", version);
+        makeDatabase(file, schema(version));
+        const std::string before = test::fingerprint(m_bag);
+        const auto reader = test::opened(file);
+        ASSERT_NE(reader, nullptr);
+        EXPECT_THAT(reader->problems(), IsEmpty()) << version;
+        EXPECT_FALSE(reader->ours());
+        EXPECT_THAT(test::sequences(readAll(*reader)), ElementsAre(2, 3, 1)) << version;
+        EXPECT_EQ(reader->topics().at(0).info.name, "/talk");
+        EXPECT_EQ(reader->topics().at(0).messages, 3U);
+        EXPECT_EQ(reader->topics().at(0).info.definition, version >= 4 ? "string data" : "");
+        EXPECT_EQ(reader->first(), Time(std::chrono::nanoseconds(1'000)));
+        EXPECT_EQ(test::sequences(readAll(*reader, {.from = Time(std::chrono::nanoseconds(1'500))})),
+                  (std::vector<std::uint64_t>{3, 1}));
+        EXPECT_EQ(test::fingerprint(m_bag), before);
+    }
+    // Four files make one bag, numbered on.
+    EXPECT_EQ(test::sequences(readAll(*test::opened(m_bag))).size(), 12U);
+    EXPECT_EQ(test::opened(m_bag)->lastSequence(), 12U);
+    EXPECT_EQ(test::opened(m_bag)->event(12)->cdr->back(), std::byte{0xCC});
+}
+
+TEST_F(ForeignBag, AnInterruptedTransactionIsRolledBackInMemoryOnly) {
+    const auto file = m_bag / "bag_0.db3", copy = m_bag / "bag_1.db3";
+    makeDatabase(file, schema(3));
+    // A journal that SQLite finds "hot": taken while a big transaction had spilled into the file.
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(
+                  database,
+                  "PRAGMA cache_size = 5; BEGIN; UPDATE messages SET data = zeroblob(9); WITH RECURSIVE n(i) "
+                  "AS (SELECT 10 UNION ALL SELECT i + 1 FROM n WHERE i < 400) INSERT INTO messages SELECT i, "
+                  "5, i, zeroblob(5000) FROM n;",
+                  nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    fs::copy_file(file, copy);
+    fs::copy_file(file.string() + "-journal", copy.string() + "-journal");
+    sqlite3_close(database);
+    const std::string before = test::fingerprint(m_bag);
+    {
+        const auto reader = test::opened(copy);
+        ASSERT_NE(reader, nullptr);
+        const auto events = readAll(*reader);
+        EXPECT_THAT(test::sequences(events), ElementsAre(2, 3, 1));
+        EXPECT_EQ(events[0].cdr->back(), std::byte{0xBB});
+    }
+    EXPECT_EQ(test::fingerprint(m_bag), before);
+}
+
+TEST_F(ForeignBag, BagsOfOtherKindsAreNamed) {
+    EXPECT_THAT(errorOf(m_folder / "nothing"), HasSubstr("expected a bag's folder or file"));
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("expected a bag"));
+    test::writeText(m_bag / "bag_0.mcap", "x");
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("bag_0.mcap"));
+    EXPECT_THAT(errorOf(m_bag / "bag_0.mcap"), HasSubstr("SQLite"));
+    test::writeText(m_bag / "metadata.yaml", "rosbag2_bagfile_information:\n  storage_identifier: mcap\n");
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("found storage \"mcap\""));
+    makeDatabase(m_bag / "bag_0.db3", schema(4));
+    test::writeText(
+        m_bag / "metadata.yaml",
+        "rosbag2_bagfile_information:\n  storage_identifier: sqlite3\n  compression_format: zstd\n");
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("found compression \"zstd\""));
+    const auto other = m_folder / "other.db3";
+    makeDatabase(other, "CREATE TABLE cats(name TEXT); INSERT INTO cats VALUES ('Tom')");
+    EXPECT_THAT(errorOf(other), HasSubstr("expected the tables topics and messages"));
+}
+
+TEST_F(ForeignBag, WhatIsUnknownIsToldAndTheRestIsRead) {
+    makeDatabase(
+        m_bag / "bag_0.db3",
+        schema(4) +
+            "INSERT INTO topics VALUES (6, '/json', 'x/msg/Y', 'json', '', '');"
+            "INSERT INTO messages VALUES (4, 6, 4000, x'01'), (5, 77, 5000, x'02'), (-3, 5, 1, x'03'),"
+            "(6, 5, 6000, 'text'), (7, 5, 'late', x'00010000DD'), (9223372036854775807, 5, 9, x'04');");
+    const auto reader = test::opened(m_bag);
+    ASSERT_NE(reader, nullptr);
+    const auto events = readAll(*reader);
+    EXPECT_THAT(test::sequences(events), testing::IsSupersetOf({1U, 2U, 3U}));
+    for (const RawEvent& event : events) EXPECT_EQ(event.topic, "/talk");
+    EXPECT_THAT(reader->problems(), Contains(HasSubstr("topic number 77")));
+    EXPECT_THAT(reader->problems(), Contains(HasSubstr("/json: expected serialization \"cdr\"")));
+}
+
+TEST_F(ForeignBag, HostileSchemasAreErrorsOrRead) {
+    const std::string topics =
+        "CREATE TABLE topics(id INTEGER PRIMARY KEY, name, type, serialization_format);";
+    const char* messages[] = {
+        "CREATE VIEW messages AS SELECT 1 AS id, 1 AS topic_id, 1 AS timestamp, zeroblob(900000000) AS data;",
+        "CREATE TABLE messages(id INTEGER PRIMARY KEY);",
+        "CREATE TABLE messages(id TEXT, topic_id, timestamp, data); INSERT INTO messages VALUES ('x', 1, 2, "
+        "3);",
+        "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id, timestamp, data) WITHOUT ROWID;",
+        "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id, timestamp, data);"
+        "CREATE INDEX leitstand_topic_idx ON messages(data); INSERT INTO messages VALUES (1, 1, 1, 1);",
+    };
+    int number = 0;
+    for (const char* table : messages) {
+        const auto file = m_folder / fmt::format("hostile_{}.db3", number++);
+        makeDatabase(file, topics + table);
+        auto reader = BagReader::open(file);
+        if (!reader) continue;
+        (void)readAll(**reader);
+        (void)readAll(**reader, {.topics = {"/talk"}});
+        (void)(*reader)->sequenceAt(test::at(0));
+    }
+}
+
+}  // namespace
+}  // namespace leitstand
