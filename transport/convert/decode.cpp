@@ -132,6 +132,16 @@ void nameFrames(TransformsSample& sample, const RobotDescription& robot) {
 
 }  // namespace
 
+std::vector<std::string_view> typesFor(StreamRole role) {
+    StreamDescription stream;
+    stream.role = role;
+    std::vector<std::string_view> types;
+    for (const Entry& entry : entries()) {
+        if (serves(entry, &stream)) types.push_back(entry.type);
+    }
+    return types;
+}
+
 Result<Sample> decode(const RawEvent& event, const StreamDescription& stream) {
     return decodeFor(event, &stream);
 }

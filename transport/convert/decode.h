@@ -1,11 +1,17 @@
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "core/base/result.h"
 #include "core/mission/event.h"
 #include "core/mission/raw_event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+/// ROS types that a stream of @p role may have.
+[[nodiscard]] std::vector<std::string_view> typesFor(StreamRole role);
 
 /// What a sample on @p stream of a robot says, checked from end to end: its bytes against its counts, its
 /// fields and dimensions, its numbers. The error names topic, type and expectation. Frames stay as they were
