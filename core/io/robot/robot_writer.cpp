@@ -1,0 +1,148 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "core/io/robot/robot_file.h"
+#include "core/io/robot/robot_words.h"
+#include "core/robot/stream_defaults.h"
+
+namespace leitstand {
+namespace {
+
+/// The shortest text that reads back as @p value.
+std::string number(double value) {
+    return fmt::format("{}", value);
+}
+
+/// Degrees for people: what is meant to be 25 is not written as 24.999999999999996.
+std::string angle(double radians) {
+    return fmt::format("{:.12g}", inDegrees(radians));
+}
+
+void list(YAML::Emitter& out, const char* key, const std::vector<std::string>& values) {
+    out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const std::string& value : values) out << value;
+    out << YAML::EndSeq;
+}
+
+void entry(YAML::Emitter& out, const char* key, const std::string& value) {
+    out << YAML::Key << key << YAML::Value << value;
+}
+
+void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescription& sensor) {
+    const Eigen::Vector3d position = sensor.sensorInBase.translation();
+    const Eigen::Matrix3d r = sensor.sensorInBase.linear();
+    const double yaw = std::atan2(r(1, 0), r(0, 0)),
+                 pitch = std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
+                 roll = std::atan2(r(2, 1), r(2, 2));
+    out << YAML::Key << name << YAML::Value << YAML::BeginMap;
+    entry(out, "frame", sensor.frame);
+    list(out, "position", {number(position.x()), number(position.y()), number(position.z())});
+    list(out, "rotation", {angle(roll), angle(pitch), angle(yaw)});
+    out << YAML::EndMap;
+}
+
+void writeQos(YAML::Emitter& out, const Qos& qos) {
+    out << YAML::Key << "qos" << YAML::Value << YAML::Flow << YAML::BeginMap;
+    entry(out, "reliability", detail::wordFor(detail::reliabilityWords(), qos.reliability));
+    entry(out, "durability", detail::wordFor(detail::durabilityWords(), qos.durability));
+    entry(out, "depth", std::to_string(qos.depth));
+    if (qos.lifespan > 0.0) entry(out, "lifespan", number(qos.lifespan));
+    if (qos.deadline > 0.0) entry(out, "deadline", number(qos.deadline));
+    out << YAML::EndMap;
+}
+
+void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std::string& robot) {
+    const StreamDescription usual = defaultStream(stream.role, robot, stream.sensor);
+    out << YAML::BeginMap;
+    entry(out, "role", detail::wordFor(detail::roleWords(), stream.role));
+    if (!stream.sensor.empty()) entry(out, "sensor", stream.sensor);
+    entry(out, "topic", stream.topic);
+    entry(out, "type", stream.type);
+    writeQos(out, stream.qos);
+    if (stream.stamp != usual.stamp) entry(out, "stamp", detail::wordFor(detail::stampWords(), stream.stamp));
+    if (stream.role == StreamRole::Thermal) {
+        out << YAML::Key << "thermal" << YAML::Value << YAML::Flow << YAML::BeginMap;
+        entry(out, "scale", number(stream.thermal.scale));
+        entry(out, "offset", number(stream.thermal.offset));
+        entry(out, "measured", stream.thermal.measured ? "true" : "false");
+        out << YAML::EndMap;
+    }
+    if (stream.hardwareId != usual.hardwareId) entry(out, "hardware_id", stream.hardwareId);
+    if (!stream.record) entry(out, "record", "false");
+    out << YAML::EndMap;
+}
+
+void writeBody(YAML::Emitter& out, const RobotDescription& robot) {
+    out << YAML::Key << "footprint" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const Eigen::Vector2d& corner : robot.footprint) {
+        out << YAML::Flow << YAML::BeginSeq << number(corner.x()) << number(corner.y()) << YAML::EndSeq;
+    }
+    out << YAML::EndSeq << YAML::Comment("base frame, counter-clockwise [m]");
+    out << YAML::Key << "height" << YAML::Value << number(robot.height) << YAML::Comment("[m]");
+    out << YAML::Key << "limits" << YAML::Value << YAML::BeginMap;
+    out << YAML::Key << "roll" << YAML::Value << angle(robot.maxRoll)
+        << YAML::Comment("tips over beyond [degrees]");
+    out << YAML::Key << "pitch" << YAML::Value << angle(robot.maxPitch);
+    out << YAML::Key << "speed" << YAML::Value << number(robot.maxSpeed) << YAML::Comment("[m/s]");
+    out << YAML::Key << "turn_rate" << YAML::Value << angle(robot.maxTurnRate)
+        << YAML::Comment("[degrees/s]");
+    out << YAML::EndMap;
+}
+
+void writeMaps(YAML::Emitter& out, const RobotDescription& robot) {
+    if (!robot.bindings.empty()) {
+        out << YAML::Key << "bindings" << YAML::Value << YAML::BeginMap;
+        for (const auto& [action, control] : robot.bindings) entry(out, action.c_str(), control);
+        out << YAML::EndMap;
+    }
+    if (!robot.linkLoss.empty()) {
+        out << YAML::Key << "link_loss" << YAML::Value << YAML::BeginMap;
+        for (const auto& [mode, rule] : robot.linkLoss) {
+            entry(out, mode.c_str(), detail::wordFor(detail::linkLossWords(), rule));
+        }
+        out << YAML::EndMap;
+    }
+}
+
+}  // namespace
+
+std::string writeRobot(const RobotDescription& given) {
+    RobotDescription robot = given;
+    // What is only guessed has no body yet: these are the sizes and limits of a file without them.
+    if (robot.footprint.size() < 3)
+        robot.footprint = {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}};
+    if (robot.height <= 0.0) robot.height = 0.5;
+    if (robot.maxRoll <= 0.0) robot.maxRoll = degrees(25);
+    if (robot.maxPitch <= 0.0) robot.maxPitch = degrees(25);
+    if (robot.maxSpeed <= 0.0) robot.maxSpeed = 0.3;
+    if (robot.maxTurnRate <= 0.0) robot.maxTurnRate = degrees(30);
+    YAML::Emitter out;
+    out << YAML::Comment("A robot of Leitstand; docs/robots.md tells every key.") << YAML::BeginMap;
+    entry(out, "letter", robot.letter);
+    entry(out, "name", robot.name);
+    entry(out, "title", robot.title);
+    entry(out, "drive", detail::wordFor(detail::driveWords(), robot.drive));
+    out << YAML::Key << "frames" << YAML::Value << YAML::BeginMap;
+    entry(out, "base", robot.baseFrame);
+    entry(out, "odom", robot.odomFrame);
+    entry(out, "prefix", detail::wordFor(detail::prefixWords(), robot.tfPrefix));
+    out << YAML::EndMap;
+    writeBody(out, robot);
+    if (!robot.sensors.empty()) {
+        out << YAML::Key << "sensors" << YAML::Value << YAML::BeginMap;
+        for (const auto& [name, sensor] : robot.sensors) writeSensor(out, name, sensor);
+        out << YAML::EndMap;
+    }
+    out << YAML::Key << "streams" << YAML::Value << YAML::BeginSeq;
+    for (const StreamDescription& stream : robot.streams) writeStream(out, stream, robot.name);
+    out << YAML::EndSeq;
+    writeMaps(out, robot);
+    out << YAML::EndMap;
+    return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace leitstand

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// The stream of @p role that a robot called @p robot has when its file says nothing else: topic, type and
+/// QoS of design section 4. @p sensor names the camera of pictures ("left").
+[[nodiscard]] StreamDescription defaultStream(StreamRole role, const std::string& robot,
+                                              const std::string& sensor);
+
+}  // namespace leitstand
