@@ -1,0 +1,72 @@
+#include "core/robot/team.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+namespace {
+
+bool areTold(const RobotDescription& a, const StreamDescription& ofA, const RobotDescription& b,
+             const StreamDescription& ofB) {
+    if (ofA.role != ofB.role) return false;
+    switch (ofA.role) {
+        case StreamRole::Transforms:
+        case StreamRole::StaticTransforms:
+            return a.tfPrefix == TfPrefix::Frame && b.tfPrefix == TfPrefix::Frame;
+        case StreamRole::Diagnostics:
+            return !ofA.hardwareId.empty() && !ofB.hardwareId.empty() &&
+                   !ofA.hardwareId.starts_with(ofB.hardwareId) && !ofB.hardwareId.starts_with(ofA.hardwareId);
+        default:
+            return false;
+    }
+}
+
+std::string remedy(StreamRole role) {
+    switch (role) {
+        case StreamRole::Transforms:
+        case StreamRole::StaticTransforms:
+            return "give each a topic of its own, or frames that begin with its name and tf_prefix: frame";
+        case StreamRole::Diagnostics:
+            return "tell them apart by hardware_id";
+        default:
+            return isCommand(role) ? "both would obey the same command" : "give each a topic of its own";
+    }
+}
+
+void compareTopics(const RobotDescription& a, const RobotDescription& b, std::string& clashes) {
+    for (const StreamDescription& ofA : a.streams) {
+        for (const StreamDescription& ofB : b.streams) {
+            if (ofA.topic != ofB.topic || areTold(a, ofA, b, ofB)) continue;
+            const StreamRole role = isCommand(ofA.role) ? ofA.role : ofB.role;
+            clashes +=
+                fmt::format("{} and {} share the topic {}: {}\n", a.name, b.name, ofA.topic, remedy(role));
+        }
+    }
+}
+
+}  // namespace
+
+Result<void> checkTeam(std::span<const RobotDescription> robots) {
+    std::string clashes;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        for (std::size_t j = i + 1; j < robots.size(); ++j) {
+            const RobotDescription& a = robots[i];
+            const RobotDescription& b = robots[j];
+            if (a.name == b.name) {
+                clashes +=
+                    fmt::format("two robots are named {}: expected a name of its own for each\n", a.name);
+            } else if (a.letter == b.letter) {
+                clashes +=
+                    fmt::format("{} and {} both have the letter {}: expected one of its own for each\n",
+                                a.name, b.name, a.letter);
+            }
+            compareTopics(a, b, clashes);
+        }
+    }
+    if (clashes.empty()) return {};
+    clashes.pop_back();
+    return Error{clashes};
+}
+
+}  // namespace leitstand

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "core/base/result.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Whether these robots can work side by side: names and letters differ, and no two share a topic (but
+/// /tf where both name their frames, and /diagnostics where their hardware_id tells them apart). The error
+/// names the robots and the topic, a line for each clash.
+[[nodiscard]] Result<void> checkTeam(std::span<const RobotDescription> robots);
+
+}  // namespace leitstand
