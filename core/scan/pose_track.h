@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Where something was over time: poses with stamps, in any order of arrival.
+class PoseTrack {
+public:
+    /// Keeps @p pose at @p stamp; a later one of the same stamp replaces it. Poses that are not finite are
+    /// left out.
+    void add(Time stamp, const Pose& pose);
+    /// The pose at @p stamp: between two stamps that are at most @p gap apart interpolated (translation
+    /// linearly, rotation by slerp), else the nearest that is at most @p gap away; empty when there is none.
+    [[nodiscard]] std::optional<Pose> at(Time stamp,
+                                         std::chrono::nanoseconds gap = std::chrono::milliseconds(500)) const;
+    [[nodiscard]] bool empty() const { return m_poses.empty(); }
+
+private:
+    std::map<Time, Pose> m_poses;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,128 @@
+#include "core/scan/turn_assembler.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/rooms.h"
+
+namespace leitstand::test {
+namespace {
+
+constexpr int Rows = 181, Columns = 161, RowsASlice = 8;
+
+Scan turnAt(const Pose& sensorInRoom) {
+    RoomSettings settings;
+    settings.sweep = Sweep::Yawing;
+    settings.rows = Rows;
+    settings.columns = Columns;
+    settings.rangeNoise = 0.0;
+    settings.sensorInRoom = sensorInRoom;
+    return scanRoom(settings).scan;
+}
+
+/// Rows from @p first on of a turn, as the scanner at @p sensorInRoom sees them.
+CloudSample sliceOf(const Scan& turn, int first, Time stamp) {
+    CloudSample slice;
+    slice.header = {stamp, "laser"};
+    slice.rows = std::min(RowsASlice, turn.rows - first);
+    slice.columns = turn.columns;
+    const auto begin = turn.points.begin() + static_cast<std::ptrdiff_t>(first) * Columns;
+    slice.points.assign(begin, begin + static_cast<std::ptrdiff_t>(slice.rows) * Columns);
+    return slice;
+}
+
+Time stampOf(int slice) {
+    return Time(std::chrono::milliseconds(100 * slice));
+}
+
+TEST(TurnAssembler, SlicesOfAStandingRobotMakeTheTurn) {
+    const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
+    TurnAssembler assembler;
+    std::vector<Scan> scans;
+    for (int first = 0, slice = 0; first < Rows; first += RowsASlice, ++slice) {
+        if (auto scan = assembler.add(sliceOf(turn, first, stampOf(slice)), turn.sensorInOdom)) {
+            scans.push_back(std::move(*scan));
+        }
+    }
+    ASSERT_EQ(scans.size(), 1u);
+    EXPECT_EQ(scans[0].rows, Rows);
+    EXPECT_EQ(scans[0].columns, Columns);
+    EXPECT_EQ(scans[0].sweep, Sweep::Yawing);
+    EXPECT_TRUE(scans[0].hasOdometry);
+    EXPECT_EQ(scans[0].end, stampOf(22));
+    for (std::size_t i = 0; i < turn.points.size(); ++i) {
+        if (!turn.points[i].allFinite()) continue;
+        ASSERT_TRUE(scans[0].points[i].isApprox(turn.points[i], 1e-5F));
+    }
+}
+
+TEST(TurnAssembler, TakesTheMotionFromSliceToSliceOut) {
+    TurnAssembler assembler;
+    std::optional<Scan> scan;
+    Pose last = Pose::Identity();
+    for (int first = 0, slice = 0; first < Rows && !scan; first += RowsASlice, ++slice) {
+        last = poseFrom({0.02 * slice, 0.0, 1.0}, 0, 0, degrees(0.5 * slice));
+        scan = assembler.add(sliceOf(turnAt(last), first, stampOf(slice)), last);
+    }
+    ASSERT_TRUE(scan);
+    EXPECT_TRUE(scan->sensorInOdom.isApprox(last));
+    // Put into the room, all points lie in or on its walls of 8 x 6 x 2.6 m, which a smeared turn misses.
+    double worst = 0.0;
+    for (const Eigen::Vector3f& point : scan->points) {
+        if (!point.allFinite()) continue;
+        const Eigen::Vector3d inRoom = last * point.cast<double>();
+        worst = std::max(
+            {worst, std::abs(inRoom.x()) - 4.0, std::abs(inRoom.y()) - 3.0, -inRoom.z(), inRoom.z() - 2.6});
+    }
+    EXPECT_LT(worst, 1e-4);
+}
+
+TEST(TurnAssembler, WholeSweepsAreScansAtOnce) {
+    CloudSample unorganised;
+    unorganised.points.assign(1000, Eigen::Vector3f(1, 2, 3));
+    TurnAssembler assembler;
+    const auto velodyne = assembler.add(unorganised, std::nullopt);
+    ASSERT_TRUE(velodyne);
+    EXPECT_FALSE(velodyne->organised());
+    EXPECT_FALSE(velodyne->hasOdometry);
+
+    RoomSettings tilting;
+    const Scan room = scanRoom(tilting).scan;
+    CloudSample sweep;
+    sweep.rows = room.rows;
+    sweep.columns = room.columns;
+    sweep.points = room.points;
+    const auto scan = assembler.add(sweep, Pose::Identity());
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->rows, room.rows);
+    EXPECT_EQ(scan->sweep, Sweep::Tilting);
+}
+
+TEST(TurnAssembler, ARadioGapEndsATurnThatIsHalfThere) {
+    const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
+    TurnAssembler assembler;
+    for (int slice = 0; slice < 15; ++slice) {
+        EXPECT_FALSE(assembler.add(sliceOf(turn, slice * RowsASlice, stampOf(slice)), turn.sensorInOdom));
+    }
+    const auto half = assembler.add(sliceOf(turn, 0, stampOf(80)), turn.sensorInOdom);
+    ASSERT_TRUE(half);
+    EXPECT_EQ(half->rows, 15 * RowsASlice);
+    EXPECT_FALSE(assembler.finish()) << "one slice is no turn";
+}
+
+TEST(TurnAssembler, SlicesWithoutAnyEchoAreNotScans) {
+    CloudSample nothing;
+    nothing.rows = RowsASlice;
+    nothing.columns = Columns;
+    nothing.points.assign(static_cast<std::size_t>(RowsASlice) * Columns,
+                          Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
+    TurnAssembler assembler;
+    EXPECT_FALSE(assembler.add(sliceOf(turn, 0, stampOf(0)), turn.sensorInOdom));
+    EXPECT_FALSE(assembler.add(nothing, turn.sensorInOdom));
+}
+
+}  // namespace
+}  // namespace leitstand::test
