@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/session/mission_scans.h"
 #include "core/io/scan_source.h"
 
 namespace leitstand::cli {
@@ -14,21 +15,51 @@ void complain(ProgressLine& line, const std::string& text) {
     fmt::print(stderr, "leitstandctl: {}\n", text);
 }
 
-std::vector<LoadedScan> loadScans(const std::vector<std::filesystem::path>& files,
-                                  const std::stop_token& stop, ProgressLine& line, int& broken) {
-    std::vector<LoadedScan> scans;
-    for (std::size_t i = 0; i < files.size() && !stop.stop_requested(); ++i) {
-        line.show("reading " + files[i].filename().string(), double(i) / double(files.size()));
-        auto reading = readScan(files[i]);
-        if (!reading) {
-            complain(line, reading.error().text);
-            ++broken;
+namespace {
+
+void loadFile(const std::filesystem::path& file, LoadedScans& loaded, ProgressLine& line) {
+    const std::size_t position = loaded.expected++;
+    auto reading = readScan(file);
+    if (!reading) {
+        complain(line, reading.error().text);
+        ++loaded.broken;
+        return;
+    }
+    for (const std::string& warning : reading->warnings) complain(line, warning);
+    loaded.scans.push_back({std::make_shared<const Scan>(std::move(reading).value().scan), position});
+}
+
+void loadMission(const std::filesystem::path& mission, const std::stop_token& stop, LoadedScans& loaded,
+                 ProgressLine& line) {
+    const auto show = [&](double fraction) { line.show("reading " + mission.filename().string(), fraction); };
+    const auto read = readMissionScans(mission, {show, stop});
+    if (!read) {
+        complain(line, read.error().text);
+        ++loaded.broken;
+        return;
+    }
+    for (const std::string& warning : read->warnings) complain(line, warning);
+    for (const ScanPtr& scan : read->scans) loaded.scans.push_back({scan, loaded.expected++});
+}
+
+}  // namespace
+
+Result<LoadedScans> loadScans(const std::vector<std::filesystem::path>& sources, const std::stop_token& stop,
+                              ProgressLine& line) {
+    LoadedScans loaded;
+    for (const std::filesystem::path& source : sources) {
+        if (isMission(source)) {
+            loadMission(source, stop, loaded, line);
             continue;
         }
-        for (const std::string& warning : reading->warnings) complain(line, warning);
-        scans.push_back({std::make_shared<const Scan>(std::move(reading).value().scan), i});
+        const auto files = listScans({source});
+        if (!files) return files.error();
+        for (std::size_t i = 0; i < files->size() && !stop.stop_requested(); ++i) {
+            line.show("reading " + (*files)[i].filename().string(), double(i) / double(files->size()));
+            loadFile((*files)[i], loaded, line);
+        }
     }
-    return scans;
+    return loaded;
 }
 
 }  // namespace leitstand::cli

@@ -16,13 +16,17 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const std::string& what, double fraction) {
+    show(fmt::format("{} {:3.0f} %", what, 100.0 * std::clamp(fraction, 0.0, 1.0)));
+}
+
+void ProgressLine::show(const std::string& what) {
     if (!m_terminal) return;
     using namespace std::chrono;
     const auto now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
     if (m_shown && now - m_lastMilliseconds < 100) return;
     m_lastMilliseconds = now;
     m_shown = true;
-    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %", what, 100.0 * std::clamp(fraction, 0.0, 1.0));
+    fmt::print(stderr, "\r\x1b[K{}", what);
     std::fflush(stderr);
 }
 

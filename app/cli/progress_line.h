@@ -14,6 +14,8 @@ public:
 
     /// Shows @p what and how much of it is done, 0 to 1; at most ten times a second.
     void show(const std::string& what, double fraction);
+    /// Shows @p what alone, where nobody knows how much there is to do.
+    void show(const std::string& what);
     /// Wipes the line, so that something else can be printed.
     void clear();
 

@@ -13,7 +13,6 @@
 #include "app/cli/register_options.h"
 #include "app/cli/register_report.h"
 #include "core/io/cloud_writer.h"
-#include "core/io/scan_source.h"
 #include "core/io/tum.h"
 #include "core/mapping/mapper.h"
 
@@ -65,16 +64,19 @@ int runRegister(const RegisterOptions& options) {
     ProgressLine line;
     const InterruptGuard interrupt;
     auto settings = resolvedSettings(options);
-    const auto files = listScans(options.sources);
-    if (!settings || !files) {
-        complain(line, !settings ? settings.error().text : files.error().text);
+    if (!settings) {
+        complain(line, settings.error().text);
         return 1;
     }
-    int broken = 0;
     const auto started = Clock::now();
-    const std::vector<LoadedScan> scans = loadScans(*files, interrupt.token(), line, broken);
+    const auto loaded = loadScans(options.sources, interrupt.token(), line);
+    if (!loaded) {
+        complain(line, loaded.error().text);
+        return 1;
+    }
+    const std::vector<LoadedScan>& scans = loaded->scans;
     RegistrationSettings chosen = *settings;
-    if (const auto matched = matchGuesses(chosen, scans, files->size()); !matched) {
+    if (const auto matched = matchGuesses(chosen, scans, loaded->expected); !matched) {
         complain(line, matched.error().text);
         return 1;
     }
@@ -91,11 +93,11 @@ int runRegister(const RegisterOptions& options) {
     fmt::print("{}", options.json ? registerJson(*map, seconds) + "\n" : registerTable(*map, seconds));
     const bool written = writeOutputs(options, *map, line);
     if (interrupt.token().stop_requested()) {
-        complain(line,
-                 fmt::format("interrupted: {} of {} scans are registered", map->scans.size(), files->size()));
+        complain(line, fmt::format("interrupted: {} of {} scans are registered", map->scans.size(),
+                                   loaded->expected));
         return 1;
     }
-    return written && broken == 0 ? 0 : 1;
+    return written && loaded->broken == 0 ? 0 : 1;
 }
 
 }  // namespace

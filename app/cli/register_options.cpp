@@ -41,7 +41,7 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
     RegistrationSettings& settings = options.settings;
     command
         .add_option("SOURCE", options.sources,
-                    "a folder of uos scans, or cloud files (.3d .pcd .ply .xyz) in order")
+                    "a folder of uos scans, cloud files (.3d .pcd .ply .xyz) in order, or a mission")
         ->required()
         ->option_text(" ");
     command.add_option("--reduce", settings.reduce, "edge of the voxel grid in m; 0 takes all points")

@@ -9,7 +9,6 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/text_table.h"
-#include "core/io/scan_source.h"
 #include "core/mapping/scan_preparation.h"
 #include "core/mapping/table1.h"
 
@@ -95,18 +94,17 @@ std::string tableJson(const Table1& table) {
 int runTable1(const Table1Options& options) {
     ProgressLine line;
     const InterruptGuard interrupt;
-    auto files = listScans(options.sources);
-    if (!files) {
-        complain(line, files.error().text);
+    const auto read = loadScans(options.sources, interrupt.token(), line);
+    if (!read) {
+        complain(line, read.error().text);
         return 1;
     }
-    if (files->size() < 2) {
-        complain(line, fmt::format("table1 takes two scans, found {}", files->size()));
+    if (read->expected < 2) {
+        complain(line, fmt::format("table1 takes two scans, found {}", read->expected));
         return 1;
     }
-    int broken = 0;
-    const auto scans = loadScans({files->begin(), files->begin() + 2}, interrupt.token(), line, broken);
-    if (scans.size() < 2) return 1;
+    if (read->scans.size() < 2) return 1;
+    const std::vector<LoadedScan> scans(read->scans.begin(), read->scans.begin() + 2);
     for (const LoadedScan& loaded : scans) {
         if (loaded.scan->organised()) continue;
         complain(line, loaded.scan->name + ": the paper's filter takes an organised scan, this one is not");

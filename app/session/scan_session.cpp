@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/session/job_queue.h"
+#include "app/session/mission_scans.h"
 #include "core/io/scan_source.h"
 #include "core/mapping/mapper.h"
 
@@ -19,6 +20,12 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Severity = SessionMessage::Severity;
 using Step = SessionProgress::Step;
+
+/// A scan that is to be registered.
+struct PendingScan {
+    fs::path key;   ///< tells whether it is in the map already: its file, or mission and place
+    ScanPtr known;  ///< of a mission; null: to be read from the file
+};
 
 /// Share of a scan's work that reading its file takes, roughly.
 constexpr double ReadingShare = 0.2;
@@ -40,8 +47,11 @@ struct ScanSession::State {
     SessionOutcome registerAgain(const RegistrationSettings& settings, const std::stop_token& cancelled);
     SessionOutcome clear();
 
-    std::vector<fs::path> newFiles(const std::vector<fs::path>& sources);
-    ScanPtr read(const fs::path& file);
+    std::vector<PendingScan> newScans(const std::vector<fs::path>& sources, const std::stop_token& cancelled);
+    void addMission(const fs::path& mission, std::vector<PendingScan>& pending,
+                    const std::stop_token& cancelled);
+    void addFiles(const fs::path& source, std::vector<PendingScan>& pending, std::set<fs::path>& known);
+    ScanPtr read(const PendingScan& pending);
     Progress progressOf(const std::string& name, int scan, int scans, const std::stop_token& cancelled);
 
     void publish(MapPtr newMap) {
@@ -73,36 +83,56 @@ void ScanSession::State::submit(std::function<SessionOutcome(const std::stop_tok
         cancellable);
 }
 
-/// The files behind @p sources that are not in the map; tells about those that are or cannot be found.
-std::vector<fs::path> ScanSession::State::newFiles(const std::vector<fs::path>& sources) {
-    std::vector<fs::path> fresh;
+/// The scans behind @p sources that are not in the map; tells about those that are or cannot be found.
+std::vector<PendingScan> ScanSession::State::newScans(const std::vector<fs::path>& sources,
+                                                      const std::stop_token& cancelled) {
+    std::vector<PendingScan> pending;
     std::set<fs::path> known = files;
     for (const fs::path& source : sources) {
-        const auto found = listScans({source});
-        if (!found) {
-            tell(Severity::Error, found.error().text);
-            continue;
-        }
-        int repeated = 0;
-        for (const fs::path& file : found.value()) {
-            if (known.insert(fs::weakly_canonical(file)).second) {
-                fresh.push_back(file);
-            } else {
-                ++repeated;
-            }
-        }
-        if (repeated > 0) {
-            tell(Severity::Warning,
-                 fmt::format("{}: {} in the map already, left out", source.string(),
-                             repeated == 1 ? "one scan is" : fmt::format("{} scans are", repeated)));
+        if (!isMission(source)) {
+            addFiles(source, pending, known);
+        } else if (known.insert(fs::weakly_canonical(source)).second) {
+            addMission(source, pending, cancelled);
+        } else {
+            tell(Severity::Warning, fmt::format("{}: in the map already, left out", source.string()));
         }
     }
-    return fresh;
+    return pending;
 }
 
-/// The scan in @p file; null, after telling why, when it cannot be read.
-ScanPtr ScanSession::State::read(const fs::path& file) {
-    auto reading = readScan(file);
+void ScanSession::State::addFiles(const fs::path& source, std::vector<PendingScan>& pending,
+                                  std::set<fs::path>& known) {
+    const auto found = listScans({source});
+    if (!found) return tell(Severity::Error, found.error().text);
+    int repeated = 0;
+    for (const fs::path& file : found.value()) {
+        if (known.insert(fs::weakly_canonical(file)).second) {
+            pending.push_back({file, nullptr});
+        } else {
+            ++repeated;
+        }
+    }
+    if (repeated > 0) {
+        tell(Severity::Warning,
+             fmt::format("{}: {} in the map already, left out", source.string(),
+                         repeated == 1 ? "one scan is" : fmt::format("{} scans are", repeated)));
+    }
+}
+
+void ScanSession::State::addMission(const fs::path& mission, std::vector<PendingScan>& pending,
+                                    const std::stop_token& cancelled) {
+    const std::string name = mission.filename().string();
+    const auto report = [&](double fraction) { tell({Step::Reading, name, 0, 0, ReadingShare * fraction}); };
+    auto read = readMissionScans(mission, {report, cancelled});
+    if (!read) return tell(Severity::Error, read.error().text);
+    for (const std::string& warning : read->warnings) tell(Severity::Warning, warning);
+    for (const ScanPtr& scan : read->scans) pending.push_back({fs::weakly_canonical(mission), scan});
+}
+
+/// The scan of @p pending; null, after telling why, when it cannot be read.
+ScanPtr ScanSession::State::read(const PendingScan& pending) {
+    if (pending.known) return pending.known;
+    auto reading = readScan(pending.key);
     if (!reading) {
         tell(Severity::Error, reading.error().text);
         return nullptr;
@@ -124,18 +154,20 @@ SessionOutcome ScanSession::State::open(const std::vector<fs::path>& sources,
                                         const RegistrationSettings& settings,
                                         const std::stop_token& cancelled) {
     SessionOutcome outcome;
-    const std::vector<fs::path> fresh = newFiles(sources);
+    const std::vector<PendingScan> fresh = newScans(sources, cancelled);
     const int scans = static_cast<int>(fresh.size());
     for (int i = 0; i < scans && !cancelled.stop_requested(); ++i) {
-        const fs::path& file = fresh[static_cast<std::size_t>(i)];
-        tell({Step::Reading, file.filename().string(), i + 1, scans, double(i) / scans});
-        const ScanPtr scan = read(file);
+        const PendingScan& pending = fresh[static_cast<std::size_t>(i)];
+        if (!pending.known) {
+            tell({Step::Reading, pending.key.filename().string(), i + 1, scans, double(i) / scans});
+        }
+        const ScanPtr scan = read(pending);
         if (!scan) continue;
         if (!mapper) mapper = std::make_unique<Mapper>(settings);
         const Progress progress = progressOf(scan->name, i + 1, scans, cancelled);
         progress.done(0.0);
         if (!mapper->add(scan, progress)) break;
-        files.insert(fs::weakly_canonical(file));
+        files.insert(fs::weakly_canonical(pending.key));
         ++outcome.added;
         publish(mapper->map());
     }

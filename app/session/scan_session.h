@@ -18,7 +18,7 @@ struct SessionProgress {
     Step step = Step::Reading;
     std::string name;       ///< of the file or scan at work
     int scan = 0;           ///< its number, from 1
-    int scans = 0;          ///< how many the job has
+    int scans = 0;          ///< how many the job has; 0: not known yet
     double fraction = 0.0;  ///< of the whole job, 0 to 1
 };
 
@@ -55,7 +55,7 @@ public:
     ScanSession(const ScanSession&) = delete;
     ScanSession& operator=(const ScanSession&) = delete;
 
-    /// Reads the files and folders @p sources and registers their scans one by one onto the map; a file that
+    /// Reads the files, folders and missions @p sources and registers their scans one by one onto the map; a file that
     /// cannot be read is a message, the others still load; one that is in the map already is left out. A map
     /// that has scans goes on with its own settings, an empty one takes @p settings. Cancelled: what was
     /// registered stays.

@@ -1,0 +1,182 @@
+#include "app/session/mission_recorder.h"
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/session/topic_lane.h"
+#include "core/mission/station_topics.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+namespace {
+
+/// Topics of ROS 2 itself that nobody wants in a mission.
+bool isHousekeeping(const std::string& topic) {
+    return topic == "/rosout" || topic == "/parameter_events" || topic.find("/_action/") != std::string::npos;
+}
+
+/// What other stations say (a passive recorder has nothing to say but its own sessions).
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> StationTopics = {{
+    {station_topic::Grants, "leitstand_msgs/msg/Grant"},
+    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
+    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
+    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
+    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
+    {station_topic::Undo, "leitstand_msgs/msg/Undo"},
+    {station_topic::Notes, "leitstand_msgs/msg/Note"},
+    {station_topic::Alarms, "leitstand_msgs/msg/Alarm"},
+}};
+
+/// Deep enough that a burst is not lost between the network and the queue.
+Qos recording(Qos qos) {
+    qos.depth = std::max(qos.depth, 100);
+    qos.lifespan = 0.0;
+    qos.deadline = 0.0;
+    return qos;
+}
+
+}  // namespace
+
+struct MissionRecorder::State {
+    RecorderSettings settings;
+    Teller tell;
+    std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<Node> node;
+    mutable std::mutex mutex;  ///< of the next three
+    std::map<std::string, std::pair<std::string, std::unique_ptr<Subscription>>>
+        subscriptions;  ///< type; by topic
+    bool discovered = false;
+    std::set<std::string> told;
+    std::condition_variable_any changed;
+    std::jthread discovery;  ///< last: joined first
+
+    void say(const std::string& text) {
+        if (tell) tell(text);
+    }
+    void subscribe(const std::string& topic, const std::string& type, const Qos& qos);
+    void subscribeListed();
+    void subscribeHeard();
+    void watch(const std::stop_token& stop);
+};
+
+void MissionRecorder::State::subscribe(const std::string& topic, const std::string& type, const Qos& qos) {
+    {
+        const std::lock_guard lock(mutex);
+        if (subscriptions.contains(topic)) return;
+    }
+    mission->addTopic(topic, type, qos);
+    auto subscription =
+        node->subscribe({.topic = topic, .type = type, .qos = recording(qos), .lane = laneOf(type)},
+                        [this](ReceivedSample sample) { mission->receive(std::move(sample.event)); });
+    const std::lock_guard lock(mutex);
+    if (!subscription) {
+        if (told.insert(topic).second) say(subscription.error().text);
+        return;
+    }
+    subscriptions.emplace(topic, std::pair(type, std::move(subscription).value()));
+}
+
+void MissionRecorder::State::subscribeListed() {
+    for (const RobotDescription& robot : settings.mission.robots) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.record && !isCommand(stream.role)) subscribe(stream.topic, stream.type, stream.qos);
+        }
+    }
+    const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
+    for (const auto& [topic, type] : StationTopics) subscribe(std::string(topic), std::string(type), qos);
+}
+
+void MissionRecorder::State::subscribeHeard() {
+    for (const RemoteEndpoint& endpoint : node->endpoints()) {
+        if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros || isHousekeeping(endpoint.topic))
+            continue;
+        subscribe(endpoint.topic, endpoint.type, endpoint.qos);
+    }
+}
+
+void MissionRecorder::State::watch(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        {
+            std::unique_lock lock(mutex);
+            if (!changed.wait(lock, stop, [this] { return discovered; })) return;
+            discovered = false;
+        }
+        if (settings.mission.robots.empty()) subscribeHeard();
+        for (const Mismatch& mismatch : node->mismatches()) {
+            const std::lock_guard lock(mutex);
+            if (told.insert(mismatch.text).second) say(mismatch.text);
+        }
+    }
+}
+
+Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
+                                                                Teller tell) {
+    NodeSettings network;
+    network.domain = settings.domain;
+    network.name = "leitstandctl record";
+    network.interfaces = settings.interfaces;
+    network.initialPeers = settings.initialPeers;
+    auto node = Node::create(network);
+    if (!node) return node.error();
+    auto mission = LiveMission::open(settings.mission, {.onAlarm = tell});
+    if (!mission) return mission.error();
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->tell = std::move(tell);
+    state->mission = std::move(mission).value();
+    state->node = std::move(node).value();
+    for (const std::string& warning : state->node->warnings()) state->say(warning);
+    if (!settings.mission.robots.empty()) state->subscribeListed();
+    state->discovery = std::jthread([raw = state.get()](const std::stop_token& stop) { raw->watch(stop); });
+    state->node->onDiscovery([raw = state.get()] {
+        {
+            const std::lock_guard lock(raw->mutex);
+            raw->discovered = true;
+        }
+        raw->changed.notify_all();
+    });
+    return std::unique_ptr<MissionRecorder>(new MissionRecorder(std::move(state)));
+}
+
+MissionRecorder::MissionRecorder(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+
+MissionRecorder::~MissionRecorder() {
+    (void)stop();
+}
+
+RecorderStatus MissionRecorder::status() const {
+    RecorderStatus status{.log = m_state->mission->status(), .topics = {}, .mismatches = {}};
+    if (m_state->node) {
+        for (const Mismatch& mismatch : m_state->node->mismatches())
+            status.mismatches.push_back(mismatch.text);
+    }
+    const std::lock_guard lock(m_state->mutex);
+    for (const auto& [topic, subscription] : m_state->subscriptions) {
+        const SubscriptionCounts counts = subscription.second->counts();
+        status.topics.push_back({topic, subscription.first, counts.samples, counts.lost, counts.writers});
+    }
+    return status;
+}
+
+Result<void> MissionRecorder::stop() {
+    m_state->discovery.request_stop();
+    if (m_state->discovery.joinable()) m_state->discovery.join();
+    {
+        decltype(m_state->subscriptions) ended;
+        const std::lock_guard lock(m_state->mutex);
+        ended.swap(m_state->subscriptions);
+    }
+    m_state->node.reset();
+    return m_state->mission->close();
+}
+
+}  // namespace leitstand

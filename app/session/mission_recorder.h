@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/live_mission.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// What to record, and where.
+struct RecorderSettings {
+    LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics heard
+    int domain = 0;
+    std::vector<std::string> interfaces;  ///< empty: all
+    std::vector<std::string> initialPeers;
+};
+
+/// How a recording is doing.
+struct RecorderStatus {
+    LiveMissionStatus log;
+    struct Topic {
+        std::string name, type;
+        std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' numbers
+        int writers = 0;                      ///< that are there now
+    };
+    std::vector<Topic> topics;
+    std::vector<std::string> mismatches;  ///< in words
+};
+
+/// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.
+class MissionRecorder {
+public:
+    /// Texts for the operator: alarms, topics that cannot be heard. Called on threads of the recorder's.
+    using Teller = std::function<void(const std::string&)>;
+
+    [[nodiscard]] static Result<std::unique_ptr<MissionRecorder>> start(const RecorderSettings& settings,
+                                                                        Teller tell = {});
+    ~MissionRecorder();
+    MissionRecorder(const MissionRecorder&) = delete;
+    MissionRecorder& operator=(const MissionRecorder&) = delete;
+
+    [[nodiscard]] RecorderStatus status() const;
+    /// Ends the session; the mission is self-contained afterwards.
+    Result<void> stop();
+
+private:
+    struct State;
+    explicit MissionRecorder(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

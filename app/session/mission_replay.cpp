@@ -1,0 +1,166 @@
+#include "app/session/mission_replay.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/session/replay_rules.h"
+#include "app/session/topic_lane.h"
+#include "core/io/bag/bag_reader.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds Tick(20);  ///< how soon a pause or a cancel is noticed
+
+/// A reliable writer suits every reader; what stayed for late comers does so again.
+Qos offered(const TopicInfo& topic) {
+    const bool stays = topic.qosProfiles.find("durability: 1") != std::string::npos ||
+                       topic.qosProfiles.find("transient_local") != std::string::npos;
+    Qos qos{.reliability = Qos::Reliability::Reliable,
+            .durability = stays ? Qos::Durability::TransientLocal : Qos::Durability::Volatile,
+            .depth = 100};
+    if (laneOf(topic.type) == Lane::Large) qos.depth = topic.type.ends_with("Image") ? 10 : 600;
+    return qos;
+}
+
+/// The first live robot whose name is one of @p names; empty when there is none.
+std::optional<std::string> liveNamesake(const Node& node, const std::set<std::string>& names) {
+    for (const RemoteEndpoint& endpoint : node.endpoints()) {
+        if (endpoint.kind != RemoteEndpoint::Kind::Writer) continue;
+        const std::string robot = robotOfTopic(endpoint.topic);
+        if (names.contains(robot) && isReplayable(endpoint.topic, endpoint.type)) return robot;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+struct MissionReplay::State {
+    ReplaySettings settings;
+    std::unique_ptr<BagReader> bag;
+    std::unique_ptr<Node> node;
+    std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic
+    std::set<std::string> robots, heldBack;
+    ReplayOutcome outcome;
+
+    bool waitUntil(Clock::time_point& due, const std::atomic<bool>& paused, const Progress& progress);
+    void publish(const RawEvent& event);
+    bool playOnce(const std::atomic<bool>& paused, const Progress& progress);
+};
+
+Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings& settings,
+                                                           const Progress& progress) {
+    auto bag = BagReader::open(settings.mission);
+    if (!bag) return bag.error();
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->bag = std::move(bag).value();
+    for (const BagTopic& topic : state->bag->topics()) {
+        if (!isReplayable(topic.info.name, topic.info.type)) {
+            state->heldBack.insert(topic.info.name);
+        } else if (const std::string robot = robotOfTopic(topic.info.name); !robot.empty()) {
+            state->robots.insert(robot);
+        }
+    }
+    NodeSettings network;
+    network.domain = settings.domain;
+    network.name = "leitstandctl replay";
+    auto node = Node::create(network);
+    if (!node) return node.error();
+    state->node = std::move(node).value();
+    // Discovery takes its time: nothing is said before it is clear that nobody of that name is there.
+    const auto settled = Clock::now() + std::chrono::duration<double>(settings.settleSeconds);
+    do {
+        if (const auto robot = liveNamesake(*state->node, state->robots)) {
+            return Error{fmt::format("domain {}: robot {} is there live; replay on another domain (--domain)",
+                                     settings.domain, *robot)};
+        }
+        std::this_thread::sleep_for(Tick);
+    } while (Clock::now() < settled && !progress.cancelled());
+    for (const BagTopic& topic : state->bag->topics()) {
+        if (state->heldBack.contains(topic.info.name)) continue;
+        auto publisher = state->node->publisher({.topic = topic.info.name,
+                                                 .type = topic.info.type,
+                                                 .qos = offered(topic.info),
+                                                 .flow = flowOf(topic.info.type)});
+        if (!publisher) return publisher.error();
+        state->publishers.emplace(topic.info.name, std::move(publisher).value());
+    }
+    return std::unique_ptr<MissionReplay>(new MissionReplay(std::move(state)));
+}
+
+MissionReplay::MissionReplay(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+MissionReplay::~MissionReplay() = default;
+
+/// Waits for @p due, which moves on by the length of pauses; false when the replay was cancelled.
+bool MissionReplay::State::waitUntil(Clock::time_point& due, const std::atomic<bool>& paused,
+                                     const Progress& progress) {
+    while (!progress.cancelled()) {
+        const auto now = Clock::now();
+        if (paused) {
+            std::this_thread::sleep_for(Tick);
+            due += Clock::now() - now;
+            continue;
+        }
+        if (now >= due) return true;
+        std::this_thread::sleep_until(std::min(due, now + Tick));
+    }
+    return false;
+}
+
+void MissionReplay::State::publish(const RawEvent& event) {
+    const auto publisher = publishers.find(event.topic);
+    if (publisher == publishers.end()) {
+        ++outcome.heldBack;
+        return;
+    }
+    if (const auto written = publisher->second->write(event.cdr)) {
+        ++outcome.published;
+    } else if (outcome.problems.size() < 100) {
+        outcome.problems.push_back(written.error().text);
+    }
+}
+
+bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progress& progress) {
+    BagCursor cursor = bag->read();
+    const auto length = std::chrono::duration<double>(bag->last() - bag->first()).count();
+    auto began = Clock::now();
+    while (const auto event = cursor.next()) {
+        const double at = std::chrono::duration<double>(event->received - bag->first()).count();
+        const auto offset =
+            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(at / settings.rate));
+        auto due = began + offset;
+        if (!waitUntil(due, paused, progress)) return false;
+        began = due - offset;  // pauses move everything on
+        publish(*event);
+        progress.done(length > 0.0 ? at / length : 1.0);
+    }
+    return true;
+}
+
+ReplayOutcome MissionReplay::play(const std::atomic<bool>& paused, const Progress& progress) {
+    m_state->outcome = {};
+    while (m_state->playOnce(paused, progress) && m_state->settings.loop) {
+    }
+    // What was said last must reach those that listen.
+    for (const auto& [topic, publisher] : m_state->publishers) {
+        if (progress.cancelled()) break;
+        (void)publisher->waitForAcknowledgments(std::chrono::seconds(2));
+    }
+    ReplayOutcome& outcome = m_state->outcome;
+    outcome.heldBackTopics.assign(m_state->heldBack.begin(), m_state->heldBack.end());
+    const auto& problems = m_state->bag->problems();
+    outcome.problems.insert(outcome.problems.end(), problems.begin(), problems.end());
+    return outcome;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/robot/robot_description.h"
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// The scans that a mission holds, in order of their stamps.
+struct MissionScans {
+    std::vector<ScanPtr> scans;
+    std::vector<std::string> warnings;  ///< what could not be read or is missing; each names its place
+};
+
+/// Whether @p path is a mission: a rosbag2 folder or a file of one.
+[[nodiscard]] bool isMission(const std::filesystem::path& path);
+
+/// The scans of @p mission: its robots' clouds, with the pose of the sensor by odometry, tf_static and the
+/// robot's file. Robots are those that the folder keeps, or are told from the topics of a foreign bag. An
+/// error when the bag cannot be opened or holds no clouds; cancelled: what was read so far.
+[[nodiscard]] Result<MissionScans> readMissionScans(const std::filesystem::path& mission,
+                                                    const Progress& progress = {});
+
+}  // namespace leitstand

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/mission/event.h"
+#include "core/scan/pose_track.h"
+
+namespace leitstand {
+
+/// Where a robot's sensors were: by its odometry, its tf_static and its file.
+class SensorPoses {
+public:
+    explicit SensorPoses(const RobotDescription& robot) : m_robot(&robot) {}
+
+    /// Takes odometry and transforms; other events are left alone.
+    void add(const Event& event);
+    /// Pose of the sensor that took @p event's sample in the odometry's frame at @p stamp; empty when there
+    /// is no odometry near it. A sensor whose place nobody tells counts as at the robot's base, which
+    /// remarks() tells.
+    [[nodiscard]] std::optional<Pose> sensorInOdom(const Event& event, const SampleHeader& header,
+                                                   Time stamp);
+    /// What was missing, each once.
+    [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
+
+private:
+    struct Parent {
+        std::string frame;
+        Pose childInParent = Pose::Identity();
+    };
+    [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
+    [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
+
+    const RobotDescription* m_robot;
+    PoseTrack m_baseInOdom;
+    std::string m_baseFrame;                  ///< as the odometry names it
+    std::map<std::string, Parent> m_parents;  ///< by child frame
+    std::set<std::string> m_remarks;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// The lane and flow of samples of a ROS @p type: scans and pictures keep out of the way of the rest.
+[[nodiscard]] inline Lane laneOf(std::string_view type) {
+    const bool large = type == "sensor_msgs/msg/PointCloud2" || type == "sensor_msgs/msg/Image" ||
+                       type == "sensor_msgs/msg/CompressedImage" || type == "leitstand_msgs/msg/KeyScan";
+    return large ? Lane::Large : Lane::Small;
+}
+[[nodiscard]] inline Flow flowOf(std::string_view type) {
+    if (laneOf(type) == Lane::Small) return Flow::Telemetry;
+    return type.ends_with("Image") ? Flow::Pictures : Flow::Scans;
+}
+
+}  // namespace leitstand
