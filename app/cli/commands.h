@@ -16,4 +16,13 @@ void addTable1(CLI::App& app, int& exitCode);
 /// `keys`: makes identities for a secured domain.
 void addKeys(CLI::App& app, int& exitCode);
 
+/// `record`: records what robots say into a mission.
+void addRecord(CLI::App& app, int& exitCode);
+/// `info`: tells what a mission holds.
+void addInfo(CLI::App& app, int& exitCode);
+/// `replay`: publishes what a mission's robots said.
+void addReplay(CLI::App& app, int& exitCode);
+/// `probe`: tells who is on a domain and what fits.
+void addProbe(CLI::App& app, int& exitCode);
+
 }  // namespace leitstand::cli

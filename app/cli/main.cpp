@@ -10,6 +10,10 @@ int main(int argc, char** argv) {
     leitstand::cli::addRegister(app, exitCode);
     leitstand::cli::addTable1(app, exitCode);
     leitstand::cli::addKeys(app, exitCode);
+    leitstand::cli::addRecord(app, exitCode);
+    leitstand::cli::addInfo(app, exitCode);
+    leitstand::cli::addReplay(app, exitCode);
+    leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

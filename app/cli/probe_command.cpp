@@ -1,0 +1,176 @@
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/session/domain_probe.h"
+#include "core/io/robot/robot_file.h"
+
+namespace leitstand::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProbeOptions {
+    ProbeSettings settings;
+    std::string out = ".";
+    bool json = false;
+};
+
+std::string qosText(const SeenTopic& topic) {
+    const bool reliable = topic.qos.reliability == Qos::Reliability::Reliable;
+    const bool stays = topic.qos.durability == Qos::Durability::TransientLocal;
+    return std::string(reliable ? "reliable" : "best effort") + (stays ? ", transient local" : "");
+}
+
+/// What a topic is used for, and by which robot.
+struct Use {
+    std::string robot, role, remark;
+};
+
+std::map<std::string, Use> usesOf(const ProbeReport& report) {
+    std::map<std::string, Use> uses;
+    for (const RobotGuess& guess : report.robots) {
+        for (const TopicVerdict& verdict : guess.topics) {
+            Use& use = uses[verdict.topic.name];
+            use.robot += (use.robot.empty() ? "" : " ") + guess.robot.name;
+            if (verdict.role) use.role = toString(*verdict.role);
+            use.remark = verdict.remark;
+        }
+    }
+    return uses;
+}
+
+std::string probeTable(const ProbeReport& report) {
+    if (report.topics.empty()) {
+        return "Nobody is there. Same ROS_DOMAIN_ID (--domain)? Same network, multicast let through (else "
+               "--peer)? "
+               "A robot on another middleware (rmw) than DDS cannot be heard.\n";
+    }
+    const auto uses = usesOf(report);
+    std::vector<std::vector<std::string>> rows = {
+        {"topic", "type", "robot", "used as", "rate", "kB/s", "lost", "QoS", "hosts", ""}};
+    for (const ProbedTopic& probed : report.topics) {
+        const auto found = uses.find(probed.topic.name);
+        const Use use = found == uses.end() ? Use{} : found->second;
+        rows.push_back({probed.topic.name, probed.topic.type, use.robot, use.role.empty() ? "–" : use.role,
+                        probed.writers > 0 ? fmt::format("{:.1f} Hz", probed.rate) : "",
+                        probed.writers > 0 ? fmt::format("{:.1f}", probed.bytesPerSecond / 1e3) : "",
+                        probed.writers > 0 ? fmt::format("{}", probed.lost) : "", qosText(probed.topic),
+                        probed.hosts, use.remark});
+    }
+    return textTable(rows);
+}
+
+std::string probeJson(const ProbeReport& report, const std::map<std::string, std::string>& files) {
+    using Json = nlohmann::ordered_json;
+    const auto uses = usesOf(report);
+    Json topics = Json::array(), robots = Json::array();
+    for (const ProbedTopic& probed : report.topics) {
+        const auto found = uses.find(probed.topic.name);
+        const Use use = found == uses.end() ? Use{} : found->second;
+        topics.push_back({{"topic", probed.topic.name},
+                          {"type", probed.topic.type},
+                          {"robot", use.robot},
+                          {"role", use.role},
+                          {"remark", use.remark},
+                          {"writers", probed.writers},
+                          {"readers", probed.readers},
+                          {"rate", probed.rate},
+                          {"bytes_per_second", probed.bytesPerSecond},
+                          {"lost", probed.lost},
+                          {"qos", qosText(probed.topic)},
+                          {"hosts", probed.hosts}});
+    }
+    for (const RobotGuess& guess : report.robots) {
+        const auto file = files.find(guess.robot.name);
+        robots.push_back({{"name", guess.robot.name}, {"file", file == files.end() ? "" : file->second}});
+    }
+    return Json{
+        {"seconds", report.seconds}, {"robots", robots}, {"topics", topics}, {"warnings", report.warnings}}
+        .dump(2);
+}
+
+/// Writes a first file a robot; never over one that is there. Returns the files by robot.
+std::map<std::string, std::string> writeRobotFiles(const ProbeReport& report, const fs::path& folder,
+                                                   ProgressLine& line, bool& ok) {
+    std::map<std::string, std::string> files;
+    for (const RobotGuess& guess : report.robots) {
+        if (guess.robot.streams.empty()) continue;
+        const fs::path file = folder / (guess.robot.name + ".yaml");
+        std::error_code problem;
+        if (fs::exists(file, problem)) {
+            complain(line, file.string() + " is there already and stays as it is");
+            continue;
+        }
+        std::ofstream out(file);
+        out << writeRobot(guess.robot);
+        out.close();
+        if (!out) {
+            complain(line, file.string() + ": cannot be written");
+            ok = false;
+            continue;
+        }
+        files.emplace(guess.robot.name, file.string());
+    }
+    return files;
+}
+
+int runProbe(const ProbeOptions& options) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    const auto show = [&line](double fraction) { line.show("listening", fraction); };
+    const auto report = probeDomain(options.settings, {.report = show, .stop = interrupt.token()});
+    line.clear();
+    if (!report) {
+        complain(line, report.error().text);
+        return 1;
+    }
+    bool ok = true;
+    const auto files = writeRobotFiles(*report, options.out, line, ok);
+    fmt::print("{}", options.json ? probeJson(*report, files) + "\n" : probeTable(*report));
+    if (!options.json) {
+        for (const auto& [robot, file] : files) {
+            fmt::print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n", file);
+        }
+    }
+    for (const std::string& warning : report->warnings) complain(line, warning);
+    return ok ? 0 : 1;
+}
+
+}  // namespace
+
+void addProbe(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand(
+        "probe",
+        "listens to a domain: robots, topics, what fits and what will not work; writes first robot files");
+    const auto options = std::make_shared<ProbeOptions>();
+    command->add_option("--domain", options->settings.domain, "DDS domain (ROS_DOMAIN_ID) (0)")
+        ->check(CLI::Range(0, 232));
+    command->add_option("--seconds", options->settings.seconds, "How long to listen [s] (5)")
+        ->check(CLI::Range(0.5, 3600.0));
+    command->add_option("--out", options->out, "Folder for the robot files (the present one)")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR");
+    command->add_option("--interface", options->settings.interfaces, "Network interfaces to use (all)")
+        ->type_name("NAME...");
+    command
+        ->add_option("--peer", options->settings.initialPeers,
+                     "Addresses of robots where multicast does not pass")
+        ->type_name("ADDRESS...");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->final_callback([options, &exitCode] { exitCode = runProbe(*options); });
+}
+
+}  // namespace leitstand::cli

@@ -1,0 +1,143 @@
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/session/mission_recorder.h"
+#include "core/io/robot/robot_file.h"
+
+namespace leitstand::cli {
+namespace {
+
+struct RecordOptions {
+    std::string out;
+    int domain = 0;
+    std::vector<std::string> robots, interfaces, peers;
+    bool json = false;
+};
+
+std::string recordJson(const RecorderStatus& status) {
+    nlohmann::ordered_json topics = nlohmann::ordered_json::array();
+    for (const auto& topic : status.topics) {
+        topics.push_back(
+            {{"topic", topic.name},
+             {"type", topic.type},
+             {"samples", topic.samples},
+             {"lost", topic.lost},
+             {"dropped", status.log.dropped.contains(topic.name) ? status.log.dropped.at(topic.name) : 0}});
+    }
+    return nlohmann::ordered_json{
+        {"events", status.log.events}, {"bytes", status.log.bytes}, {"topics", topics}}
+        .dump(2);
+}
+
+std::string recordTable(const RecorderStatus& status) {
+    std::vector<std::vector<std::string>> rows = {{"topic", "type", "samples", "lost", "dropped"}};
+    for (const auto& topic : status.topics) {
+        const auto dropped = status.log.dropped.find(topic.name);
+        rows.push_back({topic.name, topic.type, fmt::format("{}", topic.samples),
+                        fmt::format("{}", topic.lost),
+                        dropped == status.log.dropped.end() ? "0" : fmt::format("{}", dropped->second)});
+    }
+    return textTable(rows) +
+           fmt::format("{} events, {:.1f} MB\n", status.log.events, double(status.log.bytes) / 1e6);
+}
+
+void showStatus(ProgressLine& line, const RecorderStatus& status) {
+    const double minutes = status.log.minutesLeft;
+    const std::string left = minutes < 6000.0 ? fmt::format(", disk lasts {:.0f} min", minutes) : "";
+    line.show(fmt::format("{} topics, {} events, {:.1f} MB, {:.2f} MB/s{}", status.topics.size(),
+                          status.log.events, double(status.log.bytes) / 1e6, status.log.bytesPerSecond / 1e6,
+                          left));
+}
+
+int runRecord(const RecordOptions& options) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    RecorderSettings settings;
+    settings.mission.folder = options.out;
+    settings.mission.title = "leitstandctl record";
+    settings.mission.version = LEITSTAND_VERSION;
+    settings.domain = options.domain;
+    settings.interfaces = options.interfaces;
+    settings.initialPeers = options.peers;
+    for (const std::string& file : options.robots) {
+        auto robot = readRobot(file);
+        if (!robot) {
+            complain(line, robot.error().text);
+            return 1;
+        }
+        settings.mission.robots.push_back(std::move(robot).value());
+    }
+    std::mutex printing;
+    const auto recorder = MissionRecorder::start(settings, [&](const std::string& text) {
+        const std::lock_guard lock(printing);
+        complain(line, text);
+    });
+    if (!recorder) {
+        complain(line, recorder.error().text);
+        return 1;
+    }
+    fmt::print(stderr,
+               "leitstandctl: recording domain {} into {}; Ctrl-C ends it. Security is off: anyone in the "
+               "domain can speak (see leitstandctl keys).\n",
+               options.domain, options.out);
+    std::mutex mutex;
+    std::condition_variable_any ended;
+    std::unique_lock lock(mutex);
+    const std::stop_token stop = interrupt.token();
+    while (
+        !ended.wait_for(lock, stop, std::chrono::milliseconds(500), [&] { return stop.stop_requested(); })) {
+        const std::lock_guard quiet(printing);
+        showStatus(line, (*recorder)->status());
+    }
+    RecorderStatus status = (*recorder)->status();
+    const auto stopped = (*recorder)->stop();
+    status.log = (*recorder)->status().log;
+    line.clear();
+    fmt::print("{}", options.json ? recordJson(status) + "\n" : recordTable(status));
+    for (const auto& [topic, errors] : status.log.broken) {
+        complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
+                                   topic, errors.count, errors.last));
+    }
+    if (!stopped) complain(line, stopped.error().text);
+    return stopped ? 0 : 1;
+}
+
+}  // namespace
+
+void addRecord(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("record", "records what robots say into a mission, until Ctrl-C");
+    const auto options = std::make_shared<RecordOptions>();
+    command->add_option("--out", options->out, "Folder of the mission; one that exists is gone on with")
+        ->required()
+        ->type_name("MISSION");
+    command->add_option("--domain", options->domain, "DDS domain (ROS_DOMAIN_ID) (0)")
+        ->check(CLI::Range(0, 232));
+    command
+        ->add_option("--robot", options->robots,
+                     "Robot files whose listed topics to record; without any, every topic that is heard")
+        ->type_name("YAML...");
+    command
+        ->add_option("--interface", options->interfaces,
+                     "Network interfaces to use, by name or address (all)")
+        ->type_name("NAME...");
+    command->add_option("--peer", options->peers, "Addresses of robots where multicast does not pass")
+        ->type_name("ADDRESS...");
+    command->add_flag("--json", options->json, "Print the summary as JSON");
+    command->final_callback([options, &exitCode] { exitCode = runRecord(*options); });
+}
+
+}  // namespace leitstand::cli

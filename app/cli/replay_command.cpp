@@ -1,0 +1,91 @@
+#include <atomic>
+#include <csignal>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
+#include "app/cli/progress_line.h"
+#include "app/session/mission_replay.h"
+
+namespace leitstand::cli {
+namespace {
+
+struct ReplayOptions {
+    ReplaySettings settings;
+    std::string mission;
+    bool json = false;
+};
+
+/// Switched by SIGUSR1; lock-free, so that a signal handler may touch it.
+std::atomic<bool> paused = false;
+
+void onPauseSignal(int) {
+    paused = !paused;
+}
+
+std::string outcomeJson(const ReplayOutcome& outcome) {
+    return nlohmann::ordered_json{{"published", outcome.published},
+                                  {"held_back", outcome.heldBack},
+                                  {"held_back_topics", outcome.heldBackTopics},
+                                  {"problems", outcome.problems}}
+        .dump(2);
+}
+
+int runReplay(ReplayOptions& options) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    options.settings.mission = options.mission;
+    const auto replay = MissionReplay::open(options.settings, {.report = {}, .stop = interrupt.token()});
+    if (!replay) {
+        complain(line, replay.error().text);
+        return 1;
+    }
+    static_assert(std::atomic<bool>::is_always_lock_free);
+    std::signal(SIGUSR1, onPauseSignal);
+    const auto show = [&line](double fraction) { line.show(paused ? "paused" : "replaying", fraction); };
+    const ReplayOutcome outcome = (*replay)->play(paused, {.report = show, .stop = interrupt.token()});
+    std::signal(SIGUSR1, SIG_DFL);
+    line.clear();
+    if (options.json) {
+        fmt::print("{}\n", outcomeJson(outcome));
+    } else {
+        fmt::print("{} samples published, {} held back", outcome.published, outcome.heldBack);
+        for (std::size_t i = 0; i < outcome.heldBackTopics.size(); ++i) {
+            fmt::print("{}{}", i == 0 ? " (commands, stops and the station's own: " : " ",
+                       outcome.heldBackTopics[i]);
+        }
+        fmt::print("{}\n", outcome.heldBackTopics.empty() ? "" : ")");
+    }
+    for (const std::string& problem : outcome.problems) complain(line, problem);
+    if (interrupt.token().stop_requested() && !options.settings.loop) {
+        complain(line, "interrupted");
+        return 1;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("replay",
+                                           "publishes what a mission's robots said; never commands, stops or "
+                                           "grants. SIGUSR1 pauses and goes on");
+    const auto options = std::make_shared<ReplayOptions>();
+    command->add_option("MISSION", options->mission, "Folder of the mission, or one .db3 file of it")
+        ->required();
+    command->add_option("--domain", options->settings.domain, "DDS domain (ROS_DOMAIN_ID) (0)")
+        ->check(CLI::Range(0, 232));
+    command->add_option("--rate", options->settings.rate, "How many times faster than it came (1)")
+        ->check(CLI::Range(0.01, 1000.0));
+    command->add_flag("--loop", options->settings.loop, "Begin again at the end, until Ctrl-C");
+    command->add_flag("--json", options->json, "Print the summary as JSON");
+    command->final_callback([options, &exitCode] { exitCode = runReplay(*options); });
+}
+
+}  // namespace leitstand::cli
