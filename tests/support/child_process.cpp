@@ -24,6 +24,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         for (std::string& variable : variables) putenv(variable.data());
         dup2(out[1], STDOUT_FILENO);
+        dup2(out[1], STDERR_FILENO);
         close(out[0]);
         close(out[1]);
         execv(argv[0], argv.data());

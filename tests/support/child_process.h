@@ -22,7 +22,7 @@ public:
 
     void signal(int number) const;
     int wait();                             ///< until it ends: its exit code, -1 when a signal ended it
-    [[nodiscard]] std::string out() const;  ///< what it has said so far
+    [[nodiscard]] std::string out() const;  ///< what it has said so far, errors too
     [[nodiscard]] pid_t id() const { return m_id; }
 
 private:

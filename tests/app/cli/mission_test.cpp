@@ -1,0 +1,254 @@
+#include <csignal>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include "core/io/bag/bag_reader.h"
+#include "tests/support/child_process.h"
+#include "tests/support/dds/test_domain.h"
+#include "tests/support/process.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+ProcessOutcome leitstandctl(const std::vector<std::string>& arguments) {
+    return runProcess(LEITSTANDCTL, arguments);
+}
+
+Eigen::Vector3d positionOf(const json& scan) {
+    const auto pose = scan["pose"].get<std::vector<double>>();
+    return {pose[3], pose[7], pose[11]};
+}
+
+/// A recording that runs beside the test.
+class Recording {
+public:
+    Recording(const TestDomain& domain, const fs::path& mission, std::vector<std::string> more = {})
+        : m_process(LEITSTANDCTL, arguments(domain, mission, std::move(more))) {
+        EXPECT_TRUE(waitUntil([this] {
+            return m_process.out().find("recording domain") != std::string::npos;
+        })) << m_process.out();
+    }
+    int stop() {
+        m_process.signal(SIGINT);
+        return m_process.wait();
+    }
+    [[nodiscard]] std::string out() const { return m_process.out(); }
+
+private:
+    static std::vector<std::string> arguments(const TestDomain& domain, const fs::path& mission,
+                                              std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"record", "--out", mission.string(), "--domain", std::to_string(domain.number())});
+        return more;
+    }
+    ChildProcess m_process;
+};
+
+/// A robot that has said all its scans to the recorder.
+class Robot {
+public:
+    Robot(const TestDomain& domain, std::vector<std::string> more = {})
+        : m_process(LEITSTAND_TEST_ROBOT, arguments(domain, std::move(more))) {}
+    [[nodiscard]] bool saidAll() {
+        return waitUntil([this] { return m_process.out().find("said ") != std::string::npos; },
+                         std::chrono::seconds(60));
+    }
+    [[nodiscard]] std::string out() const { return m_process.out(); }
+
+private:
+    static std::vector<std::string> arguments(const TestDomain& domain, std::vector<std::string> more) {
+        more.insert(more.begin(), {"--domain", std::to_string(domain.number())});
+        return more;
+    }
+    ChildProcess m_process;
+};
+
+/// Records what a robot says, from beginning to end.
+void record(const fs::path& mission, const std::vector<std::string>& robot = {},
+            const std::vector<std::string>& recorder = {}) {
+    const TestDomain domain;
+    Recording recording(domain, mission, recorder);
+    Robot saying(domain, robot);
+    ASSERT_TRUE(saying.saidAll()) << saying.out() << recording.out();
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+}
+
+std::size_t messagesOn(const json& info, const std::string& topic) {
+    for (const json& one : info["topics"]) {
+        if (one["topic"] == topic) return one["messages"].get<std::size_t>();
+    }
+    return 0;
+}
+
+std::vector<std::vector<std::byte>> payloadsOn(const fs::path& mission, const std::string& topic) {
+    const auto bag = BagReader::open(mission);
+    EXPECT_TRUE(bag) << bag.error().text;
+    BagQuery query;
+    query.topics = {topic};
+    BagCursor cursor = (*bag)->read(query);
+    std::vector<std::vector<std::byte>> payloads;
+    while (const auto event = cursor.next()) payloads.push_back(*event->cdr);
+    return payloads;
+}
+
+TEST(Mission, WhatARobotSaysIsRecordedAndRegistered) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    const auto info = leitstandctl({"info", mission.string(), "--json"});
+    ASSERT_EQ(info.exitCode, 0) << info.err;
+    const json told = json::parse(info.out);
+    EXPECT_EQ(messagesOn(told, "/kurt3d/points"), 3u);
+    EXPECT_EQ(messagesOn(told, "/kurt3d/tf_static"), 1u);
+    EXPECT_GT(messagesOn(told, "/kurt3d/odom"), 20u);
+    EXPECT_EQ(messagesOn(told, "/leitstand/sessions"), 2u) << "its beginning and its end";
+    EXPECT_GE(messagesOn(told, "/leitstand/checkpoints"), 1u);
+    EXPECT_EQ(told["problems"].size(), 0u) << info.out;
+
+    const auto run = leitstandctl({"register", mission.string(), "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json scans = json::parse(run.out)["scans"];
+    ASSERT_EQ(scans.size(), 3u);
+    EXPECT_LT((positionOf(scans[1]) - Eigen::Vector3d(0.4, 0.1, 0.0)).norm(), 0.02) << run.out;
+    EXPECT_LT((positionOf(scans[2]) - Eigen::Vector3d(0.8, 0.2, 0.0)).norm(), 0.03) << run.out;
+}
+
+TEST(Mission, SlicesBecomeTurns) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission, {"--slices", "23"}));
+    EXPECT_EQ(payloadsOn(mission, "/kurt3d/points").size(), 69u);
+    const auto run = leitstandctl({"register", mission.string(), "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json scans = json::parse(run.out)["scans"];
+    ASSERT_EQ(scans.size(), 3u);
+    EXPECT_EQ(scans[0]["points"].get<int>(), 181 * 161);
+    EXPECT_LT((positionOf(scans[2]) - Eigen::Vector3d(0.8, 0.2, 0.0)).norm(), 0.03) << run.out;
+}
+
+TEST(Mission, TheHallComesThroughTheWireAsItIsInItsFiles) {
+    LEITSTAND_HALL_OR_SKIP(hall);
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission, {"--scans", hall.string()}));
+    const auto wired = leitstandctl({"register", mission.string(), "--json"});
+    const auto filed = leitstandctl({"register", hall.string(), "--json"});
+    ASSERT_EQ(wired.exitCode, 0) << wired.err;
+    const json a = json::parse(wired.out)["scans"], b = json::parse(filed.out)["scans"];
+    ASSERT_EQ(a.size(), 3u);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i]["points"], b[i]["points"]);
+        EXPECT_LT((positionOf(a[i]) - positionOf(b[i])).norm(), 0.01);
+    }
+}
+
+TEST(Mission, ResumingWritesANewSessionAndLeavesTheOldOneAlone) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    const auto before = json::parse(leitstandctl({"info", mission.string(), "--json"}).out);
+    const fs::path first = mission / before["sessions"][0]["file"].get<std::string>();
+    const auto size = fs::file_size(first);
+    const auto written = fs::last_write_time(first);
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    EXPECT_EQ(fs::file_size(first), size);
+    EXPECT_EQ(fs::last_write_time(first), written);
+    const auto after = json::parse(leitstandctl({"info", mission.string(), "--json"}).out);
+    ASSERT_EQ(after["sessions"].size(), 2u);
+    EXPECT_EQ(messagesOn(after, "/kurt3d/points"), 6u);
+    EXPECT_GT(after["sessions"][1]["first_sequence"], after["sessions"][0]["last_sequence"]);
+}
+
+TEST(Replay, SaysTheSameAgain) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission", again = folder / "again";
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    const TestDomain domain;
+    Recording recording(domain, again);
+    const auto replay = leitstandctl(
+        {"replay", mission.string(), "--domain", std::to_string(domain.number()), "--rate", "4", "--json"});
+    ASSERT_EQ(replay.exitCode, 0) << replay.err;
+    const json outcome = json::parse(replay.out);
+    EXPECT_GT(outcome["held_back"], 0) << "the station's own events";
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+    EXPECT_EQ(payloadsOn(again, "/kurt3d/points"), payloadsOn(mission, "/kurt3d/points"));
+    EXPECT_EQ(payloadsOn(again, "/kurt3d/tf_static"), payloadsOn(mission, "/kurt3d/tf_static"));
+}
+
+TEST(Replay, RefusesADomainWhereTheRobotIsLive) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    const TestDomain domain;
+    Robot live(domain, {"--wait-for", "0"});
+    ASSERT_TRUE(live.saidAll());
+    const auto refused =
+        leitstandctl({"replay", mission.string(), "--domain", std::to_string(domain.number())});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("robot kurt3d is there live"));
+}
+
+TEST(Probe, FindsTheRobotAndWritesAFileThatRecordTakes) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    Robot robot(domain, {"--wait-for", "0"});
+    ASSERT_TRUE(robot.saidAll());
+    const auto probe = leitstandctl({"probe", "--domain", std::to_string(domain.number()), "--seconds", "3",
+                                     "--out", folder.path().string(), "--json"});
+    ASSERT_EQ(probe.exitCode, 0) << probe.err;
+    const json report = json::parse(probe.out);
+    ASSERT_EQ(report["robots"].size(), 1u) << probe.out;
+    EXPECT_EQ(report["robots"][0]["name"], "kurt3d");
+    for (const json& topic : report["topics"]) {
+        if (topic["topic"] != "/kurt3d/odom") continue;
+        EXPECT_EQ(topic["role"], "odometry");
+        EXPECT_EQ(topic["qos"], "best effort");
+        EXPECT_GT(topic["rate"], 20.0);
+    }
+    const std::string file = report["robots"][0]["file"].get<std::string>();
+    ASSERT_TRUE(fs::exists(file));
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission, {}, {"--robot", file}));
+    EXPECT_EQ(payloadsOn(mission, "/kurt3d/points").size(), 3u);
+    EXPECT_TRUE(fs::exists(mission / "robots" / "kurt3d.yaml"));
+    const auto again = leitstandctl({"probe", "--domain", std::to_string(domain.number()), "--seconds", "3",
+                                     "--out", folder.path().string()});
+    EXPECT_THAT(again.err, HasSubstr("stays as it is")) << "a file is never written over";
+}
+
+TEST(Probe, AnEmptyDomainIsToldWithWhatToLookAt) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const auto probe = leitstandctl({"probe", "--domain", std::to_string(domain.number()), "--seconds", "1",
+                                     "--out", folder.path().string()});
+    EXPECT_EQ(probe.exitCode, 0);
+    EXPECT_THAT(probe.out, HasSubstr("ROS_DOMAIN_ID"));
+}
+
+TEST(Info, WhatIsNoMissionIsTold) {
+    const TemporaryFolder folder;
+    const auto nothing = leitstandctl({"info", (folder / "none").string()});
+    EXPECT_EQ(nothing.exitCode, 1);
+    EXPECT_THAT(nothing.err, HasSubstr("none"));
+    const auto usage = leitstandctl({"info"});
+    EXPECT_EQ(usage.exitCode, 2);
+}
+
+}  // namespace
+}  // namespace leitstand::test
