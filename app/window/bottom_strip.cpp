@@ -15,6 +15,7 @@ namespace {
 
 QString progressText(const SessionProgress& progress) {
     const QString name = QString::fromStdString(progress.name);
+    if (progress.scans == 0) return BottomStrip::tr("Reading %1").arg(name);
     const QString text = progress.step == SessionProgress::Step::Reading
                              ? BottomStrip::tr("Reading %1 · %2 of %3")
                              : BottomStrip::tr("Registering %1 · %2 of %3");
