@@ -1,6 +1,7 @@
 # The streams of two robots over a shaped link between network namespaces.
 add_executable(radio_robot transport/radio/robot/main.cpp)
 leitstand_warnings(radio_robot)
+leitstand_tsan(radio_robot)
 target_link_libraries(radio_robot PRIVATE leitstand_test_support leitstand_transport)
 leitstand_test(radio_tests FOLDER transport/radio LABEL dds LIBS leitstand_transport fmt::fmt)
 target_compile_definitions(radio_tests PRIVATE RADIO_ROBOT="$<TARGET_FILE:radio_robot>")
