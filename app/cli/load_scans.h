@@ -26,8 +26,8 @@ struct LoadedScans {
     int broken = 0;            ///< those that could not be read
 };
 
-/// Reads all that can be read of @p sources (uos folders, cloud files, missions), until @p stop; complains about
-/// the rest. An error names a source that is nothing of this.
+/// Reads all that can be read of @p sources (uos folders, cloud files, missions), until @p stop; complains
+/// about the rest. An error names a source that is nothing of this.
 [[nodiscard]] Result<LoadedScans> loadScans(const std::vector<std::filesystem::path>& sources,
                                             const std::stop_token& stop, ProgressLine& line);
 
