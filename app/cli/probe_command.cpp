@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/domain_options.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
@@ -141,6 +142,7 @@ int runProbe(const ProbeOptions& options) {
     const auto files = writeRobotFiles(*report, options.out, line, ok);
     fmt::print("{}", options.json ? probeJson(*report, files) + "\n" : probeTable(*report));
     if (!options.json) {
+        fmt::print("{}\n", securityLine(options.settings.domain));
         for (const auto& [robot, file] : files) {
             fmt::print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n", file);
         }
@@ -156,19 +158,12 @@ void addProbe(CLI::App& app, int& exitCode) {
         "probe",
         "listens to a domain: robots, topics, what fits and what will not work; writes first robot files");
     const auto options = std::make_shared<ProbeOptions>();
-    command->add_option("--domain", options->settings.domain, "DDS domain (ROS_DOMAIN_ID) (0)")
-        ->check(CLI::Range(0, 232));
+    addDomainOptions(*command, options->settings.domain);
     command->add_option("--seconds", options->settings.seconds, "How long to listen [s] (5)")
         ->check(CLI::Range(0.5, 3600.0));
     command->add_option("--out", options->out, "Folder for the robot files (the present one)")
         ->check(CLI::ExistingDirectory)
         ->type_name("DIR");
-    command->add_option("--interface", options->settings.interfaces, "Network interfaces to use (all)")
-        ->type_name("NAME...");
-    command
-        ->add_option("--peer", options->settings.initialPeers,
-                     "Addresses of robots where multicast does not pass")
-        ->type_name("ADDRESS...");
     command->add_flag("--json", options->json, "Print JSON");
     command->final_callback([options, &exitCode] { exitCode = runProbe(*options); });
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/domain_options.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
@@ -23,8 +24,8 @@ namespace {
 
 struct RecordOptions {
     std::string out;
-    int domain = 0;
-    std::vector<std::string> robots, interfaces, peers;
+    DomainSettings domain;
+    std::vector<std::string> robots;
     bool json = false;
 };
 
@@ -71,8 +72,6 @@ int runRecord(const RecordOptions& options) {
     settings.mission.title = "leitstandctl record";
     settings.mission.version = LEITSTAND_VERSION;
     settings.domain = options.domain;
-    settings.interfaces = options.interfaces;
-    settings.initialPeers = options.peers;
     for (const std::string& file : options.robots) {
         auto robot = readRobot(file);
         if (!robot) {
@@ -90,10 +89,8 @@ int runRecord(const RecordOptions& options) {
         complain(line, recorder.error().text);
         return 1;
     }
-    fmt::print(stderr,
-               "leitstandctl: recording domain {} into {}; Ctrl-C ends it. Security is off: anyone in the "
-               "domain can speak (see leitstandctl keys).\n",
-               options.domain, options.out);
+    fmt::print(stderr, "leitstandctl: recording domain {} into {}; Ctrl-C ends it\nleitstandctl: {}\n",
+               options.domain.domain, options.out, securityLine(options.domain));
     std::mutex mutex;
     std::condition_variable_any ended;
     std::unique_lock lock(mutex);
@@ -124,18 +121,11 @@ void addRecord(CLI::App& app, int& exitCode) {
     command->add_option("--out", options->out, "Folder of the mission; one that exists is gone on with")
         ->required()
         ->type_name("MISSION");
-    command->add_option("--domain", options->domain, "DDS domain (ROS_DOMAIN_ID) (0)")
-        ->check(CLI::Range(0, 232));
+    addDomainOptions(*command, options->domain);
     command
         ->add_option("--robot", options->robots,
                      "Robot files whose listed topics to record; without any, every topic that is heard")
         ->type_name("YAML...");
-    command
-        ->add_option("--interface", options->interfaces,
-                     "Network interfaces to use, by name or address (all)")
-        ->type_name("NAME...");
-    command->add_option("--peer", options->peers, "Addresses of robots where multicast does not pass")
-        ->type_name("ADDRESS...");
     command->add_flag("--json", options->json, "Print the summary as JSON");
     command->final_callback([options, &exitCode] { exitCode = runRecord(*options); });
 }

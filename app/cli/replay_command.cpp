@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/domain_options.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
@@ -79,8 +80,7 @@ void addReplay(CLI::App& app, int& exitCode) {
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("MISSION", options->mission, "Folder of the mission, or one .db3 file of it")
         ->required();
-    command->add_option("--domain", options->settings.domain, "DDS domain (ROS_DOMAIN_ID) (0)")
-        ->check(CLI::Range(0, 232));
+    addDomainOptions(*command, options->settings.domain);
     command->add_option("--rate", options->settings.rate, "How many times faster than it came (1)")
         ->check(CLI::Range(0.01, 1000.0));
     command->add_flag("--loop", options->settings.loop, "Begin again at the end, until Ctrl-C");

@@ -109,12 +109,9 @@ std::vector<ProbedTopic> Listening::topics() {
 }  // namespace
 
 Result<ProbeReport> probeDomain(const ProbeSettings& settings, const Progress& progress) {
-    NodeSettings network;
-    network.domain = settings.domain;
-    network.name = "leitstandctl probe";
-    network.interfaces = settings.interfaces;
-    network.initialPeers = settings.initialPeers;
-    const auto node = Node::create(network);
+    const auto network = nodeSettings(settings.domain, "leitstandctl probe");
+    if (!network) return network.error();
+    const auto node = Node::create(*network);
     if (!node) return node.error();
     ProbeReport report;
     report.warnings = (*node)->warnings();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/domain_settings.h"
 #include "app/session/robot_guess.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -11,10 +12,8 @@ namespace leitstand {
 
 /// How long to listen, and where.
 struct ProbeSettings {
-    int domain = 0;
+    DomainSettings domain = {};
     double seconds = 5.0;
-    std::vector<std::string> interfaces;    ///< empty: all
-    std::vector<std::string> initialPeers;  ///< asked by unicast where multicast does not pass
 };
 
 /// A topic as it was heard.

@@ -120,12 +120,9 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
 
 Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
                                                                 Teller tell) {
-    NodeSettings network;
-    network.domain = settings.domain;
-    network.name = "leitstandctl record";
-    network.interfaces = settings.interfaces;
-    network.initialPeers = settings.initialPeers;
-    auto node = Node::create(network);
+    const auto network = nodeSettings(settings.domain, "leitstandctl record");
+    if (!network) return network.error();
+    auto node = Node::create(*network);
     if (!node) return node.error();
     auto mission = LiveMission::open(settings.mission, {.onAlarm = tell});
     if (!mission) return mission.error();

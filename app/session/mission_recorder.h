@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/domain_settings.h"
 #include "app/session/live_mission.h"
 #include "core/base/result.h"
 
@@ -13,9 +14,7 @@ namespace leitstand {
 /// What to record, and where.
 struct RecorderSettings {
     LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics heard
-    int domain = 0;
-    std::vector<std::string> interfaces;  ///< empty: all
-    std::vector<std::string> initialPeers;
+    DomainSettings domain = {};
 };
 
 /// How a recording is doing.

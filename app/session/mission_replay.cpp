@@ -54,6 +54,7 @@ struct MissionReplay::State {
 
     bool waitUntil(Clock::time_point& due, const std::atomic<bool>& paused, const Progress& progress);
     void publish(const RawEvent& event);
+    void waitForListeners(const Progress& progress) const;
     bool playOnce(const std::atomic<bool>& paused, const Progress& progress);
 };
 
@@ -71,10 +72,11 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
             state->robots.insert(robot);
         }
     }
-    NodeSettings network;
-    network.domain = settings.domain;
-    network.name = "leitstandctl replay";
-    auto node = Node::create(network);
+    auto network = nodeSettings(settings.domain, "leitstandctl replay");
+    if (!network) return network.error();
+    // No radio to spare: at several times its speed, a mission must not wait in our own queues.
+    network->telemetryLimit = network->scanLimit = network->pictureLimit = {8000, 1};
+    auto node = Node::create(*network);
     if (!node) return node.error();
     state->node = std::move(node).value();
     // Discovery takes its time: nothing is said before it is clear that nobody of that name is there.
@@ -82,7 +84,7 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
     do {
         if (const auto robot = liveNamesake(*state->node, state->robots)) {
             return Error{fmt::format("domain {}: robot {} is there live; replay on another domain (--domain)",
-                                     settings.domain, *robot)};
+                                     settings.domain.domain, *robot)};
         }
         std::this_thread::sleep_for(Tick);
     } while (Clock::now() < settled && !progress.cancelled());
@@ -147,15 +149,21 @@ bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progr
     return true;
 }
 
+/// What was said last must reach those that listen, as far as they still do.
+void MissionReplay::State::waitForListeners(const Progress& progress) const {
+    const auto until = Clock::now() + std::chrono::seconds(30);
+    for (const auto& [topic, publisher] : publishers) {
+        while (!publisher->waitForAcknowledgments(std::chrono::milliseconds(100))) {
+            if (progress.cancelled() || Clock::now() > until) return;
+        }
+    }
+}
+
 ReplayOutcome MissionReplay::play(const std::atomic<bool>& paused, const Progress& progress) {
     m_state->outcome = {};
     while (m_state->playOnce(paused, progress) && m_state->settings.loop) {
     }
-    // What was said last must reach those that listen.
-    for (const auto& [topic, publisher] : m_state->publishers) {
-        if (progress.cancelled()) break;
-        (void)publisher->waitForAcknowledgments(std::chrono::seconds(2));
-    }
+    m_state->waitForListeners(progress);
     ReplayOutcome& outcome = m_state->outcome;
     outcome.heldBackTopics.assign(m_state->heldBack.begin(), m_state->heldBack.end());
     const auto& problems = m_state->bag->problems();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/domain_settings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 
@@ -16,7 +17,7 @@ namespace leitstand {
 /// How to play a mission.
 struct ReplaySettings {
     std::filesystem::path mission;
-    int domain = 0;
+    DomainSettings domain = {};
     double rate = 1.0;           ///< of the mission's time to real time, above 0
     bool loop = false;           ///< begin again at the end
     double settleSeconds = 2.0;  ///< listened for live robots before the first sample [s]

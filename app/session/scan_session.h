@@ -55,10 +55,10 @@ public:
     ScanSession(const ScanSession&) = delete;
     ScanSession& operator=(const ScanSession&) = delete;
 
-    /// Reads the files, folders and missions @p sources and registers their scans one by one onto the map; a file that
-    /// cannot be read is a message, the others still load; one that is in the map already is left out. A map
-    /// that has scans goes on with its own settings, an empty one takes @p settings. Cancelled: what was
-    /// registered stays.
+    /// Reads the files, folders and missions @p sources and registers their scans one by one onto the map; a
+    /// file that cannot be read is a message, the others still load; one that is in the map already is left
+    /// out. A map that has scans goes on with its own settings, an empty one takes @p settings. Cancelled:
+    /// what was registered stays.
     void open(std::vector<std::filesystem::path> sources, RegistrationSettings settings);
     /// Registers the map's scans anew; each keeps its old pose until it has its new one. Cancelled: the old
     /// map comes back.

@@ -175,6 +175,33 @@ TEST(Mission, ResumingWritesANewSessionAndLeavesTheOldOneAlone) {
     EXPECT_GT(after["sessions"][1]["first_sequence"], after["sessions"][0]["last_sequence"]);
 }
 
+TEST(Mission, InASecuredDomainOnlyMembersAreRecorded) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission", keys = folder / "keys", members = keys / "enclaves";
+    const auto made =
+        leitstandctl({"keys", "--out", keys.string(), "--station", "station1", "--robot", "kurt3d"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    const TestDomain domain;
+    Recording recording(domain, mission, {"--keys", (members / "station1").string()});
+    EXPECT_THAT(recording.out(), HasSubstr("Security is on: station1 (station)"));
+    Robot stranger(domain, {"--name", "stranger", "--wait-for", "0"});
+    Robot member(domain, {"--keys", (members / "kurt3d").string()});
+    ASSERT_TRUE(stranger.saidAll() && member.saidAll()) << stranger.out() << member.out() << recording.out();
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+    EXPECT_EQ(payloadsOn(mission, "/kurt3d/points").size(), 3u);
+    EXPECT_EQ(payloadsOn(mission, "/stranger/points").size(), 0u);
+    EXPECT_EQ(payloadsOn(mission, "/stranger/odom").size(), 0u);
+}
+
+TEST(Mission, KeysThatCannotServeAreToldAndNothingIsWritten) {
+    const TemporaryFolder folder;
+    const auto refused = leitstandctl(
+        {"record", "--out", (folder / "mission").string(), "--keys", (folder / "none").string()});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr((folder / "none").string()));
+    EXPECT_FALSE(fs::exists(folder / "mission"));
+}
+
 TEST(Replay, SaysTheSameAgain) {
     const TemporaryFolder folder;
     const fs::path mission = folder / "mission", again = folder / "again";

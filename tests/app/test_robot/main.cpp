@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     app.add_option("--name", settings.name);
     app.add_option("--scans", settings.scans, "Folder of uos scans; none: generated rooms");
     app.add_option("--slices", settings.slices, "Parts that each sweep is cut into");
+    app.add_option("--keys", settings.keys, "Folder of its identity");
     app.add_option("--pause", settings.pauseSeconds, "Seconds between clouds");
     app.add_option("--wait-for", settings.waitForReaders,
                    "Readers of the clouds to wait for before the first");

@@ -14,6 +14,7 @@
 #include "tests/support/rooms.h"
 #include "transport/convert/encode.h"
 #include "transport/dds/node.h"
+#include "transport/security/enclave.h"
 
 namespace leitstand::test {
 namespace {
@@ -177,6 +178,11 @@ Result<void> runTestRobot(const TestRobotSettings& settings, const std::atomic<b
     NodeSettings network;
     network.domain = settings.domain;
     network.name = settings.name;
+    if (!settings.keys.empty()) {
+        auto files = securityFiles(settings.keys);
+        if (!files) return files.error();
+        network.security = std::move(files).value();
+    }
     auto node = Node::create(network);
     if (!node) return node.error();
     return TestRobot(settings, std::move(node).value()).run(*scans, stopped);

@@ -15,6 +15,7 @@ struct TestRobotSettings {
     std::string scans;          ///< folder of uos scans with odometry; empty: three generated rooms
     int slices = 1;             ///< parts that each sweep is cut into, for yawing sweeps
     double pauseSeconds = 0.3;  ///< between clouds
+    std::string keys;           ///< folder of its identity; empty: unsecured
     int waitForReaders = 1;     ///< of the clouds, before the first is said
 };
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace leitstand {
+
+struct NodeSettings;
+
+/// How a program takes part in a domain, as its user says it.
+struct DomainSettings {
+    int domain = 0;                              ///< 0 to 232
+    std::vector<std::string> interfaces = {};    ///< names or addresses; empty: all
+    std::vector<std::string> initialPeers = {};  ///< asked by unicast where multicast does not pass
+    std::string discoveryServer = {};            ///< as in ROS_DISCOVERY_SERVER; empty: peers find each other
+    std::filesystem::path keys = {};  ///< folder of an identity, "KEYS/enclaves/station1"; empty: open
+};
+
+/// The same for the wire, for a participant called @p name. Errors name the file that makes the identity of
+/// no use.
+[[nodiscard]] Result<NodeSettings> nodeSettings(const DomainSettings& settings, const std::string& name);
+
+/// Whether the domain is secured, in a line for the operator.
+[[nodiscard]] std::string securityLine(const DomainSettings& settings);
+
+}  // namespace leitstand
