@@ -72,11 +72,12 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
             state->robots.insert(robot);
         }
     }
-    auto network = nodeSettings(settings.domain, "leitstandctl replay");
-    if (!network) return network.error();
+    auto chosen = nodeSettings(settings.domain, "leitstandctl replay");
+    if (!chosen) return chosen.error();
+    NodeSettings network = std::move(chosen).value();
     // No radio to spare: at several times its speed, a mission must not wait in our own queues.
-    network->telemetryLimit = network->scanLimit = network->pictureLimit = {8000, 1};
-    auto node = Node::create(*network);
+    network.telemetryLimit = network.scanLimit = network.pictureLimit = {8000, 1};
+    auto node = Node::create(network);
     if (!node) return node.error();
     state->node = std::move(node).value();
     // Discovery takes its time: nothing is said before it is clear that nobody of that name is there.
