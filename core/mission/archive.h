@@ -76,7 +76,7 @@ private:
         std::uint8_t byte = value ? 1 : 0;
         raw(&byte, 1);
         if (byte > 1) m_ok = false;
-        value = byte == 1;
+        if constexpr (!Writing) value = byte == 1;
     }
 
     /// Enumerations end with the value that lastOf() tells.
@@ -87,7 +87,7 @@ private:
         raw(&number, 1);
         if (number > static_cast<std::uint8_t>(lastOf(value))) {
             m_ok = false;
-        } else {
+        } else if constexpr (!Writing) {
             value = static_cast<T>(number);
         }
     }
@@ -96,13 +96,13 @@ private:
     void one(std::chrono::duration<Rep, Period>& value) {
         std::int64_t number = value.count();
         raw(&number, sizeof number);
-        value = std::chrono::duration<Rep, Period>(number);
+        if constexpr (!Writing) value = std::chrono::duration<Rep, Period>(number);
     }
     template <class Clock, class Duration>
     void one(std::chrono::time_point<Clock, Duration>& value) {
         Duration since = value.time_since_epoch();
         one(since);
-        value = std::chrono::time_point<Clock, Duration>(since);
+        if constexpr (!Writing) value = std::chrono::time_point<Clock, Duration>(since);
     }
 
     void one(std::string& value) {
