@@ -1,10 +1,12 @@
-/// Read by ThreadSanitizer at start. OpenNI2, which pcl_io links, unlocks a mutex that another object owns.
+/// Read by ThreadSanitizer at start. OpenNI2, which pcl_io links, unlocks a mutex that another object owns;
+/// GDAL, which OpenCV links, takes two of its own in both orders while it is loaded.
 /// Fast DDS locks by pthread_mutex_clocklock, which the sanitizer does not see, and hands sample memory
 /// between threads by atomics of its own, which it does not see either: the bytes copied there are the only
 /// accesses in our code.
 extern "C" const char* __tsan_default_suppressions();
 extern "C" const char* __tsan_default_suppressions() {
     return "mutex:libOpenNI2\n"
+           "deadlock:libgdal\n"
            "mutex:libfastrtps.so\n"
            "deadlock:libfastrtps.so\n"
            "race:leitstand::detail::RawType::\n";
