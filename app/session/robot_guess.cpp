@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/mission/station_topics.h"
+#include "core/robot/stream_defaults.h"
 #include "transport/convert/message_catalog.h"
 
 namespace leitstand {
@@ -128,6 +129,8 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic) {
         const bool picture = *verdict.role == StreamRole::Picture || *verdict.role == StreamRole::Thermal ||
                              *verdict.role == StreamRole::CameraInfo;
         if (picture) stream.sensor = sensorOf(topic.name, guess.robot.name);
+        // DDS does not tell how deep a history is.
+        stream.qos.depth = defaultStream(stream.role, guess.robot.name, stream.sensor).qos.depth;
         const bool again =
             !picture && *verdict.role != StreamRole::Points && guess.robot.stream(*verdict.role) != nullptr;
         if (again) {

@@ -43,6 +43,7 @@ TEST(RobotGuess, RobotsAreToldByTheirNamespaces) {
     ASSERT_NE(kurt.stream(StreamRole::DriveCommand), nullptr);
     ASSERT_NE(kurt.stream(StreamRole::Picture, "left"), nullptr);
     ASSERT_NE(kurt.stream(StreamRole::Transforms), nullptr);
+    EXPECT_EQ(kurt.stream(StreamRole::Points)->qos.depth, 600) << "DDS does not tell it: a radio gap of 60 s";
 }
 
 TEST(RobotGuess, AStockRobotWithoutANamespaceIsOneRobot) {

@@ -160,8 +160,11 @@ Result<void> TestRobot::run(const std::vector<Scan>& scans, const std::atomic<bo
     for (const Scan& scan : scans) {
         if (const auto said = saySweep(scan, stopped); !said) return said;
     }
-    if (!clouds.waitForAcknowledgments(std::chrono::seconds(30)))
-        return Error{"clouds were not acknowledged"};
+    const auto until = Clock::now() + std::chrono::seconds(30);
+    while (!clouds.waitForAcknowledgments(std::chrono::milliseconds(1))) {
+        if (Clock::now() > until) return Error{"clouds were not acknowledged"};
+        if (const auto said = keepGoing(0.0, stopped); !said) return said;
+    }
     std::printf("said %d\n", m_said);
     std::fflush(stdout);
     while (!stopped) {
