@@ -31,7 +31,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     CLI::App app("Leitstand, the operator station for rescue robots: registers 3D scans and shows them.",
                  "leitstand");
     app.set_version_flag("--version", "leitstand " LEITSTAND_VERSION);
-    app.add_option("SCANS", options.scans, "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
+    app.add_option("SCANS", options.scans,
+                   "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
     const std::map<std::string, MapLook> looks = {
         {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
     const std::map<std::string, Theme> themes = {{"dark", Theme::Dark}, {"light", Theme::Light}};
