@@ -39,8 +39,16 @@ std::string recordJson(const RecorderStatus& status) {
              {"lost", topic.lost},
              {"dropped", status.log.dropped.contains(topic.name) ? status.log.dropped.at(topic.name) : 0}});
     }
+    nlohmann::ordered_json robots = nlohmann::ordered_json::array();
+    for (const LinkStatus& link : status.links) {
+        robots.push_back({{"robot", link.robot},
+                          {"link", toString(link.state)},
+                          {"reasons", toString(link.reasons)},
+                          {"reconnects", link.reconnects},
+                          {"megabits_per_second", link.megabitsPerSecond}});
+    }
     return nlohmann::ordered_json{
-        {"events", status.log.events}, {"bytes", status.log.bytes}, {"topics", topics}}
+        {"events", status.log.events}, {"bytes", status.log.bytes}, {"robots", robots}, {"topics", topics}}
         .dump(2);
 }
 
@@ -59,7 +67,12 @@ std::string recordTable(const RecorderStatus& status) {
 void showStatus(ProgressLine& line, const RecorderStatus& status) {
     const double minutes = status.log.minutesLeft;
     const std::string left = minutes < 6000.0 ? fmt::format(", disk lasts {:.0f} min", minutes) : "";
-    line.show(fmt::format("{} topics, {} events, {:.1f} MB, {:.2f} MB/s{}", status.topics.size(),
+    std::string robots;
+    for (const LinkStatus& link : status.links) {
+        robots +=
+            fmt::format("{} {} {:.2f} Mbit/s, ", link.robot, toString(link.state), link.megabitsPerSecond);
+    }
+    line.show(fmt::format("{}{} topics, {} events, {:.1f} MB, {:.2f} MB/s{}", robots, status.topics.size(),
                           status.log.events, double(status.log.bytes) / 1e6, status.log.bytesPerSecond / 1e6,
                           left));
 }

@@ -15,6 +15,7 @@
 #include "app/session/topic_lane.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
+#include "transport/link/link_client.h"
 
 namespace leitstand {
 namespace {
@@ -44,6 +45,12 @@ Qos recording(Qos qos) {
     return qos;
 }
 
+/// "kurt3d: degraded: odometry 1.4 s old"
+std::string linkLine(const LinkStatus& link) {
+    const std::string reasons = toString(link.reasons);
+    return fmt::format("{}: {}{}{}", link.robot, toString(link.state), reasons.empty() ? "" : ": ", reasons);
+}
+
 }  // namespace
 
 struct MissionRecorder::State {
@@ -51,7 +58,8 @@ struct MissionRecorder::State {
     Teller tell;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<Node> node;
-    mutable std::mutex mutex;  ///< of the next three
+    std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
+    mutable std::mutex mutex;                        ///< of the next three
     std::map<std::string, std::pair<std::string, std::unique_ptr<Subscription>>>
         subscriptions;  ///< type; by topic
     bool discovered = false;
@@ -63,6 +71,7 @@ struct MissionRecorder::State {
         if (tell) tell(text);
     }
     void subscribe(const std::string& topic, const std::string& type, const Qos& qos);
+    Result<void> watchLinks();
     void subscribeListed();
     void subscribeHeard();
     void watch(const std::stop_token& stop);
@@ -76,13 +85,32 @@ void MissionRecorder::State::subscribe(const std::string& topic, const std::stri
     mission->addTopic(topic, type, qos);
     auto subscription =
         node->subscribe({.topic = topic, .type = type, .qos = recording(qos), .lane = laneOf(type)},
-                        [this](ReceivedSample sample) { mission->receive(std::move(sample.event)); });
+                        [this](ReceivedSample sample) {
+                            for (const auto& link : links) link->onSample(sample);
+                            mission->receive(std::move(sample.event));
+                        });
     const std::lock_guard lock(mutex);
     if (!subscription) {
         if (told.insert(topic).second) say(subscription.error().text);
         return;
     }
     subscriptions.emplace(topic, std::pair(type, std::move(subscription).value()));
+}
+
+Result<void> MissionRecorder::State::watchLinks() {
+    LinkClientSettings passive;
+    passive.pingEvery = std::chrono::milliseconds(0);
+    for (const RobotDescription& robot : settings.mission.robots) {
+        LinkListener listener;
+        listener.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
+        listener.onClockOffset = [this](const ClockOffsetSample& offset) {
+            (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+        };
+        auto client = LinkClient::create(*node, robot, passive, std::move(listener));
+        if (!client) return client.error();
+        links.push_back(std::move(client).value());
+    }
+    return {};
 }
 
 void MissionRecorder::State::subscribeListed() {
@@ -132,6 +160,7 @@ Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSe
     state->mission = std::move(mission).value();
     state->node = std::move(node).value();
     for (const std::string& warning : state->node->warnings()) state->say(warning);
+    if (const auto watched = state->watchLinks(); !watched) return watched.error();
     if (!settings.mission.robots.empty()) state->subscribeListed();
     state->discovery = std::jthread([raw = state.get()](const std::stop_token& stop) { raw->watch(stop); });
     state->node->onDiscovery([raw = state.get()] {
@@ -151,11 +180,12 @@ MissionRecorder::~MissionRecorder() {
 }
 
 RecorderStatus MissionRecorder::status() const {
-    RecorderStatus status{.log = m_state->mission->status(), .topics = {}, .mismatches = {}};
+    RecorderStatus status{.log = m_state->mission->status(), .topics = {}, .links = {}, .mismatches = {}};
     if (m_state->node) {
         for (const Mismatch& mismatch : m_state->node->mismatches())
             status.mismatches.push_back(mismatch.text);
     }
+    for (const auto& link : m_state->links) status.links.push_back(link->status());
     const std::lock_guard lock(m_state->mutex);
     for (const auto& [topic, subscription] : m_state->subscriptions) {
         const SubscriptionCounts counts = subscription.second->counts();
@@ -172,6 +202,7 @@ Result<void> MissionRecorder::stop() {
         const std::lock_guard lock(m_state->mutex);
         ended.swap(m_state->subscriptions);
     }
+    m_state->links.clear();
     m_state->node.reset();
     return m_state->mission->close();
 }

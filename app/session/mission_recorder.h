@@ -8,6 +8,7 @@
 #include "app/session/domain_settings.h"
 #include "app/session/live_mission.h"
 #include "core/base/result.h"
+#include "core/robot/link_status.h"
 
 namespace leitstand {
 
@@ -26,13 +27,15 @@ struct RecorderStatus {
         int writers = 0;                      ///< that are there now
     };
     std::vector<Topic> topics;
+    std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
 };
 
 /// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.
 class MissionRecorder {
 public:
-    /// Texts for the operator: alarms, topics that cannot be heard. Called on threads of the recorder's.
+    /// Texts for the operator: alarms, links that changed, topics that cannot be heard. Called on threads of
+    /// the recorder's.
     using Teller = std::function<void(const std::string&)>;
 
     [[nodiscard]] static Result<std::unique_ptr<MissionRecorder>> start(const RecorderSettings& settings,

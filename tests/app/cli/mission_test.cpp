@@ -202,6 +202,28 @@ TEST(Mission, KeysThatCannotServeAreToldAndNothingIsWritten) {
     EXPECT_FALSE(fs::exists(folder / "mission"));
 }
 
+TEST(Mission, ALinkThatBreaksIsToldWhileItIsRecorded) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "kurt3d.yaml";
+    std::ofstream(file) << "letter: K\nname: kurt3d\nstreams:\n  - role: odometry\n  - role: points\n";
+    const TestDomain domain;
+    Recording recording(domain, folder / "mission", {"--robot", file.string()});
+    const auto told = [&](const std::string& text) {
+        return waitUntil([&] { return recording.out().find(text) != std::string::npos; });
+    };
+    {
+        Robot robot(domain);
+        EXPECT_TRUE(told("kurt3d: connected")) << recording.out();
+    }
+    EXPECT_TRUE(told("kurt3d: lost: ")) << recording.out();
+    Robot again(domain, {"--wait-for", "0"});
+    EXPECT_TRUE(waitUntil([&] {
+        const std::string out = recording.out();
+        return out.find("kurt3d: connected", out.find("kurt3d: lost")) != std::string::npos;
+    })) << recording.out();
+    EXPECT_EQ(recording.stop(), 0);
+}
+
 TEST(Replay, SaysTheSameAgain) {
     const TemporaryFolder folder;
     const fs::path mission = folder / "mission", again = folder / "again";
@@ -254,6 +276,7 @@ TEST(Probe, FindsTheRobotAndWritesAFileThatRecordTakes) {
     ASSERT_NO_FATAL_FAILURE(record(mission, {}, {"--robot", file}));
     EXPECT_EQ(payloadsOn(mission, "/kurt3d/points").size(), 3u);
     EXPECT_TRUE(fs::exists(mission / "robots" / "kurt3d.yaml"));
+    EXPECT_GT(payloadsOn(mission, "/leitstand/clock_offsets").size(), 0u);
     const auto again = leitstandctl({"probe", "--domain", std::to_string(domain.number()), "--seconds", "3",
                                      "--out", folder.path().string()});
     EXPECT_THAT(again.err, HasSubstr("stays as it is")) << "a file is never written over";
