@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "robots/simulation/arena/material.h"
+
+namespace leitstand::simulation {
+
+/// How hard an arena is (paper, section 1.1).
+enum class Grade : std::uint8_t { Yellow, Orange, Red };
+[[nodiscard]] std::string toString(Grade grade);
+
+/// Where a victim lies (paper, section 1.1).
+enum class Situation : std::uint8_t { Surface, Trapped, Void, Entombed };
+
+/// What an element of an arena is. Its frame has its origin in the middle of its base, z up, x along its
+/// length.
+enum class ElementKind : std::uint8_t {
+    Floor,       ///< a slab whose top is the frame's plane: size x, y, thickness
+    Wall,        ///< a box
+    Door,        ///< a wall with an opening of `width`, its leaf opened by `angle`
+    Ramp,        ///< a wedge that rises along x from 0 to size z
+    Stairs,      ///< steps of `riser` along x, up to size z
+    StepField,   ///< columns of square section on a grid of `cell`, as high as `heights`
+    Ceiling,     ///< a slab above the frame's plane
+    Lamp,        ///< a warm, bright sphere or tube
+    Heater,      ///< a radiator
+    Table,       ///< a top with jutting edges on legs
+    Chair,       ///< seat, back, legs
+    Overhang,    ///< a board that juts out of a wall, nothing below
+    Curtain,     ///< cloth that hangs down
+    LoosePaper,  ///< crumpled newspaper on the floor
+    Foil,        ///< a sheet of plastic
+    Rubble,      ///< tilted bricks and boards, placed by `seed`
+    Victim,      ///< a manikin, lying along x; `victim` tells more
+    Sign,        ///< a plate in the frame's xz plane that faces -y: hazard sign or QR code, by `text`
+    Spectator,   ///< a person outside
+};
+[[nodiscard]] std::string toString(ElementKind kind);
+
+/// Signs of life of a victim, and how it is hidden.
+struct VictimTraits {
+    std::string tag;  ///< QR code on it, "V-07"
+    Situation situation = Situation::Surface;
+    bool waving = false;
+    double temperature = 33.0;  ///< of the skin [degrees C]; 20: dead
+    double co2 = 4000.0;        ///< of its breath at the mouth [ppm]; 0: none
+    bool hidden = false;        ///< cannot be seen from where robots get
+};
+
+/// One thing in an arena.
+struct Element {
+    ElementKind kind = ElementKind::Wall;
+    std::string name;                                    ///< unique, "wall 12"
+    Pose pose = Pose::Identity();                        ///< element's frame in the arena's
+    Eigen::Vector3d size = Eigen::Vector3d(1, 0.05, 1);  ///< along x, y, z [m]
+    Material material = Material::Plywood;
+    double temperature = 20.0;           ///< [degrees C]
+    double width = 0.0;                  ///< of Door's opening [m]
+    double angle = 0.0;                  ///< of Door's leaf [rad]
+    double riser = 0.0;                  ///< of Stairs [m]
+    double cell = 0.0;                   ///< of StepField [m]
+    std::vector<double> heights;         ///< of StepField, row-major, rows along y [m]
+    std::string text;                    ///< of Sign: "qr:TEXT", "hazard:flammable" ...
+    std::uint64_t seed = 0;              ///< of what is strewn
+    std::optional<VictimTraits> victim;  ///< of Victim
+};
+
+/// A place that robots explore. Frame: x east, y north, z up, floor at z = 0 [m].
+struct Arena {
+    std::string name;  ///< "yellow 7"
+    Grade grade = Grade::Yellow;
+    std::uint64_t seed = 0;
+    Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  ///< corners of its ground
+    double ambient = 20.0;  ///< temperature of what has none of its own [degrees C]
+    double light = 1.0;     ///< 0: dark but for lamps, 1: bright
+    std::vector<Element> elements;
+    std::map<std::string, Pose> starts;  ///< base_link of each robot at the beginning
+};
+
+}  // namespace leitstand::simulation

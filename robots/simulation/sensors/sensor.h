@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "robots/hardware/robot_hardware.h"
+#include "robots/simulation/world/world.h"
+
+namespace leitstand::simulation {
+
+/// A sensor of a simulated robot.
+class Sensor {
+public:
+    virtual ~Sensor() = default;
+    /// Measures what fell due up to world.now() and appends it to @p samples.
+    virtual void run(const World& world, int robot, std::vector<HardwareSample>& samples) = 0;
+    /// Rate, quality or switch of a stream; false when @p role and @p sensor are not its.
+    virtual bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) = 0;
+};
+
+}  // namespace leitstand::simulation

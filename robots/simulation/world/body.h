@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "robots/simulation/arena/mesh.h"
+
+namespace leitstand::simulation {
+
+/// How a motor with its gear turns one side of a robot: force falls from stall to nothing at full speed.
+struct MotorSpec {
+    double stallForce = 60.0;    ///< at the ground, at full voltage [N]
+    double fullSpeed = 0.7;      ///< without load [m/s]
+    double stallCurrent = 12.0;  ///< [A]
+    double inertia = 4.0;        ///< of motor and gear, as felt at the ground [kg]
+};
+
+/// Skid steering slips: of the speed that the encoders tell, so much is missing at the ground.
+struct SlipSpec {
+    double mean = 0.03, deviation = 0.02;  ///< share of the speed, drawn anew every half second
+    double onRamps = 0.10;                 ///< more for each unit of slope (tan), uphill
+    double turning = 0.25;                 ///< of the turn rate: wheels are dragged sideways
+};
+
+/// What moves over the ground. Frame: base_link, x forward, z up, its origin on the ground between the
+/// wheels.
+struct BodySpec {
+    std::string name;                                 ///< "kurt3d"
+    double mass = 25.0;                               ///< [kg]
+    Eigen::Vector3d centreOfMass = {0.0, 0.0, 0.15};  ///< [m]
+    double trackWidth = 0.4;                          ///< between the middles of left and right wheels [m]
+    double wheelRadius = 0.08;                        ///< or of the chains' ends [m]
+    std::vector<Eigen::Vector3d> contacts;            ///< lowest points of wheels or chains [m]
+    std::vector<Eigen::Vector2d> outline;             ///< counter-clockwise: what bumps [m]
+    double bumpFrom = 0.03, bumpTo = 0.5;             ///< heights between which it does [m]
+    double maxClimb = 0.05;                           ///< steps that it climbs [m]
+    MotorSpec motor;                                  ///< of each side
+    SlipSpec slip;
+    Mesh shape;  ///< as others see it
+};
+
+[[nodiscard]] BodySpec kurt3dBody();   ///< six wheels of 16 cm, two motors of 90 W, 0.6 m/s
+[[nodiscard]] BodySpec crawlerBody();  ///< 40 x 26 cm, 7 kg, two chains, motors of 60 W
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "robots/simulation/scene/scene.h"
+#include "robots/simulation/world/body.h"
+
+namespace leitstand::simulation {
+
+/// Something that a robot ran into.
+struct Bump {
+    Time at{};
+    int robot = 0;
+    bool victim = false;                              ///< else: the area
+    std::string element;                              ///< that it met; the other robot's name
+    Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< in base_link [m]
+};
+
+/// How a robot truly moves.
+struct BodyState {
+    Pose baseInArena = Pose::Identity();
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in base_link [m/s]
+    Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< in base_link [rad/s]
+    double left = 0.0, right = 0.0;                     ///< of the wheels, as encoders see it [m/s]
+    double leftCurrent = 0.0, rightCurrent = 0.0;       ///< [A]
+    double travelledLeft = 0.0, travelledRight = 0.0;   ///< of the wheels since the beginning [m]
+    bool tipped = false;                                ///< lies on its side or back, and stays there
+    bool blocked = false;                               ///< something stops it now
+};
+
+/// An arena with robots in it, on a clock of its own: deterministic for an arena and a seed.
+class World {
+public:
+    World(const Arena& arena, std::uint64_t seed, Time start = Time(std::chrono::seconds(1'000'000)));
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    /// Puts a robot to where the arena has it start. Returns its number.
+    int addRobot(const BodySpec& spec);
+    int addRobot(const BodySpec& spec, const Pose& baseInArena);
+    /// A robot that another process moves; collides like any other. Returns its number.
+    int addGhost(const BodySpec& spec);
+    void placeGhost(int robot, const Pose& baseInArena);
+
+    void setMotors(int robot, double left, double right);  ///< voltages, -1 to 1
+    void setBrake(int robot, bool on);
+
+    /// Moves everything on by @p step, in steps of at most 5 ms.
+    void advance(std::chrono::nanoseconds step);
+    [[nodiscard]] Time now() const;
+    [[nodiscard]] double seconds() const;  ///< since the beginning
+
+    [[nodiscard]] const BodyState& state(int robot) const;
+    /// Where a robot was; of the last 5 s, interpolated.
+    [[nodiscard]] Pose baseInArena(int robot, Time at) const;
+    [[nodiscard]] const std::vector<Bump>& bumps() const;  ///< since the beginning, each counted once
+    [[nodiscard]] const Scene& scene() const;
+    [[nodiscard]] const Arena& arena() const;
+    [[nodiscard]] int robotCount() const;
+    [[nodiscard]] const BodySpec& spec(int robot) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand::simulation
