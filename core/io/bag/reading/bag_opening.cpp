@@ -70,10 +70,12 @@ Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>&
 }
 
 Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, bool locked) {
+    const auto written = std::find_if(files.rbegin(), files.rend(),
+                                      [](const NumberedFile& file) { return file.number.has_value(); });
     std::string firstError;
     for (const NumberedFile& file : files) {
         BagPart part{.path = file.path};
-        part.live = locked && &file == &files.back();
+        part.live = locked && written != files.rend() && &file == &*written;
         auto opened = openFile(file.path, part.live, part.damaged);
         if (!opened) {
             bag.problems.push_back(opened.error().text);
@@ -132,12 +134,15 @@ Result<OpenBag> openBag(const fs::path& path) {
         if (!fs::is_regular_file(status))
             return Error{path.string() + ": expected a folder or a regular file"};
         const fs::path folder = fs::absolute(path, problem).parent_path();
-        bool locked = FolderLock::isTaken(folder);
-        if (locked) {
+        std::vector<NumberedFile> alone = {{path, std::nullopt}};
+        if (FolderLock::isTaken(folder)) {  // is it the one that is written?
             const auto files = databaseFiles(folder);
-            locked = files && !files->empty() && fs::equivalent(files->back().path, path, problem);
+            for (const NumberedFile& file : files ? *files : std::vector<NumberedFile>{}) {
+                if (file.number)
+                    alone[0].number = fs::equivalent(file.path, path, problem) ? file.number : std::nullopt;
+            }
         }
-        if (auto opened = openParts(bag, {{path, std::nullopt}}, locked); !opened) return opened.error();
+        if (auto opened = openParts(bag, alone, alone[0].number.has_value()); !opened) return opened.error();
         numberOn(bag.parts);
         return bag;
     }
