@@ -79,6 +79,10 @@ void ReaderCore::tell(const std::string& problem) {
     if (m_told.insert(problem).second) m_bag.problems.push_back(problem);
 }
 
+void ReaderCore::tellNews(std::size_t index) {
+    for (const std::string& problem : m_bag.parts[index].file->newProblems()) tell(problem);
+}
+
 bool ReaderCore::salvage(std::size_t index) {
     BagPart& part = m_bag.parts[index];
     if (part.damaged || part.live || m_lost.contains(index)) return false;
@@ -104,7 +108,7 @@ BagFile::Outcome ReaderCore::fetch(std::size_t index, const RowQuery& query, std
         if (m_bag.parts[index].live)
             tell(m_bag.parts[index].path.string() + ": cannot be read on while it is written");
     }
-    for (const std::string& problem : m_bag.parts[index].file->newProblems()) tell(problem);
+    tellNews(index);
     return outcome;
 }
 
@@ -142,6 +146,7 @@ std::optional<RawEvent> ReaderCore::event(std::uint64_t sequence) {
         bool broken = false;
         auto row = part.file->row(id, broken);
         if (broken && salvage(index)) row = m_bag.parts[index].file->row(id, broken);
+        tellNews(index);
         if (row) return eventOf(index, std::move(*row));
     }
     return std::nullopt;
@@ -156,6 +161,7 @@ std::optional<RawEvent> ReaderCore::lastUpTo(const std::string& topic, std::uint
         if (broken && salvage(index)) {
             row = m_bag.parts[index].file->lastUpTo(idsOf(index, {topic}), sequence - offset, broken);
         }
+        tellNews(index);
         if (row) return eventOf(index, std::move(*row));
     }
     return std::nullopt;

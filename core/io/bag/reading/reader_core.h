@@ -40,6 +40,7 @@ public:
 private:
     [[nodiscard]] bool salvage(std::size_t index);
     void tell(const std::string& problem);
+    void tellNews(std::size_t index);
     void listSessions();
     void listTopics();
     void takeCountsOfMetadata();
