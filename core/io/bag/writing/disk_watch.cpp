@@ -10,6 +10,7 @@ using std::chrono::duration;
 using std::chrono::seconds;
 
 constexpr auto Window = seconds(10);  // the rate is the mean over it
+constexpr double Least = 1.0;         // [s], since commits come in bursts
 constexpr auto Calm = seconds(5);     // without drops, until the alarm is over
 constexpr double Behind = 2.0;        // [s]
 
@@ -19,7 +20,7 @@ void DiskWatch::measure(const DiskReading& reading) {
     m_marks.push_back({reading.now, reading.writtenBytes});
     while (m_marks.size() > 2 && reading.now - m_marks.front().time > Window) m_marks.pop_front();
     const double elapsed = duration<double>(m_marks.back().time - m_marks.front().time).count();
-    if (elapsed > 0.0) {
+    if (elapsed >= Least) {
         m_rate = static_cast<double>(m_marks.back().bytes - m_marks.front().bytes) / elapsed;
     }
     const double left = static_cast<double>(reading.freeBytes) / m_rate / 60.0;
