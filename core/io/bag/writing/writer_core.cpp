@@ -116,6 +116,7 @@ void WriterCore::settle(const BagBatch& batch) {
             m_writtenBytes += event.cdr->size();
         }
         m_writtenEvents += batch.events.size();
+        m_storedTopics += batch.topics.size();
         ++m_commits;
         m_lastCommit = std::chrono::time_point_cast<Time::duration>(std::chrono::system_clock::now());
         m_committing = false;
@@ -159,6 +160,7 @@ void WriterCore::giveUp(const BagBatch& batch) {
             m_queue.drop(event, false);
         }
         m_abandoned += batch.events.size();
+        m_storedTopics += batch.topics.size();
         m_committing = false;
     }
     m_settled.notify_all();
@@ -167,7 +169,8 @@ void WriterCore::giveUp(const BagBatch& batch) {
 Result<void> WriterCore::flush(milliseconds deadline) {
     std::unique_lock lock(m_mutex);
     const std::uint64_t target = m_queue.pushed();
-    const auto done = [&] { return m_queue.settled() >= target && m_newTopics.empty() && !m_committing; };
+    const std::size_t topics = m_topics.size();
+    const auto done = [&] { return m_queue.settled() >= target && m_storedTopics >= topics; };
     m_flushing = true;
     m_wake.notify_one();
     if (m_settled.wait_for(lock, deadline, done)) return {};

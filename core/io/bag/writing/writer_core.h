@@ -62,6 +62,7 @@ private:
     EventQueue m_queue;
     std::map<TopicKey, bool> m_topics;  // known ones -> droppable
     std::vector<TopicInfo> m_newTopics;
+    std::size_t m_storedTopics = 0;  // of m_topics, on the disk
     std::uint64_t m_lastSequence = 0;
     Clock::time_point m_topicsCame{}, m_oldestTaken{}, m_lastMetadata{};
     bool m_committing = false, m_flushing = false, m_stopping = false, m_watchStopping = false;
