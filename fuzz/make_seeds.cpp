@@ -3,8 +3,10 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/io/bag/bag_writer.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/tum.h"
@@ -88,6 +90,29 @@ void writeMessages(const fs::path& corpus) {
     }
 }
 
+/// A bag of three events, of the smallest pages that SQLite has.
+bool writeBag(const fs::path& corpus) {
+    const fs::path mission = corpus / "mission";
+    auto opened = BagWriter::open(mission);
+    if (!opened) return false;
+    const auto writer = std::move(opened).value();
+    writer->addTopic(
+        {"/kurt3d/gas", "std_msgs/msg/Float32", qosProfilesOf({}), "float32 data", "", false, "cdr"});
+    for (std::uint64_t i = 1; i <= 3; ++i) {
+        const auto cdr = std::make_shared<const std::vector<std::byte>>(8, std::byte{1});
+        writer->write({i, Time(std::chrono::seconds(i)), "/kurt3d/gas", "std_msgs/msg/Float32", cdr});
+    }
+    bool done = writer->close().ok();
+    sqlite3* database = nullptr;
+    done = done && sqlite3_open(writer->file().c_str(), &database) == SQLITE_OK &&
+           sqlite3_exec(database, "PRAGMA journal_mode=DELETE; PRAGMA page_size=512; VACUUM", nullptr,
+                        nullptr, nullptr) == SQLITE_OK;
+    sqlite3_close(database);
+    if (done) write(corpus / "bag/small", content(writer->file()));
+    fs::remove_all(mission);
+    return done;
+}
+
 /// States of a mission in which everything was said once, and nothing.
 void writeCheckpoints(const fs::path& corpus) {
     MissionState state;
@@ -136,7 +161,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: make_seeds fuzz/corpus\n");
         return 2;
     }
-    if (!writeFiles(argv[1])) {
+    if (!writeFiles(argv[1]) || !writeBag(argv[1])) {
         std::fprintf(stderr, "make_seeds: %s: cannot be written\n", argv[1]);
         return 1;
     }
