@@ -9,7 +9,11 @@ namespace leitstand {
 namespace {
 
 constexpr double PongInterval = 0.5;  ///< of robots that answer pings [s]
+/// Deviations over the limit that a loss must be: bad luck with few samples is no bad link.
+constexpr double ChanceOfLoss = 1.5;
 constexpr int NoRank = 100;
+/// A robot may have computers whose clocks differ: delays are told of streams that were once so quick [s].
+constexpr double OnTime = 0.25;
 constexpr std::chrono::milliseconds SureEnough{200};  ///< of a clock by which delays are told
 
 double seconds(std::chrono::nanoseconds duration) {
@@ -146,7 +150,7 @@ void LinkMonitor::heard(SteadyTime now) {
         enter(LinkState::Connected, now);  // until judged
 }
 
-StreamStatus LinkMonitor::statusOf(const Stream& stream, const LinkStatus& link, SteadyTime now) const {
+StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
     const StreamFigures figures = stream.monitor.figures(now);
     const auto interval = stream.monitor.interval();
     StreamStatus status;
@@ -162,13 +166,23 @@ StreamStatus LinkMonitor::statusOf(const Stream& stream, const LinkStatus& link,
     status.paused = stream.paused;
     status.steady = stream.steadyRole && interval && *interval <= m_rules.slowest;
     if (status.steady) status.expectedRate = 1.0 / *interval;
-    if (figures.transit && link.clock && link.clock->source == ClockSource::Pings &&
-        link.clock->uncertainty <= SureEnough)
-        status.delay = std::max(0.0, seconds(*figures.transit + link.clock->ahead));
     const double patience = std::max(m_rules.staleAfter, 3.0 * interval.value_or(0.0));
     const double expectedFor = seconds(now - std::max(stream.expectedFrom, stream.monitor.newest()));
     status.stale = status.steady && !status.paused && expectedFor > patience;
     return status;
+}
+
+void LinkMonitor::tellDelay(Stream& stream, StreamStatus& status, const LinkStatus& link,
+                            SteadyTime now) const {
+    const auto transit = stream.monitor.figures(now).transit;
+    if (!transit || !link.clock || link.clock->source != ClockSource::Pings ||
+        link.clock->uncertainty > SureEnough)
+        return;
+    const double delay = seconds(*transit + link.clock->ahead);
+    const double least = -seconds(link.clock->uncertainty) - 0.05;
+    if (delay < least) stream.knownClock = false;  // written after it arrived
+    if (delay >= least && delay < OnTime) stream.knownClock = true;
+    if (stream.knownClock) status.delay = std::max(0.0, delay);
 }
 
 void LinkMonitor::findFaults(Stream& stream, const StreamStatus& status, SteadyTime now,
@@ -180,11 +194,15 @@ void LinkMonitor::findFaults(Stream& stream, const StreamStatus& status, SteadyT
     const bool forgotten = seconds(now - expected) > m_rules.forgottenAfter;
     if (status.stale && !forgotten) add(LinkReason::Kind::Stale, status.age);
     const auto basis = stream.monitor.figures(now).lossBasis;
+    const double chance = ChanceOfLoss * std::sqrt(m_rules.loss * (1.0 - m_rules.loss) /
+                                                   static_cast<double>(std::max<std::uint64_t>(basis, 1)));
     stream.lossy = !stream.paused && basis >= static_cast<std::uint64_t>(m_rules.lossBasis) &&
-                   isOver(status.lossRatio, m_rules.loss, m_rules.lossOver, stream.lossy);
+                   isOver(status.lossRatio, m_rules.loss + chance, m_rules.lossOver, stream.lossy);
     if (stream.lossy) add(LinkReason::Kind::Loss, status.lossRatio);
-    stream.late = status.steady && !status.stale && !stream.paused && !std::isnan(status.delay) &&
-                  isOver(status.delay, m_rules.late, m_rules.lateOver, stream.late);
+    const bool late = status.steady && !status.stale && !stream.paused && !std::isnan(status.delay) &&
+                      isOver(status.delay, m_rules.late, m_rules.lateOver, stream.late);
+    if (!late) stream.onTime = now;
+    stream.late = late && (stream.late || seconds(now - stream.onTime) >= m_rules.lateFor);
     if (stream.late) add(LinkReason::Kind::Late, status.delay);
 }
 
@@ -219,7 +237,8 @@ LinkStatus LinkMonitor::status(SteadyTime now) {
     std::vector<LinkReason> reasons;
     link.streams.reserve(m_streams.size());
     for (Stream& stream : m_streams) {
-        link.streams.push_back(statusOf(stream, link, now));
+        link.streams.push_back(statusOf(stream, now));
+        tellDelay(stream, link.streams.back(), link, now);
         link.megabitsPerSecond += link.streams.back().megabitsPerSecond;
         if (!stream.shared) findFaults(stream, link.streams.back(), now, reasons);
     }

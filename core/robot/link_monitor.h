@@ -23,9 +23,10 @@ struct LinkRules {
     double slowest = 10.0;     ///< streams with longer intervals are not steady [s]
     double forgottenAfter =
         60.0;  ///< stale for so long while others come: switched off, no matter of the link [s]
-    double loss = 0.10, lossOver = 0.05;              ///< of a stream's samples
-    int lossBasis = 20;                               ///< fewer samples tell no loss
-    double late = 1.0, lateOver = 0.5;                ///< of steady streams, from writing to arrival [s]
+    double loss = 0.10, lossOver = 0.06;  ///< of a stream's samples; more where they are few
+    int lossBasis = 20;                   ///< fewer samples tell no loss
+    double late = 1.0, lateOver = 0.5;    ///< of steady streams, from writing to arrival [s]
+    double lateFor = 2.0;                 ///< ... for so long: a clock that steps looks late at first [s]
     double roundTrip = 0.300, roundTripOver = 0.200;  ///< median [s]
     double noAnswer = 3.0;                            ///< of a robot that answered pings before [s]
     double recovery = 2.0;                            ///< [s]
@@ -59,13 +60,16 @@ private:
         int stampRank = 0;       ///< streams of lowest rank tell the clock
         StreamMonitor monitor = {};
         bool paused = false, lossy = false, late = false;
+        bool knownClock = false;       ///< its times are of the clock that the pings tell
+        SteadyTime onTime = {};        ///< when it was last
         SteadyTime expectedFrom = {};  ///< when it was switched on again
     };
     void heard(SteadyTime now);
     void enter(LinkState state, SteadyTime now);
     void judge(std::vector<LinkReason> reasons, SteadyTime now);
     [[nodiscard]] bool isSilent(SteadyTime now) const;
-    [[nodiscard]] StreamStatus statusOf(const Stream& stream, const LinkStatus& link, SteadyTime now) const;
+    [[nodiscard]] StreamStatus statusOf(const Stream& stream, SteadyTime now) const;
+    void tellDelay(Stream& stream, StreamStatus& status, const LinkStatus& link, SteadyTime now) const;
     void findFaults(Stream& stream, const StreamStatus& status, SteadyTime now,
                     std::vector<LinkReason>& reasons);
     void findPingFaults(const LinkStatus& link, SteadyTime now, std::vector<LinkReason>& reasons);
