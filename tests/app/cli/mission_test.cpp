@@ -4,6 +4,8 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -238,6 +240,39 @@ TEST(Replay, SaysTheSameAgain) {
     ASSERT_EQ(recording.stop(), 0) << recording.out();
     EXPECT_EQ(payloadsOn(again, "/kurt3d/points"), payloadsOn(mission, "/kurt3d/points"));
     EXPECT_EQ(payloadsOn(again, "/kurt3d/tf_static"), payloadsOn(mission, "/kurt3d/tf_static"));
+}
+
+TEST(Replay, StandsStillWhilePausedAndGoesOnWhereItWas) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission));
+    const TestDomain domain;
+    ChildProcess replay(LEITSTANDCTL, {"replay", mission.string(), "--domain",
+                                       std::to_string(domain.number()), "--loop", "--rate", "2"});
+    Recording recording(domain, folder / "heard");
+    const auto heard = [&] {
+        const auto bag = BagReader::open(folder / "heard");
+        return bag ? (*bag)->lastSequence() : 0;
+    };
+    ASSERT_TRUE(waitUntil([&] { return heard() > 50; }, std::chrono::seconds(30))) << replay.out();
+    replay.signal(SIGUSR1);
+    // Once nothing has come for a second and a half, three commits of the log, it stands still.
+    std::uint64_t before = 0;
+    ASSERT_TRUE(waitUntil(
+        [&] {
+            const auto now = heard();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+            return std::exchange(before, now) == now;
+        },
+        std::chrono::seconds(20)));
+    replay.signal(SIGUSR1);
+    // It loops: far more comes than the mission holds.
+    const auto whole = (*BagReader::open(mission))->lastSequence();
+    EXPECT_TRUE(waitUntil([&] { return heard() > before + whole; }, std::chrono::seconds(40)))
+        << heard() << " of " << before + whole;
+    replay.signal(SIGINT);
+    EXPECT_EQ(replay.wait(), 0) << replay.out();
+    EXPECT_EQ(recording.stop(), 0);
 }
 
 TEST(Replay, RefusesADomainWhereTheRobotIsLive) {
