@@ -84,10 +84,10 @@ TEST_F(MissionTest, ADamagedOneShowsWhatIsLeftAndTellsWhatIsNot) {
     std::filesystem::resize_file(file, std::filesystem::file_size(file) * 3 / 4);
     WindowPage page;
     page.openAndWait({mission()});
-    EXPECT_GE(page.scans().model()->rowCount(), 1)
-        << page.find<QListView>("messages").model()->index(0, 0).data().toString().toStdString();
+    EXPECT_GE(page.scans().model()->rowCount(), 1);
     EXPECT_LT(page.scans().model()->rowCount(), 3);
-    EXPECT_THAT(page.find<QAbstractButton>("messageCount").text().toStdString(), HasSubstr("▲"));
+    EXPECT_THAT(page.find<QListView>("messages").model()->index(0, 0).data().toString().toStdString(),
+                HasSubstr("read page by page"));
 }
 
 }  // namespace
