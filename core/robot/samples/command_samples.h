@@ -9,10 +9,11 @@ namespace leitstand {
 
 /// Stop a robot, or let it go again; repeated until StopStateSample tells its number (design, section 4).
 struct StopCommandSample {
-    Time stamp{};              ///< station's clock, for the log only: never compared
-    std::string station;       ///< identity of the sender
-    std::uint64_t number = 0;  ///< rises with every command of a station
-    bool stop = true;          ///< false: release, which only the holder of the drive grant may
+    Time stamp{};                ///< station's clock, for the log only: never compared
+    std::string station;         ///< identity of the sender
+    std::uint64_t number = 0;    ///< rises with every command of a station
+    bool stop = true;            ///< false: release, which only the holder of the drive grant may
+    std::uint64_t releases = 0;  ///< of a release: StopStateSample::stops that its operator saw
 };
 
 /// Ask a robot for another mode.

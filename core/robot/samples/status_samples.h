@@ -93,11 +93,12 @@ struct SightingSample {
 /// A robot's answer to StopCommandSample.
 struct StopStateSample {
     SampleHeader header;
-    std::uint64_t number = 0;  ///< of the last stop or release that it took
+    std::uint64_t number = 0;  ///< of the last stop or release that it answered
     std::string station;       ///< whose command that was; empty: its own button
     bool stopped = false;      ///< latched: it takes no drive command
     bool standing = false;     ///< its odometry says zero
-    std::string refused;       ///< why the last release was refused; empty when it was not
+    std::string refused;       ///< why that release was refused; empty when it was not
+    std::uint64_t stops = 0;   ///< rises with every stop that it takes: a release names what it releases
 };
 
 /// A robot's answer to PingSample.

@@ -10,11 +10,11 @@ constexpr int MostPixels = 65'535;  // wider than any picture
 }  // namespace
 
 StopCommandSample fromWire(const wire::leitstand_msgs::StopCommand& from, const Source&, Checks& checks) {
-    return {checks.time("stamp", from.stamp), from.station, from.number, from.stop};
+    return {checks.time("stamp", from.stamp), from.station, from.number, from.stop, from.releases};
 }
 
 void toWire(const StopCommandSample& from, wire::leitstand_msgs::StopCommand& to, Buffer&, Checks& checks) {
-    to = {checks.wireTime("stamp", from.stamp), from.station, from.number, from.stop};
+    to = {checks.wireTime("stamp", from.stamp), from.station, from.number, from.stop, from.releases};
 }
 
 ModeCommandSample fromWire(const wire::leitstand_msgs::ModeCommand& from, const Source&, Checks& checks) {

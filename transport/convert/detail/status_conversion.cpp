@@ -149,12 +149,13 @@ void toWire(const SightingSample& from, wire::leitstand_msgs::Sightings& to, Buf
 }
 
 StopStateSample fromWire(const wire::leitstand_msgs::StopState& from, const Source&, Checks& checks) {
-    return {checks.header(from.header), from.number, from.station, from.stopped, from.standing, from.refused};
+    const SampleHeader header = checks.header(from.header);
+    return {header, from.number, from.station, from.stopped, from.standing, from.refused, from.stops};
 }
 
 void toWire(const StopStateSample& from, wire::leitstand_msgs::StopState& to, Buffer&, Checks& checks) {
-    to = {
-        checks.wireHeader(from.header), from.number, from.station, from.stopped, from.standing, from.refused};
+    const auto header = checks.wireHeader(from.header);
+    to = {header, from.number, from.station, from.stopped, from.standing, from.refused, from.stops};
 }
 
 PongSample fromWire(const wire::leitstand_msgs::Pong& from, const Source&, Checks& checks) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+
+#include "core/robot/control/drive_setpoint.h"
+
+namespace leitstand {
+
+/// How often drive commands are sent.
+struct DriveRhythm {
+    std::chrono::nanoseconds period = std::chrono::milliseconds(50);    ///< repeated at 20 Hz
+    std::chrono::nanoseconds shortest = std::chrono::milliseconds(10);  ///< between changes, but for zero
+    int zeros = 20;  ///< sent once nobody drives any more; then silence, so that others may
+};
+
+/// When the next drive command is to be sent: at once when it changed, and again every 50 ms (design, section
+/// 4). Pure. While nobody drives it says zero twenty times (a second: the robot's watchdog needs 0.3 s) and
+/// is then silent, so that it overrides no navigation on board and no other station.
+class DriveSchedule {
+public:
+    explicit DriveSchedule(const DriveRhythm& rhythm = {});
+
+    struct Decision {
+        bool send = false;
+        SteadyTime next = {};  ///< when to ask again, if nothing changes before
+    };
+    /// @p driving: somebody has hold of the sticks, or zeros are to be held.
+    [[nodiscard]] Decision decide(const DriveVelocity& velocity, bool driving, SteadyTime now);
+
+private:
+    DriveRhythm m_rhythm;
+    DriveVelocity m_last;
+    SteadyTime m_sent = {}, m_due = {};
+    int m_zerosLeft = 0;
+};
+
+}  // namespace leitstand

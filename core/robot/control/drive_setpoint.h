@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "core/robot/link_status.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// How a robot is to move, in its base frame.
+struct DriveVelocity {
+    double forward = 0.0;  ///< [m/s]
+    double left = 0.0;     ///< [m/s]; omnidirectional robots only
+    double turn = 0.0;     ///< counter-clockwise [rad/s]
+    friend bool operator==(const DriveVelocity&, const DriveVelocity&) = default;
+};
+[[nodiscard]] inline bool isZero(const DriveVelocity& velocity) {
+    return velocity == DriveVelocity{};
+}
+
+/// How fast a robot may move. A limit of 0, or one that is no number, forbids the motion.
+struct DriveLimits {
+    double speed = 0.0;     ///< of forward and left together [m/s]
+    double turnRate = 0.0;  ///< [rad/s]
+    bool sideways = false;  ///< whether it can move to the left
+};
+[[nodiscard]] DriveLimits limitsOf(const RobotDescription& robot);
+
+/// @p velocity within @p limits, its direction kept; zero when any of its numbers is none.
+[[nodiscard]] DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits);
+
+/// Distance between the tracks of @p robot, as its footprint is wide [m].
+[[nodiscard]] double trackDistance(const RobotDescription& robot);
+/// Speeds of the left and right track [m/s], and back.
+[[nodiscard]] std::pair<double, double> tracksOf(const DriveVelocity& velocity, double distance);
+[[nodiscard]] DriveVelocity velocityOf(std::pair<double, double> tracks, double distance);
+
+/// What the operator's sticks ask of a robot (design, sections 4 and 7): the newest counts, for 200 ms. Pure.
+///
+/// Without permission (no focus, no grant, stopped) it is zero, and once there is permission again it stays
+/// zero until a zero was set: sticks must be neutral first.
+class DriveSetpoint {
+public:
+    explicit DriveSetpoint(const DriveLimits& limits,
+                           std::chrono::nanoseconds lifetime = std::chrono::milliseconds(200));
+
+    /// The sticks as they are at @p now; to be set again and again while they are held.
+    void set(const DriveVelocity& velocity, SteadyTime now);
+    void permit(bool permitted);
+
+    [[nodiscard]] DriveVelocity at(SteadyTime now) const;
+    [[nodiscard]] bool isFresh(SteadyTime now) const;  ///< permitted, and set within its lifetime
+    /// Permission is there, but the sticks have not been neutral since.
+    [[nodiscard]] bool waitsForNeutral() const { return m_permitted && !m_neutral; }
+
+private:
+    DriveLimits m_limits;
+    std::chrono::nanoseconds m_lifetime;
+    DriveVelocity m_velocity;
+    SteadyTime m_set = {};
+    bool m_any = false, m_permitted = false, m_neutral = false;
+};
+
+}  // namespace leitstand

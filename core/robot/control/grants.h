@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/robot/samples/station_samples.h"
+
+namespace leitstand {
+
+/// A process in the domain, told apart by where its samples come from, never by what they say: the 12 bytes
+/// that all its endpoints' GUIDs begin with (RTPS 2.2, section 8.2.4). A program that starts anew has others.
+struct Sender {
+    std::array<std::uint8_t, 12> bytes{};
+    friend auto operator<=>(const Sender&, const Sender&) = default;
+};
+
+/// What can be granted: to drive a robot, to move its cameras, to register the map (robot empty).
+struct GrantId {
+    GrantSample::Kind kind = GrantSample::Kind::Drive;
+    std::string robot;
+    friend auto operator<=>(const GrantId&, const GrantId&) = default;
+};
+/// The grant to drive @p robot.
+[[nodiscard]] inline GrantId driveGrant(const std::string& robot) {
+    return {GrantSample::Kind::Drive, robot};
+}
+
+/// A grant that a station has, and under which term.
+struct HeldGrant {
+    GrantId id;
+    std::uint64_t term = 0;
+    friend bool operator==(const HeldGrant&, const HeldGrant&) = default;
+};
+
+/// Who a station is, in all its runs.
+struct StationIdentity {
+    std::string id;               ///< random, made once, never empty
+    std::string title;            ///< for people
+    std::vector<HeldGrant> held;  ///< when it ended last: it has them back at once
+};
+
+/// Times of the grants (design, section 4), measured on the receiver's steady clock.
+struct GrantTiming {
+    std::chrono::nanoseconds heartbeat = std::chrono::seconds(1);
+    std::chrono::nanoseconds silence = std::chrono::seconds(3);  ///< of the holder, before another takes over
+};
+
+}  // namespace leitstand

@@ -1,0 +1,66 @@
+#include "core/robot/control/robot_rules.h"
+
+#include <cmath>
+
+namespace leitstand {
+
+RobotRules::RobotRules(const std::string& robot, const RobotRuleSettings& settings)
+    : m_settings(settings),
+      m_grant(driveGrant(robot), settings.grants),
+      m_latch(settings.firstStop),
+      m_motion(settings.standing) {}
+
+void RobotRules::hear(const GrantSample& sample, const Sender& from, SteadyTime now) {
+    m_grant.hear(sample, from, now);
+}
+
+DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now) {
+    if (!m_grant.obeys(from, now)) return DriveVerdict::NotHolder;
+    const bool number =
+        std::isfinite(velocity.forward) && std::isfinite(velocity.left) && std::isfinite(velocity.turn);
+    const bool neutral = m_neutral && m_neutralIn == m_grant.changes();
+    m_velocity = {};
+    m_driver = from;
+    m_driven = now;
+    if (m_latch.isStopped()) return DriveVerdict::Stopped;
+    if (!number) return DriveVerdict::NoNumber;
+    if (!neutral && !isZero(velocity)) return DriveVerdict::NotNeutral;
+    m_neutral = true;
+    m_neutralIn = m_grant.changes();
+    m_velocity = limited(velocity, m_settings.limits);
+    return DriveVerdict::Taken;
+}
+
+StopStateSample RobotRules::hear(const StopCommandSample& command, const Sender& from, SteadyTime now) {
+    const bool fromHolder = m_grant.obeys(from, now) && m_grant.holder(now) == command.station;
+    static_cast<void>(m_latch.hear(command, from, fromHolder));
+    if (m_latch.isStopped()) {
+        m_neutral = false;
+        m_velocity = {};
+    }
+    return stopState(now);
+}
+
+void RobotRules::press() {
+    m_latch.press();
+    m_neutral = false;
+    m_velocity = {};
+}
+
+void RobotRules::moved(double speed, double turnRate, SteadyTime now) {
+    m_motion.moved(speed, turnRate, now);
+}
+
+DriveVelocity RobotRules::commanded(SteadyTime now) const {
+    const bool valid = !m_latch.isStopped() && m_neutral && m_neutralIn == m_grant.changes() &&
+                       m_grant.obeys(m_driver, now) && now - m_driven < m_settings.watchdog;
+    return valid ? m_velocity : DriveVelocity{};
+}
+
+StopStateSample RobotRules::stopState(SteadyTime now) const {
+    StopStateSample state = m_latch.state();
+    state.standing = m_motion.isStanding(now);
+    return state;
+}
+
+}  // namespace leitstand

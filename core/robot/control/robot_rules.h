@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "core/robot/control/drive_setpoint.h"
+#include "core/robot/control/grant_arbiter.h"
+#include "core/robot/control/stop_latch.h"
+
+namespace leitstand {
+
+/// How a robot treats commands.
+struct RobotRuleSettings {
+    DriveLimits limits = {};
+    std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);  ///< without a command it stops
+    GrantTiming grants = {};
+    StandingRules standing = {};
+    std::uint64_t firstStop = 0;  ///< of StopLatch
+};
+
+/// What became of a drive command.
+enum class DriveVerdict : std::uint8_t {
+    Taken,
+    NotHolder,   ///< from a process that does not hold the grant
+    Stopped,     ///< the stop stands
+    NotNeutral,  ///< after a stop or a new holder, the first command must be zero
+    NoNumber,    ///< it stops the robot
+};
+
+/// All rules of design section 4 that a robot itself keeps: whose commands count, for how long, and when it
+/// must not move at all. Pure: no clock, no thread. Robots that take their commands through this are safe
+/// from stations that are not: from two that drive at once, from one that went silent, from old releases.
+class RobotRules {
+public:
+    explicit RobotRules(const std::string& robot, const RobotRuleSettings& settings = {});
+
+    void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
+    DriveVerdict drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now);
+    /// The answer, to be sent with a header.
+    [[nodiscard]] StopStateSample hear(const StopCommandSample& command, const Sender& from, SteadyTime now);
+    void press();  ///< the robot's own stop button
+    /// The robot's odometry: speed [m/s], turn rate [rad/s].
+    void moved(double speed, double turnRate, SteadyTime now);
+
+    /// How it has to move at @p now. A pure function of what was heard: to be asked in the control loop.
+    [[nodiscard]] DriveVelocity commanded(SteadyTime now) const;
+    [[nodiscard]] bool isStopped() const { return m_latch.isStopped(); }
+    [[nodiscard]] StopStateSample stopState(SteadyTime now) const;
+    [[nodiscard]] const GrantArbiter& grant() const { return m_grant; }
+
+private:
+    RobotRuleSettings m_settings;
+    GrantArbiter m_grant;
+    StopLatch m_latch;
+    StandingJudge m_motion;
+    DriveVelocity m_velocity;
+    Sender m_driver = {};
+    SteadyTime m_driven = {};
+    bool m_neutral = false;         ///< a zero came since the last stop or change of holder
+    std::uint64_t m_neutralIn = 0;  ///< GrantArbiter::changes() of then
+};
+
+}  // namespace leitstand
