@@ -252,4 +252,10 @@ std::vector<HeldGrant> GrantBook::held() const {
     return all;
 }
 
+std::vector<GrantId> GrantBook::known() const {
+    std::vector<GrantId> all;
+    for (const auto& [id, entry] : m_entries) all.push_back(id);
+    return all;
+}
+
 }  // namespace leitstand

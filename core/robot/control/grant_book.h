@@ -55,6 +55,7 @@ public:
     /// Whether this station may act on it: it has it, and others heard so within 3 s.
     [[nodiscard]] bool mayAct(const GrantId& id, SteadyTime now) const;
     [[nodiscard]] std::vector<HeldGrant> held() const;  ///< to be remembered
+    [[nodiscard]] std::vector<GrantId> known() const;   ///< all that was asked for or heard of
 
 private:
     struct Request {

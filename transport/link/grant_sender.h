@@ -1,0 +1,17 @@
+#pragma once
+
+#include <algorithm>
+
+#include "core/robot/control/grants.h"
+#include "transport/dds/guid.h"
+
+namespace leitstand {
+
+/// The process that a writer, reader or participant of @p guid belongs to.
+[[nodiscard]] inline Sender senderOf(const Guid& guid) {
+    Sender sender;
+    std::copy_n(guid.bytes.begin(), sender.bytes.size(), sender.bytes.begin());
+    return sender;
+}
+
+}  // namespace leitstand

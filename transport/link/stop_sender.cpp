@@ -1,0 +1,204 @@
+#include "transport/link/stop_sender.h"
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <pthread.h>
+
+#include "transport/convert/decode.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand {
+namespace {
+
+using std::chrono::milliseconds;
+
+SteadyTime steadyNow() {
+    return std::chrono::steady_clock::now();
+}
+
+/// What changes of itself all the time is not news.
+StopStatus told(StopStatus status) {
+    status.unanswered = {};
+    return status;
+}
+
+}  // namespace
+
+struct StopSender::State {
+    struct Robot {
+        StreamDescription command = {}, state = {}, odometry = {};
+        StopControl control;
+        std::unique_ptr<Publisher> publisher = {};
+        StopStatus told = {};  ///< of the sender's own thread
+        std::vector<std::unique_ptr<Subscription>> subscriptions = {};
+    };
+    using Robots = std::map<std::string, Robot>;
+
+    explicit State(StopSenderSettings given) : settings(std::move(given)) {}
+
+    Result<void> add(Node& node, const RobotDescription& description);
+    /// @p doIt with the control of @p robot; nothing when it is unknown.
+    template <class Change>
+    void change(const std::string& robot, Change doIt) {
+        {
+            const std::lock_guard lock(mutex);
+            const auto found = robots.find(robot);
+            if (found == robots.end()) return;
+            doIt(found->second.control);
+            changed = true;
+        }
+        woken.notify_all();
+    }
+    template <class Question>
+    auto ask(const std::string& robot, Question question) const {
+        const std::lock_guard lock(mutex);
+        const auto found = robots.find(robot);
+        using Answer = decltype(question(found->second.control));
+        return found == robots.end() ? Answer{} : question(found->second.control);
+    }
+    void hear(const std::string& robot, const StreamDescription& stream, const ReceivedSample& sample);
+    void step();
+    void run(const std::stop_token& stop);
+
+    const StopSenderSettings settings;
+    mutable std::mutex mutex;  ///< of the controls; never held while anything is written
+    std::condition_variable_any woken;
+    Robots robots;  ///< the map itself stays as it is once the thread runs
+    bool changed = false;
+    std::jthread thread;  ///< last: joined first
+};
+
+void StopSender::State::hear(const std::string& robot, const StreamDescription& stream,
+                             const ReceivedSample& sample) {
+    const auto decoded = decode(sample.event, stream);
+    if (!decoded) return;
+    if (const auto* state = std::get_if<StopStateSample>(&*decoded)) {
+        change(robot, [&](StopControl& control) { control.hear(*state); });
+    } else if (const auto* odometry = std::get_if<OdometrySample>(&*decoded)) {
+        // Told with the next tick: nobody is woken 50 times a second for it.
+        const std::lock_guard lock(mutex);
+        robots.at(robot).control.moved(odometry->linear.norm(), odometry->angular.norm(), steadyNow());
+    }
+}
+
+Result<void> StopSender::State::add(Node& node, const RobotDescription& description) {
+    const StreamDescription* command = description.stream(StreamRole::StopCommand);
+    const auto made = [&] {
+        const std::lock_guard lock(mutex);  // the robots before it are heard already
+        return robots.try_emplace(
+            description.name,
+            Robot{.control = StopControl(settings.station, command != nullptr, settings.timing)});
+    }();
+    if (!made.second) return Error{fmt::format("{}: the name of two robots", description.name)};
+    Robot& robot = made.first->second;
+    const auto listen = [&](StreamRole role, StreamDescription& to) -> Result<void> {
+        const StreamDescription* found = description.stream(role);
+        if (found == nullptr) return {};
+        to = *found;
+        auto heard = node.subscribe({to.topic, to.type, to.qos, Lane::Small},
+                                    [this, name = description.name, stream = to](
+                                        const ReceivedSample& sample) { hear(name, stream, sample); });
+        if (!heard) return heard.error();
+        robot.subscriptions.push_back(std::move(heard).value());
+        return {};
+    };
+    if (command != nullptr) {
+        robot.command = *command;
+        if (const auto tried = encode(StopCommandSample{{}, settings.station, 1, true, 0}, command->type);
+            !tried) {
+            return Error{fmt::format("{}: {}", command->topic, tried.error().text)};
+        }
+        Qos qos = command->qos;
+        qos.lifespan = 0.0;  // a stop never grows old, whatever the robot's file says
+        auto writer = node.publisher({command->topic, command->type, qos, Flow::Immediate});
+        if (!writer) return writer.error();
+        robot.publisher = std::move(writer).value();
+        if (auto heard = listen(StreamRole::StopState, robot.state); !heard) return heard;
+    }
+    return listen(StreamRole::Odometry, robot.odometry);
+}
+
+void StopSender::State::step() {
+    for (auto& [name, robot] : robots) {
+        std::optional<StopCommandSample> command;
+        StopStatus status;
+        {
+            const std::lock_guard lock(mutex);
+            command = robot.control.due(steadyNow(), std::chrono::system_clock::now());
+            status = told(robot.control.status(steadyNow()));
+        }
+        if (command && robot.publisher) {
+            // What is not written now is written with the next repetition.
+            if (const auto cdr = encode(*command, robot.command.type))
+                static_cast<void>(robot.publisher->write(*cdr));
+        }
+        if (std::exchange(robot.told, status) != status && settings.onChange) settings.onChange(name);
+    }
+}
+
+void StopSender::State::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "stop");
+    while (!stop.stop_requested()) {
+        step();
+        std::unique_lock lock(mutex);
+        woken.wait_for(lock, stop, milliseconds(20), [this] { return changed; });
+        changed = false;
+    }
+}
+
+StopSender::StopSender(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+
+StopSender::~StopSender() {
+    m_state->thread.request_stop();
+    if (m_state->thread.joinable()) m_state->thread.join();
+    for (auto& [name, robot] : m_state->robots) robot.subscriptions.clear();
+}
+
+Result<std::unique_ptr<StopSender>> StopSender::create(Node& node, std::span<const RobotDescription> robots,
+                                                       StopSenderSettings settings) {
+    std::unique_ptr<StopSender> sender(new StopSender(std::make_unique<State>(std::move(settings))));
+    State& state = *sender->m_state;
+    for (const RobotDescription& robot : robots) {
+        if (auto added = state.add(node, robot); !added) return added.error();
+    }
+    state.thread = std::jthread([&state](const std::stop_token& stop) { state.run(stop); });
+    return sender;
+}
+
+void StopSender::stopAll() {
+    for (const auto& [name, robot] : m_state->robots) stop(name);
+}
+
+void StopSender::stop(const std::string& robot) {
+    m_state->change(
+        robot, [](StopControl& control) { control.stop(steadyNow(), std::chrono::system_clock::now()); });
+}
+
+Result<void> StopSender::release(const std::string& robot) {
+    const bool held = m_state->settings.mayRelease && m_state->settings.mayRelease(robot);
+    Result<void> result = Error{fmt::format("release: no robot is called \"{}\"", robot)};
+    m_state->change(robot, [&](StopControl& control) {
+        result = control.release(held, steadyNow(), std::chrono::system_clock::now());
+    });
+    return result;
+}
+
+StopStatus StopSender::status(const std::string& robot) const {
+    return m_state->ask(robot, [](const StopControl& control) { return control.status(steadyNow()); });
+}
+
+bool StopSender::allowsDriving(const std::string& robot) const {
+    return m_state->ask(robot, [](const StopControl& control) { return control.allowsDriving(); });
+}
+
+bool StopSender::holdsByZeros(const std::string& robot) const {
+    return m_state->ask(robot, [](const StopControl& control) { return control.holdsByZeros(); });
+}
+
+}  // namespace leitstand
