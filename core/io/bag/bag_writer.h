@@ -40,7 +40,7 @@ struct BagAlarm {
     Kind kind = Kind::DiskFilling;
     bool raised = true;        ///< false: over
     double minutesLeft = 0.0;  ///< until the disk is full; infinite when nothing is written [min]
-    std::string text;          ///< with numbers, in English
+    std::string text;          ///< with numbers, in English; of one that is over: that it is
 };
 
 /// How the writer is doing.

@@ -3,6 +3,7 @@
 #include <mutex>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -92,7 +93,9 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     EXPECT_FALSE(dropped.contains("/kurt3d/points"));
     EXPECT_GT(dropped.at(Pictures), 25U);
     EXPECT_EQ(stored(Pictures) + dropped.at(Pictures), 40U);
-    EXPECT_TRUE(alarm(BagAlarm::Kind::DiskSlow, false).has_value());
+    const auto over = alarm(BagAlarm::Kind::DiskSlow, false);
+    ASSERT_TRUE(over.has_value());
+    EXPECT_THAT(over->text, HasSubstr("keeps up again"));
 }
 
 TEST_F(SlowDisk, LosesTheRestOnlyBeyondTheStatedBoundAndSaysSo) {
@@ -133,6 +136,50 @@ TEST_F(SlowDisk, ClosingOnAFullDiskEndsAndTellsWhatIsLost) {
     EXPECT_THAT(closed.error().text, HasSubstr("1 events are lost"));
 }
 
+TEST_F(SlowDisk, ClosingOnAFullDiskDoesNotWaitForEveryCommit) {
+    BagWriterSettings patient;
+    patient.retryInterval = 1h;
+    patient.commitBytes = 1;  // a commit an event
+    const auto disk = std::make_shared<test::TestDisk>();
+    const auto writer = BagWriter::over(std::make_unique<test::TestStore>(disk), patient);
+    ASSERT_TRUE(writer->flush().ok());
+    disk->full = true;
+    for (int i = 0; i < 20; ++i) {
+        writer->write({0, at(1), "/kurt3d/points", "sensor_msgs/msg/PointCloud2", test::payload(10, 1)});
+    }
+    const auto closed = writer->close();
+    ASSERT_FALSE(closed.ok());
+    EXPECT_THAT(closed.error().text, HasSubstr("20 events are lost"));
+}
+
+TEST_F(SlowDisk, FlushDoesNotTakeDroppedPicturesForWhatIsOnTheDisk) {
+    m_disk->full = true;
+    write("/kurt3d/points", 10'000);
+    ASSERT_TRUE(alarm(BagAlarm::Kind::DiskFull, true).has_value());
+    std::jthread pictures([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) write(Pictures, 10'000);
+    });
+    EXPECT_FALSE(m_writer->flush(100ms).ok());
+    m_disk->full = false;
+    EXPECT_TRUE(m_writer->flush().ok());
+    EXPECT_EQ(stored("/kurt3d/points"), 1U);
+}
+
+TEST(GroupCommitLatency, NoEventWaitsLongerThanHalfASecond) {
+    const auto disk = std::make_shared<test::TestDisk>();
+    const auto writer = BagWriter::over(std::make_unique<test::TestStore>(disk), {});
+    double worst = 0.0;
+    for (int round = 1; round <= 5; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        writer->write({0, at(1), "/kurt3d/odom", "nav_msgs/msg/Odometry", test::payload(700, 1)});
+        ASSERT_TRUE(disk->waitForCommits(round));
+        const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
+        worst = std::max(worst, waited.count());
+    }
+    fmt::print("an event waited at worst {:.3f} s for its commit\n", worst);
+    EXPECT_LT(worst, 0.5);
+}
+
 TEST_F(SlowDisk, ABrokenDiskIsToldAndTriedAgain) {
     m_disk->broken = true;
     write("/kurt3d/points", 10'000);
@@ -142,7 +189,9 @@ TEST_F(SlowDisk, ABrokenDiskIsToldAndTriedAgain) {
     m_disk->broken = false;
     ASSERT_TRUE(m_writer->flush().ok());
     EXPECT_EQ(stored("/kurt3d/points"), 1U);
-    EXPECT_TRUE(alarm(BagAlarm::Kind::Failed, false).has_value());
+    const auto over = alarm(BagAlarm::Kind::Failed, false);
+    ASSERT_TRUE(over.has_value());
+    EXPECT_THAT(over->text, HasSubstr("written again"));
 }
 
 TEST_F(SlowDisk, AnEventThatCannotBeWrittenCostsNoOther) {

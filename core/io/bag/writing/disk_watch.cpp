@@ -1,5 +1,7 @@
 #include "core/io/bag/writing/disk_watch.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace leitstand::detail {
@@ -14,6 +16,11 @@ constexpr double Least = 1.0;         // [s], since commits come in bursts
 constexpr auto Calm = seconds(5);     // without drops, until the alarm is over
 constexpr double Behind = 2.0;        // [s]
 
+/// "12 minutes"
+std::string minutesText(double minutes) {
+    return minutes < 6'000.0 ? fmt::format("{:.0f} minutes", minutes) : "for days";
+}
+
 }  // namespace
 
 void DiskWatch::measure(const DiskReading& reading) {
@@ -27,12 +34,12 @@ void DiskWatch::measure(const DiskReading& reading) {
     m_minutesLeft = reading.full ? 0.0 : m_rate > 0.0 ? left : std::numeric_limits<double>::infinity();
 }
 
-void DiskWatch::judge(BagAlarm::Kind kind, bool raised, const std::string& text,
+void DiskWatch::judge(BagAlarm::Kind kind, bool raised, const std::string& text, const std::string& over,
                       std::vector<BagAlarm>& changed) {
     bool& before = m_raised[kind];
     if (before == raised) return;
     before = raised;
-    changed.push_back({kind, raised, m_minutesLeft, text});
+    changed.push_back({kind, raised, m_minutesLeft, raised ? text : over});
 }
 
 std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
@@ -49,20 +56,21 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
     using Kind = BagAlarm::Kind;
     // What is nearly over must not end and begin again with every reading.
     const double margin = m_raised[Kind::DiskFilling] ? 1.2 : 1.0;
+    const auto say = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
+        return reading.where + ": " + fmt::format(text, std::forward<T>(values)...);
+    };
     judge(Kind::DiskFilling, m_minutesLeft < m_alarmMinutes * margin,
-          fmt::format("{}: the disk is full in {:.0f} minutes at {:.1f} MB/s", reading.where, m_minutesLeft,
-                      m_rate * 1e-6),
-          changed);
-    judge(Kind::DiskFull, reading.full,
-          fmt::format("{}: the disk is full; {:.0f} MB wait in memory", reading.where, megabytes), changed);
+          say("the disk is full in {:.0f} minutes at {:.1f} MB/s", m_minutesLeft, m_rate * 1e-6),
+          say("the disk lasts {} again", minutesText(m_minutesLeft)), changed);
+    judge(Kind::DiskFull, reading.full, say("the disk is full; {:.0f} MB wait in memory", megabytes),
+          say("there is space on the disk again"), changed);
     judge(Kind::DiskSlow, !reading.full && (dropping || reading.secondsBehind > Behind),
-          fmt::format("{}: the disk does not keep up: {:.1f} s behind, {:.0f} MB wait, {} pictures dropped",
-                      reading.where, reading.secondsBehind, megabytes, reading.droppedPictures),
-          changed);
-    judge(Kind::EventsLost, losing,
-          fmt::format("{}: {} events that are no pictures are lost", reading.where, reading.lostEvents),
-          changed);
-    judge(Kind::Failed, !reading.failure.empty(), reading.failure, changed);
+          say("the disk does not keep up: {:.1f} s behind, {:.0f} MB wait, {} pictures dropped",
+              reading.secondsBehind, megabytes, reading.droppedPictures),
+          say("the disk keeps up again; {} pictures were dropped", reading.droppedPictures), changed);
+    judge(Kind::EventsLost, losing, say("{} events that are no pictures are lost", reading.lostEvents),
+          say("no more events are lost; {} were", reading.lostEvents), changed);
+    judge(Kind::Failed, !reading.failure.empty(), reading.failure, say("is written again"), changed);
     return changed;
 }
 

@@ -38,7 +38,9 @@ private:
         std::uint64_t bytes = 0;
     };
     void measure(const DiskReading& reading);
-    void judge(BagAlarm::Kind kind, bool raised, const std::string& text, std::vector<BagAlarm>& changed);
+    /// Adds an alarm to @p changed when it begins (@p text) or ends (@p over).
+    void judge(BagAlarm::Kind kind, bool raised, const std::string& text, const std::string& over,
+               std::vector<BagAlarm>& changed);
 
     double m_alarmMinutes;
     double m_rate = 0.0, m_minutesLeft = std::numeric_limits<double>::infinity();

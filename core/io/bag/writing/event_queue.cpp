@@ -9,13 +9,11 @@ std::size_t EventQueue::sizeOf(const RawEvent& event) {
 }
 
 void EventQueue::push(RawEvent event, bool droppable, Clock::time_point now) {
-    ++m_pushed;
     const std::size_t size = sizeOf(event);
     const bool refused = droppable && (m_refuse || bytes() + size > m_droppableBound);
     if (!refused && bytes() + size > m_bound) removeDroppables();
     if (refused || bytes() + size > m_bound) {
         drop(event, droppable);
-        ++m_settled;
         return;
     }
     m_waitingBytes += size;
@@ -42,7 +40,6 @@ std::vector<RawEvent> EventQueue::take(std::size_t most) {
 void EventQueue::settle(const RawEvent& event) {
     m_takenBytes -= sizeOf(event);
     --m_taken;
-    ++m_settled;
 }
 
 void EventQueue::refuseDroppables(bool refuse) {
@@ -65,7 +62,6 @@ void EventQueue::removeDroppables() {
         }
         m_waitingBytes -= sizeOf(waiting.event);
         drop(waiting.event, true);
-        ++m_settled;
     }
     m_droppables = 0;
     m_events = std::move(kept);

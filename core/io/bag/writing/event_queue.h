@@ -44,8 +44,10 @@ public:
     [[nodiscard]] const std::map<std::string, std::uint64_t>& dropped() const { return m_dropped; }
     [[nodiscard]] std::uint64_t droppedPictures() const { return m_droppedPictures; }
     [[nodiscard]] std::uint64_t lostEvents() const { return m_lost; }  ///< dropped, and no pictures
-    [[nodiscard]] std::uint64_t pushed() const { return m_pushed; }
-    [[nodiscard]] std::uint64_t settled() const { return m_settled; }  ///< of the pushed ones
+    /// Sequence of the oldest that was not given out; @p otherwise when none waits.
+    [[nodiscard]] std::uint64_t first(std::uint64_t otherwise) const {
+        return m_events.empty() ? otherwise : m_events.front().event.sequence;
+    }
 
     /// Memory that @p event takes [B].
     [[nodiscard]] static std::size_t sizeOf(const RawEvent& event);
@@ -63,7 +65,7 @@ private:
     std::size_t m_waitingBytes = 0, m_takenBytes = 0, m_taken = 0, m_droppables = 0;
     bool m_refuse = false;
     std::map<std::string, std::uint64_t> m_dropped;
-    std::uint64_t m_droppedPictures = 0, m_lost = 0, m_pushed = 0, m_settled = 0;
+    std::uint64_t m_droppedPictures = 0, m_lost = 0;
 };
 
 }  // namespace leitstand::detail

@@ -1,12 +1,19 @@
 #include "core/io/bag/writing/writer_core.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
 namespace leitstand::detail {
 
 using std::chrono::milliseconds;
+
+namespace {
+
+constexpr auto NoSequence = std::numeric_limits<std::uint64_t>::max();
+
+}  // namespace
 
 WriterCore::WriterCore(std::unique_ptr<BagStore> store, const BagWriterSettings& settings,
                        BagWriter::AlarmHandler onAlarm)
@@ -58,18 +65,26 @@ void WriterCore::write(RawEvent event) {
 bool WriterCore::shallCommit(Clock::time_point now) const {
     if (m_stopping || m_flushing) return true;
     if (now - m_lastMetadata >= m_settings.metadataInterval) return true;
-    const auto oldest = std::min(m_queue.oldest(now), m_newTopics.empty() ? now : m_topicsCame);
-    return m_queue.waitingBytes() >= m_settings.commitBytes || now - oldest >= m_settings.commitInterval;
+    return m_queue.waitingBytes() >= m_settings.commitBytes || now >= nextCommit(now);
+}
+
+WriterCore::Clock::time_point WriterCore::nextCommit(Clock::time_point now) const {
+    return std::min(m_queue.oldest(now), m_newTopics.empty() ? now : m_topicsCame) +
+           m_settings.commitInterval;
 }
 
 std::optional<BagBatch> WriterCore::nextBatch() {
     std::unique_lock lock(m_mutex);
-    while (!shallCommit(Clock::now())) m_wake.wait_for(lock, m_settings.commitInterval / 4);
-    const auto now = Clock::now();
+    auto now = Clock::now();
+    // Nobody is woken for an event that can wait.
+    for (; !shallCommit(now); now = Clock::now()) {
+        m_wake.wait_until(lock, std::min(nextCommit(now), now + m_settings.commitInterval / 4));
+    }
     m_oldestTaken = m_queue.oldest(now);
     BagBatch batch;
     batch.topics = std::exchange(m_newTopics, {});
     batch.events = m_queue.take(m_settings.commitBytes);
+    m_takenFrom = batch.events.empty() ? NoSequence : batch.events.front().sequence;
     batch.metadata = now - m_lastMetadata >= m_settings.metadataInterval;
     if (batch.metadata) m_lastMetadata = now;
     m_committing = true;
@@ -147,9 +162,9 @@ void WriterCore::dropPictures(BagBatch& batch) {
 
 bool WriterCore::waitToRetry() {
     std::unique_lock lock(m_mutex);
-    const bool stopping = m_stopping;
-    m_wake.wait_for(lock, m_settings.retryInterval, [&] { return m_stopping && !stopping; });
-    return !stopping;  // whoever closes gets one more attempt, and no endless wait
+    if (m_stopping) return false;  // whoever closes shall not wait
+    m_wake.wait_for(lock, m_settings.retryInterval, [this] { return m_stopping; });
+    return true;
 }
 
 void WriterCore::giveUp(const BagBatch& batch) {
@@ -166,11 +181,15 @@ void WriterCore::giveUp(const BagBatch& batch) {
     m_settled.notify_all();
 }
 
+bool WriterCore::isStored(std::uint64_t sequence) const {
+    return m_queue.first(NoSequence) > sequence && (!m_committing || m_takenFrom > sequence);
+}
+
 Result<void> WriterCore::flush(milliseconds deadline) {
     std::unique_lock lock(m_mutex);
-    const std::uint64_t target = m_queue.pushed();
+    const std::uint64_t last = m_lastSequence;
     const std::size_t topics = m_topics.size();
-    const auto done = [&] { return m_queue.settled() >= target && m_storedTopics >= topics; };
+    const auto done = [&] { return isStored(last) && m_storedTopics >= topics; };
     m_flushing = true;
     m_wake.notify_one();
     if (m_settled.wait_for(lock, deadline, done)) return {};

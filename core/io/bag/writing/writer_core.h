@@ -41,7 +41,9 @@ private:
 
     void announce(const TopicInfo& topic);  // locked
     void run();
-    [[nodiscard]] bool shallCommit(Clock::time_point now) const;  // locked
+    [[nodiscard]] bool shallCommit(Clock::time_point now) const;              // locked
+    [[nodiscard]] Clock::time_point nextCommit(Clock::time_point now) const;  // locked; of what waits
+    [[nodiscard]] bool isStored(std::uint64_t sequence) const;                // locked; or dropped
     [[nodiscard]] std::optional<BagBatch> nextBatch();
     void commit(BagBatch batch);
     void settle(const BagBatch& batch);
@@ -64,6 +66,7 @@ private:
     std::vector<TopicInfo> m_newTopics;
     std::size_t m_storedTopics = 0;  // of m_topics, on the disk
     std::uint64_t m_lastSequence = 0;
+    std::uint64_t m_takenFrom = 0;  // first sequence of the batch that is being committed
     Clock::time_point m_topicsCame{}, m_oldestTaken{}, m_lastMetadata{};
     bool m_committing = false, m_flushing = false, m_stopping = false, m_watchStopping = false;
     bool m_diskFull = false, m_closed = false;
