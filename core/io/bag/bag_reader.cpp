@@ -69,7 +69,7 @@ private:
         }
         if (m_skip) return;
         m_rowQuery.lastId = std::min(m_query.toSequence - part.offset, detail::MaxId);
-        if (m_query.to) m_rowQuery.toTime = *m_query.to;
+        if (m_query.to) m_rowQuery.lastTime = std::max(*m_query.to, Time{}) - std::chrono::nanoseconds(1);
         if (facts.ours) {
             if (m_query.fromSequence > part.offset)
                 m_rowQuery.afterId = m_query.fromSequence - part.offset - 1;
@@ -124,10 +124,11 @@ std::uint64_t BagReader::lastSequence() const {
 }
 
 Time BagReader::first() const {
+    Time first = Time::max();
     for (const BagSession& session : sessions()) {
-        if (session.lastSequence != 0) return session.first;
+        if (session.lastSequence != 0) first = std::min(first, session.first);
     }
-    return {};
+    return first == Time::max() ? Time{} : first;
 }
 
 Time BagReader::last() const {

@@ -27,6 +27,7 @@ struct BagSession {
     std::filesystem::path file;
     std::uint64_t firstSequence = 0, lastSequence = 0;  ///< 0: no events
     Time first{}, last{};                               ///< receive times; epoch: no events
+    std::optional<std::uint64_t> messages{};            ///< empty where nobody counted them
     bool closed = true;    ///< false: still written, or its writer was killed (what it committed is read)
     bool damaged = false;  ///< read page by page, since SQLite cannot; problems() tells what is missing
 };
@@ -77,7 +78,7 @@ public:
     /// All topics, by name.
     [[nodiscard]] const std::vector<BagTopic>& topics() const;
     [[nodiscard]] std::uint64_t lastSequence() const;  ///< 0: no events
-    [[nodiscard]] Time first() const;                  ///< receive time of the first event; epoch: no events
+    [[nodiscard]] Time first() const;                  ///< earliest receive time; epoch: no events
     [[nodiscard]] Time last() const;
     /// Whether a station of ours wrote it.
     [[nodiscard]] bool ours() const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "tests/io/bag/foreign_database.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"
 
@@ -10,54 +11,13 @@ namespace leitstand {
 namespace {
 
 namespace fs = std::filesystem;
+using test::foreignSchema;
+using test::makeDatabase;
 using test::readAll;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// Makes an SQLite file as @p sql tells.
-void makeDatabase(const fs::path& file, const std::string& sql) {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-    char* problem = nullptr;
-    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &problem), SQLITE_OK) << problem;
-    sqlite3_close(database);
-}
-
-/// What rosbag2 wrote at @p version of its schema, with three messages whose times do not rise with their
-/// ids.
-std::string schema(int version) {
-    std::string sql =
-        "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, "
-        "serialization_format TEXT NOT NULL";
-    if (version >= 2) sql += ", offered_qos_profiles TEXT NOT NULL";
-    if (version >= 4) sql += ", type_description_hash TEXT NOT NULL";
-    sql +=
-        "); CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT "
-        "NULL, "
-        "data BLOB NOT NULL); CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
-    if (version >= 3) {
-        sql += fmt::format(
-            "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
-            "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, "
-            "metadata TEXT NOT NULL); INSERT INTO schema VALUES ({}, 'humble');",
-            version);
-    }
-    if (version >= 4) {
-        sql +=
-            "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding "
-            "TEXT NOT "
-            "NULL, encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);"
-            "INSERT INTO message_definitions VALUES (1, 'std_msgs/msg/String', 'ros2msg', 'string data', "
-            "'h');";
-    }
-    sql += fmt::format("INSERT INTO topics VALUES (5, '/talk', 'std_msgs/msg/String', 'cdr'{}{});",
-                       version >= 2 ? ", '- history: 1'" : "", version >= 4 ? ", 'RIHS01_x'" : "");
-    return sql +
-           "INSERT INTO messages VALUES (1, 5, 3000, x'00010000AA'), (2, 5, 1000, x'00010000BB'), "
-           "(3, 5, 2000, x'00010000CC');";
-}
 
 class ForeignBag : public testing::Test {
 protected:
@@ -74,7 +34,7 @@ protected:
 TEST_F(ForeignBag, AllVersionsOfTheSchemaAreReadByTime) {
     for (int version = 1; version <= 4; ++version) {
         const auto file = m_bag / fmt::format("bag_{}.db3", version);
-        makeDatabase(file, schema(version));
+        makeDatabase(file, foreignSchema(version));
         const std::string before = test::fingerprint(m_bag);
         const auto reader = test::opened(file);
         ASSERT_NE(reader, nullptr);
@@ -97,7 +57,7 @@ TEST_F(ForeignBag, AllVersionsOfTheSchemaAreReadByTime) {
 
 TEST_F(ForeignBag, AnInterruptedTransactionIsRolledBackInMemoryOnly) {
     const auto file = m_bag / "bag_0.db3", copy = m_bag / "bag_1.db3";
-    makeDatabase(file, schema(3));
+    makeDatabase(file, foreignSchema(3));
     // A journal that SQLite finds "hot": taken while a big transaction had spilled into the file.
     sqlite3* database = nullptr;
     ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
@@ -130,7 +90,7 @@ TEST_F(ForeignBag, BagsOfOtherKindsAreNamed) {
     EXPECT_THAT(errorOf(m_bag / "bag_0.mcap"), HasSubstr("SQLite"));
     test::writeText(m_bag / "metadata.yaml", "rosbag2_bagfile_information:\n  storage_identifier: mcap\n");
     EXPECT_THAT(errorOf(m_bag), HasSubstr("found storage \"mcap\""));
-    makeDatabase(m_bag / "bag_0.db3", schema(4));
+    makeDatabase(m_bag / "bag_0.db3", foreignSchema(4));
     test::writeText(
         m_bag / "metadata.yaml",
         "rosbag2_bagfile_information:\n  storage_identifier: sqlite3\n  compression_format: zstd\n");
@@ -143,7 +103,7 @@ TEST_F(ForeignBag, BagsOfOtherKindsAreNamed) {
 TEST_F(ForeignBag, WhatIsUnknownIsToldAndTheRestIsRead) {
     makeDatabase(
         m_bag / "bag_0.db3",
-        schema(4) +
+        foreignSchema(4) +
             "INSERT INTO topics VALUES (6, '/json', 'x/msg/Y', 'json', '', '');"
             "INSERT INTO messages VALUES (4, 6, 4000, x'01'), (5, 77, 5000, x'02'), (-3, 5, 1, x'03'),"
             "(6, 5, 6000, 'text'), (7, 5, 'late', x'00010000DD'), (9223372036854775807, 5, 9, x'04');");

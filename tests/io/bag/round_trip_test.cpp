@@ -124,6 +124,23 @@ TEST_F(BagRoundTrip, AResumeWritesANewFileAndLeavesTheOldOneAsItIs) {
     EXPECT_THAT(metadata, HasSubstr("- mission_1.db3"));
 }
 
+TEST_F(BagRoundTrip, CountsKnowOfGapsWhereEventsWereDropped) {
+    {
+        const auto writer = std::move(BagWriter::open(m_mission)).value();
+        for (const std::uint64_t sequence : {1U, 2U, 70U}) {
+            writer->write({sequence, at(1), "/a", "x/msg/A", test::payload(10, 1)});
+        }
+    }
+    test::writeSession(m_mission, 100, 104);
+    const auto reader = test::opened(m_mission);
+    EXPECT_EQ(reader->sessions()[0].messages, 3U);
+    EXPECT_EQ(reader->sessions()[1].messages, 5U);
+    const std::string metadata = test::readText(m_mission / "metadata.yaml");
+    EXPECT_THAT(metadata, HasSubstr("message_count: 8"));
+    EXPECT_THAT(metadata, HasSubstr("message_count: 3"));
+    EXPECT_THAT(metadata, testing::Not(HasSubstr("message_count: 70")));
+}
+
 TEST_F(BagRoundTrip, AMissionHasOneWriter) {
     const auto writer = std::move(BagWriter::open(m_mission)).value();
     const auto second = BagWriter::open(m_mission);

@@ -18,9 +18,9 @@ std::int64_t nanoseconds(Time time) {
 }
 
 YAML::Node span(Time first, Time last, YAML::Node into) {
+    first = std::max(first, Time{});
     into["starting_time"]["nanoseconds_since_epoch"] = nanoseconds(first);
-    // rosbag2 reads it unsigned.
-    into["duration"]["nanoseconds"] = std::max<std::int64_t>((last - first).count(), 0);
+    into["duration"]["nanoseconds"] = (std::max(last, first) - first).count();  // rosbag2 reads it unsigned
     return into;
 }
 
@@ -116,7 +116,10 @@ BagMetadata metadataOf(const YAML::Node& root) {
     BagMetadata metadata;
     metadata.version = valueOr(root["version"], 0);
     metadata.storage = valueOr<std::string>(root["storage_identifier"], "");
-    metadata.compression = valueOr<std::string>(root["compression_format"], "");
+    const auto mode = valueOr<std::string>(root["compression_mode"], "");
+    if (mode != "NONE" && mode != "none") {
+        metadata.compression = valueOr<std::string>(root["compression_format"], "");
+    }
     if (root["files"] && root["files"].IsSequence()) {
         for (const auto& file : root["files"]) metadata.files.push_back(fileOf(file));
     }

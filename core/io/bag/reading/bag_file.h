@@ -44,7 +44,7 @@ struct RowQuery {
     Time afterTime = Time::min();  ///< where order is by time: the last row read
     std::uint64_t afterId = 0;     ///< the last row read
     std::uint64_t lastId = std::numeric_limits<std::int64_t>::max();
-    Time toTime = Time::max();                     ///< exclusive
+    Time lastTime = Time::max();
     std::optional<std::set<std::int64_t>> topics;  ///< empty: all
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/io/bag/detail/mission_folder.h"
+#include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/salvaged_file.h"
 #include "core/io/bag/reading/sqlite_file.h"
 
@@ -40,33 +41,6 @@ std::optional<BagMetadata> readMetadata(const fs::path& folder, std::vector<std:
     if (metadata) return std::move(metadata).value();
     problems.push_back(metadata.error().text);
     return std::nullopt;
-}
-
-/// Bags that we cannot read, told by their metadata or their files.
-Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>& metadata, bool anyDatabase) {
-    if (metadata && !metadata->compression.empty()) {
-        return Error{
-            fmt::format("{}: expected an uncompressed bag, found compression \"{}\"; `ros2 bag convert` "
-                        "writes one without",
-                        folder.string(), metadata->compression)};
-    }
-    if (metadata && metadata->storage != "sqlite3" && !anyDatabase) {
-        return Error{
-            fmt::format("{}: expected a bag in SQLite files (sqlite3), found storage \"{}\"; `ros2 bag "
-                        "convert` turns it into one",
-                        folder.string(), metadata->storage)};
-    }
-    if (anyDatabase) return {};
-    std::error_code problem;
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
-         entry.increment(problem)) {
-        const auto ending = entry->path().extension();
-        if (ending == ".mcap" || ending == ".zstd") {
-            return Error{fmt::format("{}: expected a bag in SQLite files (.db3), found {}", folder.string(),
-                                     entry->path().filename().string())};
-        }
-    }
-    return Error{folder.string() + ": expected a bag: metadata.yaml and files that end in .db3"};
 }
 
 Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, bool locked) {
@@ -112,6 +86,11 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool&
     const auto size = fs::file_size(path, problem);
     if (problem) return Error{fmt::format("{}: cannot be opened: {}", path.string(), problem.message())};
     if (size == 0) return Error{path.string() + ": expected an SQLite database, found an empty file"};
+    if (const auto other = otherKindOf(path); !other.empty()) {
+        return Error{
+            fmt::format("{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one",
+                        path.string(), other)};
+    }
     auto opened = SqliteFile::open(path, live);
     if (opened) return std::shared_ptr<BagFile>(std::move(opened).value());
     if (live) return opened.error();  // its pages are changing
@@ -128,8 +107,9 @@ Result<OpenBag> openBag(const fs::path& path) {
     if (!fs::exists(status)) return Error{path.string() + ": expected a bag's folder or file, found nothing"};
     if (!fs::is_directory(status)) {
         const auto ending = path.extension();
-        if (ending == ".mcap" || ending == ".zstd") {
-            return Error{path.string() + ": expected a bag in SQLite files (.db3)"};
+        if (ending == ".mcap" || ending == ".zstd" || ending == ".bag") {
+            return Error{path.string() +
+                         ": expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one"};
         }
         if (!fs::is_regular_file(status))
             return Error{path.string() + ": expected a folder or a regular file"};
@@ -149,7 +129,7 @@ Result<OpenBag> openBag(const fs::path& path) {
     auto files = databaseFiles(path);
     if (!files) return files.error();
     bag.metadata = readMetadata(path, bag.problems);
-    if (auto kind = checkKind(path, bag.metadata, !files->empty()); !kind) return kind.error();
+    if (auto kind = checkKind(path, bag.metadata, *files, bag.problems); !kind) return kind.error();
     if (auto opened = openParts(bag, *files, FolderLock::isTaken(path)); !opened) return opened.error();
     numberOn(bag.parts);
     return bag;

@@ -5,9 +5,29 @@
 
 #include <fmt/format.h>
 
+#include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/salvaged_file.h"
 
 namespace leitstand::detail {
+
+namespace {
+
+/// Times that a file tells may be anything; from 1970 on, their differences are numbers too.
+Time sane(Time told) {
+    return std::max(told, Time{});
+}
+
+/// All messages of a file; empty where those of some topic were not counted.
+std::optional<std::uint64_t> messagesOf(const BagFileFacts& facts) {
+    std::uint64_t sum = 0;
+    for (const auto& [id, topic] : facts.topics) {
+        if (!topic.messages) return std::nullopt;
+        sum += *topic.messages;
+    }
+    return sum;
+}
+
+}  // namespace
 
 ReaderCore::ReaderCore(OpenBag bag) : m_bag(std::move(bag)) {
     listSessions();
@@ -22,9 +42,10 @@ void ReaderCore::listSessions() {
         if (facts.lastId != 0) {
             session.firstSequence = facts.firstId + part.offset;
             session.lastSequence = facts.lastId + part.offset;
-            session.first = facts.first;
-            session.last = facts.last;
+            session.first = sane(facts.first);
+            session.last = sane(facts.last);
         }
+        session.messages = messagesOf(facts);
         session.closed = facts.closed && !part.live;
         session.damaged = part.damaged;
         m_sessions.push_back(std::move(session));
@@ -127,7 +148,14 @@ std::optional<RawEvent> ReaderCore::eventOf(std::size_t index, BagRow row) {
                          info.name, info.serialization));
         return std::nullopt;
     }
-    return RawEvent{row.id + part.offset, row.received, info.name, info.type, std::move(row.cdr)};
+    if (isCompressed(row.cdr)) {
+        tell(
+            fmt::format("{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` "
+                        "writes them without",
+                        part.path.string(), info.name));
+        return std::nullopt;
+    }
+    return RawEvent{row.id + part.offset, sane(row.received), info.name, info.type, std::move(row.cdr)};
 }
 
 std::set<std::int64_t> ReaderCore::idsOf(std::size_t index, const std::vector<std::string>& topics) const {
@@ -187,6 +215,7 @@ void ReaderCore::count() {
             part.file->count();
         }
     }
+    listSessions();
     listTopics();
 }
 

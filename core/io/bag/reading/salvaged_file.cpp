@@ -142,7 +142,7 @@ BagFile::Outcome SalvagedFile::fetch(const RowQuery& query, std::vector<BagRow>&
                                });
     std::size_t bytes = 0;
     for (auto found = after; found != m_found.end(); ++found) {
-        if (found->id > query.lastId || found->received >= query.toTime) continue;
+        if (found->id > query.lastId || found->received > query.lastTime) continue;
         if (query.topics && !query.topics->contains(found->topic)) continue;
         auto row = rowOf(*found);
         if (!row) continue;

@@ -47,7 +47,8 @@ BagFile::Outcome SqliteFile::fetch(const RowQuery& query, std::vector<BagRow>& r
 BagFile::Outcome SqliteFile::fetchOrdered(const RowQuery& query, std::vector<BagRow>& rows) {
     // Without an index on time, other bags are read in the order of their rows too.
     const bool byTime = m_byTime && !m_facts.ours;
-    std::string sql = "SELECT id, topic_id, timestamp, data FROM messages WHERE timestamp < ?3 AND id <= ?4 ";
+    std::string sql =
+        "SELECT id, topic_id, timestamp, data FROM messages WHERE timestamp <= ?3 AND id <= ?4 ";
     sql += byTime ? "AND timestamp >= ?2 AND (timestamp > ?2 OR id > ?1) AND id > 0 " : "AND id > ?1 ";
     if (query.topics) sql += "AND topic_id IN " + listed(*query.topics) + " ";
     sql += byTime ? "ORDER BY timestamp, id" : "ORDER BY id";
@@ -55,7 +56,7 @@ BagFile::Outcome SqliteFile::fetchOrdered(const RowQuery& query, std::vector<Bag
     if (!statement) return Outcome::Broken;
     statement.bind(1, static_cast<std::int64_t>(query.afterId));
     statement.bind(2, nanoseconds(query.afterTime));
-    statement.bind(3, nanoseconds(query.toTime));
+    statement.bind(3, nanoseconds(query.lastTime));
     statement.bind(4, static_cast<std::int64_t>(std::min(query.lastId, MaxId)));
     std::size_t bytes = 0;
     while (true) {
@@ -73,12 +74,12 @@ BagFile::Outcome SqliteFile::fetchTopics(const RowQuery& query, std::vector<BagR
     for (const std::int64_t topic : *query.topics) {
         TopicRows source{m_database.prepare(
             "SELECT id, topic_id, timestamp, data FROM messages INDEXED BY leitstand_topic_idx "
-            "WHERE topic_id = ?1 AND topic_id > 0 AND id > ?2 AND id <= ?3 AND timestamp < ?4 ORDER BY id")};
+            "WHERE topic_id = ?1 AND topic_id > 0 AND id > ?2 AND id <= ?3 AND timestamp <= ?4 ORDER BY id")};
         if (!source.statement) return Outcome::Broken;
         source.statement.bind(1, topic);
         source.statement.bind(2, static_cast<std::int64_t>(query.afterId));
         source.statement.bind(3, static_cast<std::int64_t>(std::min(query.lastId, MaxId)));
-        source.statement.bind(4, nanoseconds(query.toTime));
+        source.statement.bind(4, nanoseconds(query.lastTime));
         source.code = source.statement.step();
         sources.push_back(std::move(source));
     }

@@ -52,9 +52,10 @@ fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earli
 BagMetadata summaryOf(const BagReader& reader) {
     BagMetadata summary;
     for (const BagSession& session : reader.sessions()) {
-        const std::uint64_t events =
+        const std::uint64_t most =
             session.lastSequence == 0 ? 0 : session.lastSequence - session.firstSequence + 1;
-        summary.files.push_back({session.file.filename().string(), session.first, session.last, events});
+        summary.files.push_back(
+            {session.file.filename().string(), session.first, session.last, session.messages.value_or(most)});
     }
     for (const BagTopic& topic : reader.topics()) {
         summary.topics.push_back({topic.info, topic.messages.value_or(0)});
