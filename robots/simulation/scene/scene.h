@@ -12,12 +12,13 @@
 
 namespace leitstand::simulation {
 
-/// What a ray is to: some surfaces let some of them through.
+/// What a ray is to. Every kind but Contact ends at the first surface, foil too: it hides from cameras and
+/// the laser; what is behind it the infrared camera sees by casting on (material's infraredTransmission).
 enum class RayKind : std::uint8_t {
     Laser,
     Camera,
-    Infrared,  ///< also meets foil: the sensor sees through by the material's transmission
-    Contact,   ///< meets only what stops robots
+    Infrared,
+    Contact,  ///< meets only what stops robots: solid materials, and victims and spectators, clothes too
 };
 
 struct Ray {
@@ -42,24 +43,33 @@ struct Hit {
 /// changes the scene.
 class Scene {
 public:
+    /// For cast(): passes through no body; through all of them and through what moves by itself.
+    static constexpr int Everything = -1, StillOnly = -2;
+    static constexpr int MaxBodies = 28;
+
     explicit Scene(const Arena& arena);
+    /// The same from triangles made elsewhere: @p mesh need not be meshOf(@p arena). Throws
+    /// std::invalid_argument where a mesh names a corner, surface or texture that it has not.
+    Scene(Arena arena, ArenaMesh mesh);
     ~Scene();
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    /// A body that moves; placed at the arena's origin, not seen before place().
+    /// A body that moves; placed at the arena's origin, not seen before place(). Throws std::length_error
+    /// after MaxBodies.
     [[nodiscard]] int addBody(const Mesh& mesh);
     void place(int body, const Pose& bodyInArena);
     void hide(int body);
     /// Moves what moves by itself to where it is @p seconds after the beginning. Changes count after
     /// commit().
     void setTime(double seconds);
-    void commit();
+    void commit();  ///< some microseconds: triangles are indexed once, only their places anew
 
-    /// @p without: a body that is passed through; -1: none.
-    [[nodiscard]] Hit cast(const Ray& ray, RayKind kind, int without = -1) const;
-    /// The same for many; quick where neighbours go the same way.
-    void cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, int without = -1) const;
+    /// @p without: a body that is passed through, Everything, or StillOnly. A ray that is not finite or has
+    /// no direction ends nowhere.
+    [[nodiscard]] Hit cast(const Ray& ray, RayKind kind, int without = Everything) const;
+    /// The same for many (hits.size() >= rays.size()); quick where neighbours go the same way.
+    void cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, int without = Everything) const;
 
     [[nodiscard]] const Arena& arena() const;
 
