@@ -21,8 +21,7 @@ struct LinkRules {
     int backAfter = 3;         ///< samples that must come before a lost link is no longer lost
     double staleAfter = 1.0;   ///< silence of a steady stream [s], but at least three of its intervals
     double slowest = 10.0;     ///< streams with longer intervals are not steady [s]
-    double forgottenAfter =
-        60.0;  ///< stale for so long while others come: switched off, no matter of the link [s]
+    double forgottenAfter = 60.0;         ///< stale for so long: no matter of the link any more [s]
     double loss = 0.10, lossOver = 0.06;  ///< of a stream's samples; more where they are few
     int lossBasis = 20;                   ///< fewer samples tell no loss
     double late = 1.0, lateOver = 0.5;    ///< of steady streams, from writing to arrival [s]
