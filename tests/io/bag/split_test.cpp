@@ -185,9 +185,38 @@ TEST_F(SplitBag, TimesThatMakeNoSenseAreTakenForTheBeginning) {
     const auto events = readAll(*reader);
     EXPECT_EQ(events.size(), 5U);
     EXPECT_EQ(events.front().received, Time{});
-    // A mission that goes on in such a bag has metadata all the same.
-    test::writeSession(m_bag, 6, 20);
-    EXPECT_THAT(test::opened(m_bag)->sessions(), SizeIs(2));
+}
+
+TEST_F(SplitBag, NobodyRecordsIntoABagOfOthers) {
+    const auto refused = [this] {
+        const std::string before = test::fingerprint(m_bag);
+        const auto writer = BagWriter::open(m_bag);
+        EXPECT_THAT(writer ? "" : writer.error().text, HasSubstr("found a bag of others"));
+        EXPECT_EQ(test::fingerprint(m_bag), before);
+    };
+    test::writeText(m_bag / "metadata.yaml", "rosbag2_bagfile_information:\n  storage_identifier: mcap\n");
+    refused();
+    makeMetadata("  compression_format: zstd\n  compression_mode: MESSAGE\n");
+    makePart(0, 1, 3, 10);
+    refused();
+    makeMetadata("");
+    refused();
+    fs::remove(m_bag / "metadata.yaml");
+    refused();
+    fs::remove(m_bag / "bag_0.db3");
+    test::writeText(m_bag / "metadata.yaml", "something: else\n");
+    refused();
+}
+
+TEST_F(SplitBag, OursGoesOnWhateverBecameOfItsMetadata) {
+    test::writeSession(m_bag, 1, 20);
+    makeMetadata("");  // as `ros2 bag reindex` makes it
+    test::writeSession(m_bag, 21, 40);
+    fs::remove(m_bag / "metadata.yaml");
+    test::writeSession(m_bag, 41, 60);
+    const auto reader = test::opened(m_bag);
+    EXPECT_THAT(reader->sessions(), SizeIs(3));
+    EXPECT_EQ(reader->lastSequence(), 60U);
 }
 
 }  // namespace

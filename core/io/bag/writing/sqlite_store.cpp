@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/bag/bag_reader.h"
+#include "core/io/bag/writing/earlier_sessions.h"
 #include "core/io/detail/output_file.h"
 
 namespace leitstand::detail {
@@ -42,27 +42,6 @@ fs::path normal(const fs::path& folder) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earlier) {
-    unsigned long next = 0;
-    for (const auto& file : earlier) next = std::max(next, file.number ? *file.number + 1 : 0);
-    return folder / fmt::format("{}_{}.db3", folder.filename().string(), next);
-}
-
-/// What the sessions before ours wrote, as far as it can be read.
-BagMetadata summaryOf(const BagReader& reader) {
-    BagMetadata summary;
-    for (const BagSession& session : reader.sessions()) {
-        const std::uint64_t most =
-            session.lastSequence == 0 ? 0 : session.lastSequence - session.firstSequence + 1;
-        summary.files.push_back(
-            {session.file.filename().string(), session.first, session.last, session.messages.value_or(most)});
-    }
-    for (const BagTopic& topic : reader.topics()) {
-        summary.topics.push_back({topic.info, topic.messages.value_or(0)});
-    }
-    return summary;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<BagStore>> SqliteStore::create(const fs::path& given) {
@@ -72,18 +51,12 @@ Result<std::unique_ptr<BagStore>> SqliteStore::create(const fs::path& given) {
     if (problem) return Error{fmt::format("{}: cannot be made: {}", folder.string(), problem.message())};
     auto lock = FolderLock::take(folder);
     if (!lock) return lock.error();
-    const auto earlier = databaseFiles(folder);
-    if (!earlier) return earlier.error();
-
-    std::unique_ptr<SqliteStore> store(
-        new SqliteStore(folder, nextFile(folder, *earlier), std::move(lock).value()));
-    if (!earlier->empty()) {
-        // An unreadable session before ours is no reason not to record this one.
-        if (const auto reader = BagReader::open(folder)) {
-            store->m_earlier = summaryOf(**reader);
-            store->m_earlierSequence = (*reader)->lastSequence();
-        }
-    }
+    auto found = earlierSessions(folder);
+    if (!found) return found.error();
+    EarlierSessions earlier = std::move(found).value();
+    std::unique_ptr<SqliteStore> store(new SqliteStore(folder, earlier.nextFile, std::move(lock).value()));
+    store->m_earlierSequence = earlier.lastSequence;
+    store->m_earlier = std::move(earlier.metadata);
     if (const auto failed = store->createTables()) return Error{failed->text};
     store->writeMetadataFile();
     syncFolder(folder.parent_path());
