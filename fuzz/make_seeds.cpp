@@ -109,6 +109,7 @@ bool writeBag(const fs::path& corpus) {
                         nullptr, nullptr) == SQLITE_OK;
     sqlite3_close(database);
     if (done) write(corpus / "bag/small", content(writer->file()));
+    if (done) write(corpus / "bag_metadata/small", content(mission / "metadata.yaml"));
     fs::remove_all(mission);
     return done;
 }
