@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/domain_settings.h"
+#include "app/session/domain/domain_settings.h"
 
 namespace CLI {
 class App;

@@ -13,7 +13,7 @@
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
-#include "app/session/mission_robots.h"
+#include "app/session/log/mission_robots.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand::cli {

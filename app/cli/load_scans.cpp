@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "app/session/mission_scans.h"
+#include "app/session/scans/mission_scans.h"
 #include "core/io/scan_source.h"
 
 namespace leitstand::cli {

@@ -15,7 +15,7 @@
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
-#include "app/session/domain_probe.h"
+#include "app/session/domain/domain_probe.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand::cli {

@@ -16,7 +16,7 @@
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
-#include "app/session/mission_recorder.h"
+#include "app/session/log/mission_recorder.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand::cli {

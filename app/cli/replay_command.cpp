@@ -12,7 +12,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
-#include "app/session/mission_replay.h"
+#include "app/session/log/mission_replay.h"
 
 namespace leitstand::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <QStyle>
 #include <QToolButton>
 
-#include "app/session/scan_session.h"
+#include "app/session/scans/scan_session.h"
 #include "widgets/models/message_list_model.h"
 #include "widgets/progress_strip.h"
 

@@ -8,7 +8,7 @@
 
 #include <QObject>
 
-#include "app/session/scan_session.h"
+#include "app/session/scans/scan_session.h"
 
 namespace leitstand {
 

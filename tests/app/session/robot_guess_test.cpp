@@ -1,11 +1,11 @@
-#include "app/session/robot_guess.h"
+#include "app/session/domain/robot_guess.h"
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/replay_rules.h"
+#include "app/session/log/replay_rules.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/session/scan_session.h"
+#include "app/session/scans/scan_session.h"
 
 #include <atomic>
 

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "app/session/scan_session.h"
+#include "app/session/scans/scan_session.h"
 
 namespace leitstand::test {
 

@@ -1,4 +1,4 @@
-#include "app/session/bag_history.h"
+#include "app/session/log/bag_history.h"
 
 #include "core/mission/station_topics.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/mission_robots.h"
+#include "app/session/log/mission_robots.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "app/session/mission_replay.h"
+#include "app/session/log/mission_replay.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "app/session/replay_rules.h"
-#include "app/session/topic_lane.h"
+#include "app/session/domain/topic_lane.h"
+#include "app/session/log/replay_rules.h"
 #include "core/io/bag/bag_reader.h"
 #include "transport/dds/node.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/event_decoder.h"
+#include "app/session/log/event_decoder.h"
 #include "core/base/result.h"
 #include "core/mission/mission_state.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/event_decoder.h"
+#include "app/session/log/event_decoder.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "app/session/domain_settings.h"
+#include "app/session/domain/domain_settings.h"
 
 #include <optional>
 #include <utility>

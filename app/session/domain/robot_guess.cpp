@@ -1,4 +1,4 @@
-#include "app/session/robot_guess.h"
+#include "app/session/domain/robot_guess.h"
 
 #include <algorithm>
 #include <cctype>

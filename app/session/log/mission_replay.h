@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/domain_settings.h"
+#include "app/session/domain/domain_settings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 

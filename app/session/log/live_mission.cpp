@@ -1,4 +1,4 @@
-#include "app/session/live_mission.h"
+#include "app/session/log/live_mission.h"
 
 #include <mutex>
 #include <set>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "app/session/bag_history.h"
-#include "app/session/mission_robots.h"
-#include "app/session/sequencer.h"
+#include "app/session/log/bag_history.h"
+#include "app/session/log/mission_robots.h"
+#include "app/session/log/sequencer.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/mission/fold.h"

@@ -1,4 +1,4 @@
-#include "app/session/sensor_poses.h"
+#include "app/session/scans/sensor_poses.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/session/domain_probe.h"
+#include "app/session/domain/domain_probe.h"
 
 #include <atomic>
 #include <chrono>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "app/session/topic_lane.h"
+#include "app/session/domain/topic_lane.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {

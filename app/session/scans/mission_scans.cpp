@@ -1,4 +1,4 @@
-#include "app/session/mission_scans.h"
+#include "app/session/scans/mission_scans.h"
 
 #include <algorithm>
 #include <map>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "app/session/event_decoder.h"
-#include "app/session/mission_robots.h"
-#include "app/session/robot_guess.h"
-#include "app/session/sensor_poses.h"
+#include "app/session/domain/robot_guess.h"
+#include "app/session/log/event_decoder.h"
+#include "app/session/log/mission_robots.h"
+#include "app/session/scans/sensor_poses.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/scan/turn_assembler.h"
 

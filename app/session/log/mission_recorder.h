@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/domain_settings.h"
-#include "app/session/live_mission.h"
+#include "app/session/domain/domain_settings.h"
+#include "app/session/log/live_mission.h"
 #include "core/base/result.h"
 #include "core/robot/link_status.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/mission_recorder.h"
+#include "app/session/log/mission_recorder.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "app/session/topic_lane.h"
+#include "app/session/domain/topic_lane.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
 #include "transport/link/link_client.h"

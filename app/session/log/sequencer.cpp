@@ -1,4 +1,4 @@
-#include "app/session/sequencer.h"
+#include "app/session/log/sequencer.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/event_decoder.h"
+#include "app/session/log/event_decoder.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/fold.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/replay_rules.h"
+#include "app/session/log/replay_rules.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/domain_settings.h"
-#include "app/session/robot_guess.h"
+#include "app/session/domain/domain_settings.h"
+#include "app/session/domain/robot_guess.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 

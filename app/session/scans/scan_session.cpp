@@ -1,4 +1,4 @@
-#include "app/session/scan_session.h"
+#include "app/session/scans/scan_session.h"
 
 #include <chrono>
 #include <exception>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/session/job_queue.h"
-#include "app/session/mission_scans.h"
+#include "app/session/scans/mission_scans.h"
 #include "core/io/scan_source.h"
 #include "core/mapping/mapper.h"
 
