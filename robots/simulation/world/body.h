@@ -16,6 +16,7 @@ struct MotorSpec {
     double fullSpeed = 0.7;      ///< without load [m/s]
     double stallCurrent = 12.0;  ///< [A]
     double inertia = 4.0;        ///< of motor and gear, as felt at the ground [kg]
+    double friction = 4.0;       ///< of the gear: holds against less, also unpowered [N]
 };
 
 /// Skid steering slips: of the speed that the encoders tell, so much is missing at the ground.
@@ -33,16 +34,26 @@ struct BodySpec {
     Eigen::Vector3d centreOfMass = {0.0, 0.0, 0.15};  ///< [m]
     double trackWidth = 0.4;                          ///< between the middles of left and right wheels [m]
     double wheelRadius = 0.08;                        ///< or of the chains' ends [m]
-    std::vector<Eigen::Vector3d> contacts;            ///< lowest points of wheels or chains [m]
-    std::vector<Eigen::Vector2d> outline;             ///< counter-clockwise: what bumps [m]
-    double bumpFrom = 0.03, bumpTo = 0.5;             ///< heights between which it does [m]
-    double maxClimb = 0.05;                           ///< steps that it climbs [m]
-    MotorSpec motor;                                  ///< of each side
+    /// Points all over the underside of wheels or chains, round ends too: left of the middle (y > 0) the left
+    /// motor drives them [m].
+    std::vector<Eigen::Vector3d> contacts;
+    std::vector<Eigen::Vector3d> belly;    ///< points that carry and do not drive [m]
+    std::vector<Eigen::Vector2d> outline;  ///< counter-clockwise: what bumps [m]
+    double bumpFrom = 0.03, bumpTo = 0.5;  ///< heights between which it does [m]
+    double maxClimb = 0.05;                ///< steps that it climbs [m]
+    double maxTilt = 0.96;                 ///< beyond it falls over, whatever carries it [rad]
+    double grip = 0.9;                     ///< friction of wheels or chains on the ground
+    double skidTorque = 8.0;               ///< it takes to turn on the spot, on the flat [Nm]
+    MotorSpec motor;                       ///< of each side
     SlipSpec slip;
     Mesh shape;  ///< as others see it
 };
 
-[[nodiscard]] BodySpec kurt3dBody();   ///< six wheels of 16 cm, two motors of 90 W, 0.6 m/s
-[[nodiscard]] BodySpec crawlerBody();  ///< 40 x 26 cm, 7 kg, two chains, motors of 60 W
+/// Six wheels of 16 cm, two motors of 90 W, 0.6 m/s (paper, section 2; 45 x 33 cm, 0.56 m high with the
+/// scanner). The scanner's head is a cylinder of 0.09 m about (0, 0, 0.48): rays of its own start inside.
+[[nodiscard]] BodySpec kurt3dBody();
+/// 40 x 26 cm, 7 kg, two chains, motors of 60 W (paper, section 3). Its omnidirectional camera looks up from
+/// (0, 0, 0.28) into a mirror at 0.36 m; its laser sits in a box of 5 cm about (0.14, 0, 0.17).
+[[nodiscard]] BodySpec crawlerBody();
 
 }  // namespace leitstand::simulation

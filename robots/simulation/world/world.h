@@ -34,25 +34,30 @@ struct BodyState {
     bool blocked = false;                               ///< something stops it now
 };
 
-/// An arena with robots in it, on a clock of its own: deterministic for an arena and a seed.
+/// An arena with robots in it, on a clock of its own: deterministic for an arena and a seed. How robots move
+/// is told in docs/simulation.md, "Ground". Where an arena has no floor, there is one at z = 0.
 class World {
 public:
     World(const Arena& arena, std::uint64_t seed, Time start = Time(std::chrono::seconds(1'000'000)));
+    /// The same from triangles made elsewhere.
+    World(Arena arena, ArenaMesh mesh, std::uint64_t seed,
+          Time start = Time(std::chrono::seconds(1'000'000)));
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// Puts a robot to where the arena has it start. Returns its number.
+    /// Puts a robot to where the arena has it start, let down onto the ground. Returns its number. Throws
+    /// std::invalid_argument when the arena has no start of its name.
     int addRobot(const BodySpec& spec);
     int addRobot(const BodySpec& spec, const Pose& baseInArena);
     /// A robot that another process moves; collides like any other. Returns its number.
     int addGhost(const BodySpec& spec);
     void placeGhost(int robot, const Pose& baseInArena);
 
-    void setMotors(int robot, double left, double right);  ///< voltages, -1 to 1
+    void setMotors(int robot, double left, double right);  ///< voltages, -1 to 1; not finite: 0
     void setBrake(int robot, bool on);
 
-    /// Moves everything on by @p step, in steps of at most 5 ms.
+    /// Moves everything on by @p step, in steps of at most 5 ms; what moves by itself, every 20 ms.
     void advance(std::chrono::nanoseconds step);
     [[nodiscard]] Time now() const;
     [[nodiscard]] double seconds() const;  ///< since the beginning
@@ -61,7 +66,7 @@ public:
     /// Where a robot was; of the last 5 s, interpolated.
     [[nodiscard]] Pose baseInArena(int robot, Time at) const;
     [[nodiscard]] const std::vector<Bump>& bumps() const;  ///< since the beginning, each counted once
-    [[nodiscard]] const Scene& scene() const;
+    [[nodiscard]] const Scene& scene() const;  ///< as it is now; bodies have the numbers of robots
     [[nodiscard]] const Arena& arena() const;
     [[nodiscard]] int robotCount() const;
     [[nodiscard]] const BodySpec& spec(int robot) const;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+#include "robots/simulation/world/feelers.h"
+
+namespace leitstand::simulation {
+
+/// Tells new contacts from those that last. A contact ends when it was not felt for half a second.
+class BumpCounter {
+public:
+    /// Whether @p obstacle is a new contact at @p now. Walls that meet count as one where they face alike.
+    [[nodiscard]] bool isNew(const Obstacle& obstacle, bool victim, Time now);
+
+private:
+    struct Contact {
+        int element, body;
+        bool victim;
+        Eigen::Vector2d normal;  ///< in the arena
+        Time last;
+    };
+    std::vector<Contact> m_contacts;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "robots/simulation/scene/scene.h"
+#include "robots/simulation/world/body.h"
+#include "robots/simulation/world/bump_counter.h"
+#include "robots/simulation/world/drive_train.h"
+#include "robots/simulation/world/feelers.h"
+#include "robots/simulation/world/pose_history.h"
+#include "robots/simulation/world/random.h"
+#include "robots/simulation/world/suspension.h"
+#include "robots/simulation/world/world.h"
+
+namespace leitstand::simulation {
+
+/// A robot that drives in a scene, with what it needs from one step to the next.
+class Robot {
+public:
+    Robot(const BodySpec& spec, int body, std::uint64_t seed, const Pose& baseInArena);
+    Robot(const Robot&) = delete;
+    Robot& operator=(const Robot&) = delete;
+
+    void setMotors(double left, double right);
+    void setBrake(bool on) { m_brake = on; }
+    void settle(const Scene& scene);  ///< lets it down onto the ground
+    /// What a step needs to know of the world.
+    struct Surroundings {
+        const Scene& scene;
+        std::span<const std::string> names;  ///< of the scene's bodies
+        Time now;
+        bool othersNear = false;  ///< other robots may have come closer
+    };
+    /// Moves it on. Returns new bumps.
+    std::vector<Bump> step(const Surroundings& around, double seconds);
+    void moveTo(const Pose& baseInArena, Time now);  ///< of ghosts
+    void remember(Time now) { m_history.add(now, m_state.baseInArena); }
+
+    [[nodiscard]] const BodyState& state() const { return m_state; }
+    [[nodiscard]] const BodySpec& spec() const { return m_spec; }
+    [[nodiscard]] const PoseHistory& history() const { return m_history; }
+    [[nodiscard]] bool moved() const { return m_moved; }  ///< in the last step
+
+private:
+    void drawSlip(double seconds);
+    void drive(double seconds);
+    void stand(const Scene& scene, double seconds);
+    void topple(double seconds);
+    std::vector<Bump> lookForBumps(const Surroundings& around, double seconds);
+    [[nodiscard]] double slipOf(double drawn, double speed) const;
+
+    const BodySpec m_spec;
+    const int m_body;
+    Random m_random;
+    Suspension m_suspension;
+    DriveTrain m_driveTrain;
+    Feelers m_feelers;
+    BumpCounter m_bumpCounter;
+    PoseHistory m_history;
+
+    BodyState m_state;
+    DriveState m_speeds;
+    Footing m_footing;
+    std::vector<Push> m_pushes;
+    double m_left = 0.0, m_right = 0.0;  ///< voltages
+    bool m_brake = false;
+    double m_leftSlip = 0.0, m_rightSlip = 0.0,
+           m_slipFor = 0.0;                   ///< drawn ones; how long they still hold [s]
+    double m_feltAgo = 1.0, m_freeWay = 0.0;  ///< since feelers were cast [s]; what is free then on [m]
+    struct Topple {
+        Eigen::Vector3d pivot, axis;
+        double speed = 0.3;  ///< [rad/s]
+    };
+    std::optional<Topple> m_topple;
+    bool m_moved = true;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "robots/simulation/scene/scene.h"
+#include "robots/simulation/world/body.h"
+
+namespace leitstand::simulation {
+
+/// How a robot stands.
+struct Footing {
+    bool supported = false;                                   ///< false: falls
+    double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< across the ground [N]
+    bool tips = false;                                        ///< nothing holds it upright any more
+    std::vector<int> elements;                                ///< of the arena, that carry it
+};
+
+/// Lets a robot down onto the ground: where wheels and chains touch gives height, roll and pitch.
+class Suspension {
+public:
+    explicit Suspension(const BodySpec& spec);
+
+    /// Moves @p pose on: lifted quickly (25 ms) where the ground lifts it, falling with gravity otherwise.
+    Footing step(const Scene& scene, Pose& pose, double seconds);
+    /// Lets it down at once.
+    Footing settle(const Scene& scene, Pose& pose);
+    /// Whether the last step moved nothing: it need not be repeated where the robot stands still.
+    [[nodiscard]] bool resting() const { return m_resting; }
+
+private:
+    void feel(const Scene& scene, const Pose& pose);
+    Footing footingOf(const Pose& pose, double seconds, Pose& next);
+
+    const BodySpec& m_spec;
+    std::vector<Eigen::Vector3d> m_under;   ///< points of the underside, contacts first [m]
+    std::vector<Eigen::Vector3d> m_ground;  ///< under each, from base_link's origin, less the point's height
+    std::vector<int> m_elements;            ///< of the arena, under each; -1: none
+    std::vector<Ray> m_rays;
+    std::vector<Hit> m_hits;
+    std::array<int, 3> m_feet = {0, 1, 2};
+    std::array<double, 3> m_falling = {};  ///< of three places around base_link, downwards [m/s]
+    bool m_resting = false;
+};
+
+/// A pose at @p position that heads for @p yaw on a plane with upward @p normal.
+[[nodiscard]] Pose poseOnPlane(const Eigen::Vector3d& position, double yaw, const Eigen::Vector3d& normal);
+/// Where x points on the horizon [rad].
+[[nodiscard]] double headingOf(const Pose& pose);
+
+}  // namespace leitstand::simulation
