@@ -26,6 +26,15 @@ Time stampOf(const T& sample) {
     }
 }
 
+/// Replaces what the same part said before; beyond a sane number of parts, the one that was silent longest
+/// goes.
+void mergeStatus(std::vector<DiagnosticStatus>& statuses, const DiagnosticStatus& status) {
+    constexpr std::size_t MostParts = 256;
+    std::erase_if(statuses, [&](const DiagnosticStatus& known) { return known.name == status.name; });
+    if (statuses.size() == MostParts) statuses.erase(statuses.begin());
+    statuses.push_back(status);
+}
+
 class Step {
 public:
     Step(MissionState& state, const Event& event) : m_state(state), m_event(event) {}
@@ -79,7 +88,14 @@ private:
     void handle(const GasSample& sample) { keep(&RobotState::gas, sample); }
     void handle(const BumpSample& sample) { keep(&RobotState::bumps, sample); }
     void handle(const SightingSample& sample) { keep(&RobotState::sightings, sample); }
-    void handle(const DiagnosticsSample& sample) { keep(&RobotState::diagnostics, sample); }
+    void handle(const DiagnosticsSample& sample) {
+        if (m_event.robot.empty() || sample.statuses.empty()) return;  // a message about other robots
+        auto& kept = robot().diagnostics;
+        DiagnosticsSample merged = kept ? std::move(kept->sample) : DiagnosticsSample{};
+        merged.header = sample.header;
+        for (const DiagnosticStatus& status : sample.statuses) mergeStatus(merged.statuses, status);
+        kept = latest(merged);
+    }
     void handle(const StopStateSample& sample) { keep(&RobotState::stop, sample); }
     void handle(const StopCommandSample& sample) { keep(&RobotState::stopCommand, sample); }
     void handle(const ClockOffsetSample& sample) {
@@ -175,10 +191,22 @@ private:
     const Event& m_event;
 };
 
+/// Whether @p event comes after all of @p state, or says of another robot what is in it already: robots share
+/// topics, and so one message is an event of each of them.
+bool isNext(const MissionState& state, const Event& event) {
+    if (event.sequence != state.sequence) return event.sequence > state.sequence;
+    if (event.robot.empty()) return false;
+    const auto robot = state.robots.find(event.robot);
+    if (robot == state.robots.end()) return true;
+    const auto& streams = robot->second->streams;
+    const auto stream = streams.find(event.topic);
+    return stream == streams.end() || stream->second.sequence < event.sequence;
+}
+
 }  // namespace
 
 MissionState fold(MissionState state, const Event& event) {
-    if (event.sequence <= state.sequence) {
+    if (!isNext(state, event)) {
         remark(state, event.sequence,
                fmt::format("event {} of {}: expected a sequence above {}", event.sequence, event.topic,
                            state.sequence));

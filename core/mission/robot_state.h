@@ -41,7 +41,8 @@ struct RobotState {
     std::optional<Latest<GasSample>> gas;
     std::optional<Latest<BumpSample>> bumps;
     std::optional<Latest<SightingSample>> sightings;
-    std::optional<Latest<DiagnosticsSample>> diagnostics;
+    std::optional<Latest<DiagnosticsSample>>
+        diagnostics;  ///< newest of every part, by name; newest part last
     std::optional<Latest<StopStateSample>> stop;
     std::optional<Latest<StopCommandSample>> stopCommand;  ///< newest that a station sent to it
     std::optional<Latest<ClockOffsetSample>> clockOffset;

@@ -132,6 +132,43 @@ TEST(Fold, EventsOutOfOrderAreToldAndLeftOut) {
     EXPECT_EQ(state.events, 1U);
 }
 
+Event diagnostics(std::uint64_t sequence, const std::string& robot, std::vector<DiagnosticStatus> statuses) {
+    Event made = event(sequence, DiagnosticsSample{.header = {}, .statuses = std::move(statuses)}, robot);
+    made.topic = "/diagnostics";
+    return made;
+}
+
+DiagnosticStatus status(const std::string& name, const std::string& message) {
+    return {DiagnosticStatus::Level::Ok, name, message, "h", {}};
+}
+
+TEST(Fold, AMessageOnASharedTopicReachesEveryRobotItIsAbout) {
+    const std::vector<Event> events = {
+        diagnostics(1, "crawler", {status("motor", "cold")}),
+        diagnostics(1, "kurt3d", {status("motor", "warm")}),
+        diagnostics(1, "kurt3d", {status("motor", "twice")}),  // once for each, no more
+        event(2, OdometrySample{}, "kurt3d")};
+    const MissionState state = folded(events);
+    EXPECT_EQ(state.robots.at("crawler")->diagnostics->sample.statuses[0].message, "cold");
+    EXPECT_EQ(state.robots.at("kurt3d")->diagnostics->sample.statuses[0].message, "warm");
+    EXPECT_THAT(*state.remarks, SizeIs(1));
+    EXPECT_EQ(state.sequence, 2U);
+}
+
+TEST(Fold, DiagnosticsOfSeveralPartsAddUp) {
+    std::vector<Event> events = {diagnostics(1, "kurt3d", {status("motor", "cold"), status("scanner", "ok")}),
+                                 diagnostics(2, "kurt3d", {}),  // was about others
+                                 diagnostics(3, "kurt3d", {status("motor", "warm")})};
+    const auto merged = folded(events).robots.at("kurt3d")->diagnostics->sample.statuses;
+    ASSERT_THAT(merged, SizeIs(2));
+    EXPECT_EQ(merged[0].name, "scanner");
+    EXPECT_EQ(merged[1].message, "warm");
+    for (std::uint64_t i = 4; i < 1'000; ++i) {
+        events.push_back(diagnostics(i, "kurt3d", {status("part " + std::to_string(i), "")}));
+    }
+    EXPECT_THAT(folded(events).robots.at("kurt3d")->diagnostics->sample.statuses, SizeIs(256));
+}
+
 TEST(Fold, SnapshotsStayAsTheyWereWhileTheFoldGoesOn) {
     Fold fold;
     const auto events = test::randomMission(3, 600);
