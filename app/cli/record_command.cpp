@@ -18,6 +18,8 @@
 #include "app/cli/text_table.h"
 #include "app/session/log/mission_recorder.h"
 #include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
+#include "core/robot/team.h"
 
 namespace leitstand::cli {
 namespace {
@@ -86,12 +88,21 @@ int runRecord(const RecordOptions& options) {
     settings.mission.version = LEITSTAND_VERSION;
     settings.domain = options.domain;
     for (const std::string& file : options.robots) {
-        auto robot = readRobot(file);
+        const auto found = findRobotFile(file);
+        if (!found) {
+            complain(line, found.error().text);
+            return 1;
+        }
+        auto robot = readRobot(*found);
         if (!robot) {
             complain(line, robot.error().text);
             return 1;
         }
         settings.mission.robots.push_back(std::move(robot).value());
+    }
+    if (const auto team = checkTeam(settings.mission.robots); !team) {
+        complain(line, team.error().text);
+        return 1;
     }
     std::mutex printing;
     const auto recorder = MissionRecorder::start(settings, [&](const std::string& text) {
@@ -137,7 +148,8 @@ void addRecord(CLI::App& app, int& exitCode) {
     addDomainOptions(*command, options->domain);
     command
         ->add_option("--robot", options->robots,
-                     "Robot files whose listed topics to record; without any, every topic that is heard")
+                     "Robot files (or names of shipped ones: kurt3d, crawler, turtlebot) whose listed "
+                     "topics to record; without any, every topic that is heard")
         ->type_name("YAML...");
     command->add_flag("--json", options->json, "Print the summary as JSON");
     command->final_callback([options, &exitCode] { exitCode = runRecord(*options); });

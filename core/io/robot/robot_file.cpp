@@ -192,13 +192,17 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
                         return errors.add(node, path, "expected the name of a key or pad control");
                     robot.bindings.emplace(action, node.Scalar());
                 });
-    const YAML::Node& linkLoss = root["link_loss"];
-    fields.each("link_loss", true, [&](const YAML::Node&, const std::string& mode, const std::string&) {
-        const YamlFields rules(linkLoss, "link_loss", {mode}, errors);
-        LinkLossRule rule = LinkLossRule::Stop;
-        rules.choice(mode.c_str(), rule, detail::linkLossWords());
-        robot.linkLoss.emplace(mode, rule);
-    });
+    fields.each(
+        "link_loss", true, [&](const YAML::Node& node, const std::string& mode, const std::string& path) {
+            const std::string word = node.IsScalar() ? node.Scalar() : std::string();
+            for (const auto& [name, rule] : detail::linkLossWords()) {
+                if (name == word) {
+                    robot.linkLoss.emplace(mode, rule);
+                    return;
+                }
+            }
+            errors.add(node, path, "expected stop, finish_and_wait or return_to_link, found \"" + word + '"');
+        });
     return robot;
 }
 

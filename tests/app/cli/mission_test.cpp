@@ -195,6 +195,19 @@ TEST(Mission, InASecuredDomainOnlyMembersAreRecorded) {
     EXPECT_EQ(payloadsOn(mission, "/stranger/odom").size(), 0u);
 }
 
+TEST(Mission, RobotsThatCannotWorkSideBySideAreToldAndNothingIsWritten) {
+    const TemporaryFolder folder;
+    const auto twice =
+        leitstandctl({"record", "--out", (folder / "mission").string(), "--robot", "kurt3d", "kurt3d"});
+    EXPECT_EQ(twice.exitCode, 1);
+    EXPECT_THAT(twice.err, HasSubstr("two robots are named kurt3d"));
+    const auto unknown =
+        leitstandctl({"record", "--out", (folder / "mission").string(), "--robot", "kurt4d"});
+    EXPECT_EQ(unknown.exitCode, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("one of crawler, kurt3d, turtlebot"));
+    EXPECT_FALSE(fs::exists(folder / "mission"));
+}
+
 TEST(Mission, KeysThatCannotServeAreToldAndNothingIsWritten) {
     const TemporaryFolder folder;
     const auto refused = leitstandctl(
@@ -206,10 +219,8 @@ TEST(Mission, KeysThatCannotServeAreToldAndNothingIsWritten) {
 
 TEST(Mission, ALinkThatBreaksIsToldWhileItIsRecorded) {
     const TemporaryFolder folder;
-    const fs::path file = folder / "kurt3d.yaml";
-    std::ofstream(file) << "letter: K\nname: kurt3d\nstreams:\n  - role: odometry\n  - role: points\n";
     const TestDomain domain;
-    Recording recording(domain, folder / "mission", {"--robot", file.string()});
+    Recording recording(domain, folder / "mission", {"--robot", "kurt3d", "crawler"});
     const auto told = [&](const std::string& text) {
         return waitUntil([&] { return recording.out().find(text) != std::string::npos; });
     };

@@ -1,0 +1,56 @@
+#include <filesystem>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/io/robot/robot_file.h"
+#include "core/robot/team.h"
+
+namespace leitstand::test {
+namespace {
+
+RobotDescription shipped(const std::string& name) {
+    auto robot =
+        readRobot(std::filesystem::path(LEITSTAND_SOURCE_DIR) / "resources/robots" / (name + ".yaml"));
+    EXPECT_TRUE(robot) << robot.error().text;
+    return robot ? std::move(robot).value() : RobotDescription{};
+}
+
+TEST(ShippedRobots, AreWholeAndGetOnWithEachOther) {
+    const std::vector<RobotDescription> team = {shipped("kurt3d"), shipped("crawler"), shipped("turtlebot")};
+    for (const RobotDescription& robot : team) {
+        EXPECT_NE(robot.stream(StreamRole::Odometry), nullptr) << robot.name;
+        EXPECT_NE(robot.stream(StreamRole::DriveCommand), nullptr) << robot.name;
+        EXPECT_GT(robot.maxSpeed, 0.0);
+        for (const StreamDescription& stream : robot.streams) {
+            EXPECT_TRUE(stream.sensor.empty() || robot.sensors.contains(stream.sensor)) << stream.topic;
+        }
+    }
+    const auto works = checkTeam(team);
+    EXPECT_TRUE(works) << works.error().text;
+}
+
+TEST(ShippedRobots, SpeakTheTopicsOfTheDesign) {
+    const RobotDescription kurt = shipped("kurt3d");
+    ASSERT_NE(kurt.stream(StreamRole::Points), nullptr);
+    EXPECT_EQ(kurt.stream(StreamRole::Points)->qos.depth, 600);
+    EXPECT_EQ(kurt.stream(StreamRole::StopCommand)->qos.lifespan, 0.0);
+    EXPECT_EQ(kurt.stream(StreamRole::DriveCommand)->qos.lifespan, 0.3);
+    EXPECT_EQ(kurt.stream(StreamRole::Thermal)->sensor, "ir");
+    EXPECT_EQ(kurt.linkLoss.at("explore"), LinkLossRule::ReturnToLink);
+    EXPECT_EQ(shipped("crawler").drive, DriveType::Tracked);
+    EXPECT_EQ(shipped("turtlebot").tfPrefix, TfPrefix::None);
+}
+
+TEST(ShippedRobots, AreWrittenAsTheyAreRead) {
+    for (const char* name : {"kurt3d", "crawler", "turtlebot"}) {
+        const RobotDescription robot = shipped(name);
+        const auto again = parseRobot(writeRobot(robot), name);
+        ASSERT_TRUE(again) << again.error().text;
+        EXPECT_EQ(writeRobot(*again), writeRobot(robot));
+        EXPECT_EQ(again->streams.size(), robot.streams.size());
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test
