@@ -1,0 +1,65 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// What a virtual scan knows of one direction.
+struct VirtualSector {
+    std::optional<Eigen::Vector2d> outer;                  ///< farthest point, walls; base_link [m]
+    std::optional<Eigen::Vector2d> inner;                  ///< nearest obstacle; base_link [m]
+    double age = std::numeric_limits<double>::infinity();  ///< since it was looked at [s]; infinite: never
+};
+
+/// A point that the robot would run into.
+struct VirtualObstacle {
+    Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< base_link [m]
+    double age = 0.0;                                 ///< since it was measured [s]
+};
+
+/// How far a robot's body reaches from its base_link [m].
+struct BodyBox {
+    double front = 0.0, back = 0.0;  ///< along +x and -x
+    double left = 0.0, right = 0.0;  ///< along +y and -y
+
+    [[nodiscard]] double reach() const;                ///< of its farthest corner [m]
+    [[nodiscard]] BodyBox grown(double margin) const;  ///< by @p margin all around
+    [[nodiscard]] bool contains(const Eigen::Vector2d& point) const { return depth(point) > 0.0; }
+    [[nodiscard]] double depth(
+        const Eigen::Vector2d& point) const;  ///< inside: to the nearest side; else <= 0
+};
+/// The box around a footprint polygon.
+[[nodiscard]] BodyBox boxAround(const std::vector<Eigen::Vector2d>& footprint);
+
+/// A virtual 2D scan as the robot sees it from where it is now: a value.
+struct VirtualScanView {
+    Time at{};
+    std::vector<VirtualSector> sectors;      ///< from -pi to pi in base_link, counter-clockwise, all alike
+    std::vector<VirtualObstacle> obstacles;  ///< every inner point, not thinned to sectors
+
+    [[nodiscard]] int sectorOf(double direction) const;  ///< [rad]
+    [[nodiscard]] double directionOf(int sector) const;  ///< of its middle [rad]
+
+    /// Distance from base_link of the nearest obstacle in the directions from @p from counter-clockwise to
+    /// @p to [rad], not older than @p maxAge [s]; infinite when there is none.
+    [[nodiscard]] double nearest(double from, double to,
+                                 double maxAge = std::numeric_limits<double>::infinity()) const;
+    /// Age of the oldest of the sectors from @p from counter-clockwise to @p to [s]; infinite: one was never
+    /// looked at.
+    [[nodiscard]] double oldest(double from, double to) const;
+    /// Length of a corridor of @p width from base_link towards @p direction until an obstacle, at most
+    /// @p limit [m].
+    [[nodiscard]] double freeLength(double direction, double width, double limit) const;
+    /// How far a body can move along the arc of @p forward [m/s] and @p turn [rad/s] until it touches, at
+    /// most @p limit. Measured by its fastest corner: (|forward| + |turn| * reach) * time [m]. What already
+    /// touches counts only when the motion makes it worse.
+    [[nodiscard]] double freeTravel(double forward, double turn, const BodyBox& body, double limit) const;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/perception/virtual_scan_view.h"
+#include "core/robot/control/drive_setpoint.h"
+#include "robots/control/fuzzy/fuzzy_system.h"
+#include "robots/control/safe_teleoperation.h"
+
+namespace leitstand {
+
+/// What the fuzzy driver is fitted to.
+struct FuzzyDriveSettings {
+    SafeTeleoperationSettings safety;  ///< its body, and what it may never do
+    double speed = 0.35;               ///< at "speed is 1" [m/s]
+    double turnRate = 0.8;             ///< at "turn is 1" [rad/s]
+    double sight = 3.0;                ///< farther is as good as free [m]
+};
+
+/// One step of driving, with what led to it.
+struct FuzzyDriveStep {
+    DriveVelocity velocity;
+    FuzzyValues inputs;  ///< front, front_left ..., goal
+    FuzzyResult result;
+    std::string reason;  ///< the strongest rule, or why it stands
+};
+
+/// Reactive fuzzy control (paper, section 2.3): steers into free space after the virtual scan, towards a
+/// direction when there is one. Inputs of the rules: `front`, `front_left`, `left`, `front_right`, `right`,
+/// `rear` (free way from the body's side [m]), `goal` (direction of the goal, left positive [degrees]),
+/// `goal_free` (free way towards it [m]), `open` (direction of the widest free space [degrees]). Outputs:
+/// `speed` and `turn`, -1 to 1.
+class FuzzyDrive {
+public:
+    /// Errors name the inputs or outputs that @p system has and nobody knows.
+    [[nodiscard]] static Result<FuzzyDrive> create(FuzzySystem system, const FuzzyDriveSettings& settings);
+
+    /// @p goal: direction in base_link [rad]; empty: wherever it is free. @p share of the speed, 0 to 1.
+    [[nodiscard]] FuzzyDriveStep step(const VirtualScanView& view, std::optional<double> goal,
+                                      double share = 1.0) const;
+    [[nodiscard]] FuzzyValues inputsOf(const VirtualScanView& view, std::optional<double> goal) const;
+    [[nodiscard]] const FuzzyDriveSettings& settings() const { return m_settings; }
+    [[nodiscard]] const FuzzySystem& system() const { return m_system; }
+
+private:
+    FuzzyDrive(FuzzySystem system, const FuzzyDriveSettings& settings);
+    FuzzySystem m_system;
+    FuzzyDriveSettings m_settings;
+};
+
+}  // namespace leitstand

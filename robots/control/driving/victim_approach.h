@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/perception/heat.h"
+#include "core/perception/pixel_ray.h"
+#include "core/robot/samples/status_samples.h"
+#include "robots/control/driving/fuzzy_drive.h"
+
+namespace leitstand {
+
+/// A body's heat, seen from the robot.
+struct HeatCue {
+    Time at{};
+    Ray ray;                    ///< through its middle; base_link at that time
+    double width = 0.0;         ///< of the blob [rad]
+    double temperature = 33.0;  ///< mean [degrees C]
+    double confidence = 0.5;    ///< 0 to 1
+};
+/// The cue of the most convincing body in a picture; empty: there is none. @p opticalInBase: of the camera
+/// (x right, y down, z forward).
+[[nodiscard]] std::optional<HeatCue> cueFrom(const std::vector<HeatBlob>& blobs,
+                                             const CameraInfoSample& camera, int width, int height,
+                                             const Pose& opticalInBase, Time at);
+
+struct VictimApproachSettings {
+    double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
+    double tolerance = 0.025;   ///< of it, to stop correcting [m]
+    double slowFrom = 0.6;      ///< before the end, it slows down [m]
+    double speed = 0.25;        ///< [m/s]
+    double turnRate = 0.6;      ///< [rad/s]
+    double bandMargin = 0.05;   ///< beside the heat, points still count as the victim's [rad]
+    double lostAfter = 4.0;     ///< without a cue it gives up [s]
+    double giveUpAfter = 90.0;  ///< altogether [s]
+    double settle = 2.6;        ///< stands before it believes a distance: a turn of the scanner [s]
+    double sameVictim = 1.0;    ///< reports nearer than that are of one victim [m]
+};
+
+/// One step of an approach.
+struct ApproachStep {
+    DriveVelocity velocity;
+    bool done = false;               ///< stands in front of the victim
+    bool failed = false;             ///< gave up
+    std::string reason;              ///< in words
+    std::optional<double> distance;  ///< from the robot's front to the victim, when measured [m]
+};
+
+/// Drives up to a source of body heat (paper, section 2.3): turns, approaches, stops with its front 80 cm
+/// from the nearest surface, reports, waits. Gives up safely when the cue is lost. Pure: times are passed in.
+class VictimApproach {
+public:
+    VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings = {});
+
+    /// Whether @p cue is worth an approach: not a victim that has been reported (or given up) already.
+    [[nodiscard]] bool isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const;
+    void start(const HeatCue& cue, Time now);
+    void abort();
+    [[nodiscard]] bool isActive() const { return m_phase != Phase::Idle; }
+
+    /// @p cue: the newest, if there is one.
+    [[nodiscard]] ApproachStep step(const std::optional<HeatCue>& cue, const VirtualScanView& view,
+                                    const Pose& baseInOdom, Time now);
+    /// All victims found so far, in odom; the header is left to the caller. Grows when a step is done.
+    [[nodiscard]] const std::vector<Sighting>& sightings() const { return m_sightings; }
+
+private:
+    enum class Phase : std::uint8_t { Idle, Turn, Approach, Settle, Reached };
+    struct Target {
+        Eigen::Vector2d inOdom = Eigen::Vector2d::Zero();  ///< nearest surface point [m]
+        double distance = 0.0;                             ///< from the front of the body now [m]
+    };
+    void take(const HeatCue& cue, const Pose& baseInOdom);
+    [[nodiscard]] std::optional<Target> target(const VirtualScanView& view, const Pose& baseInOdom) const;
+    [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Pose& baseInOdom);
+    [[nodiscard]] ApproachStep reach(const Target& target, Time now);
+    [[nodiscard]] DriveVelocity towards(const Target& target, double bearing, const VirtualScanView& view,
+                                        std::string& reason) const;
+
+    FuzzyDrive m_drive;
+    VictimApproachSettings m_settings;
+    Phase m_phase = Phase::Idle;
+    Time m_started{}, m_cueAt{}, m_since{};
+    Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();      ///< of the newest cue's ray, odom [m]
+    Eigen::Vector2d m_direction = Eigen::Vector2d::UnitX();  ///< of it, odom
+    double m_width = 0.0;
+    HeatCue m_cue;
+    std::vector<Sighting> m_sightings;
+    std::vector<Eigen::Vector2d> m_givenUp;  ///< places in odom [m]
+};
+
+}  // namespace leitstand

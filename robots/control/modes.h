@@ -1,0 +1,127 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/robot/control/drive_setpoint.h"
+#include "core/robot/robot_description.h"
+#include "core/robot/samples/status_samples.h"
+
+namespace leitstand {
+
+/// What a robot is doing.
+enum class DriveMode : std::uint8_t {
+    Stopped,            ///< the stop stands
+    Teleoperation,      ///< the operator drives
+    SafeTeleoperation,  ///< the operator drives, the virtual scan limits the speed
+    Explore,            ///< drives by itself
+    VictimApproach,     ///< drives up to a source of heat by itself
+    Remote,             ///< the radio remote drives
+};
+/// "safe_teleoperation": name on the wire and key of RobotDescription::linkLoss.
+[[nodiscard]] std::string toString(DriveMode mode);
+[[nodiscard]] std::optional<DriveMode> driveModeFrom(std::string_view name);
+
+/// Who moves the robot now.
+enum class Driver : std::uint8_t {
+    Nobody,           ///< it stands, with its brake on
+    Operator,         ///< ModeDecision::velocity
+    LimitedOperator,  ///< ModeDecision::velocity, after SafeTeleoperation
+    Explorer,
+    Approacher,
+    Returner,  ///< drives back to where the link was good
+    Remote,    ///< ModeDecision::velocity
+};
+
+struct ModeSettings {
+    std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);    ///< commands are good for
+    std::chrono::nanoseconds lostAfter = std::chrono::seconds(3);          ///< of silence, the link is lost
+    std::chrono::nanoseconds finishWithin = std::chrono::seconds(60);      ///< of FinishAndWait
+    std::chrono::nanoseconds remoteIdle = std::chrono::milliseconds(500);  ///< then the remote is let go of
+    std::map<std::string, LinkLossRule> linkLoss;  ///< of autonomous modes; none: Stop
+    bool hasRemote = false;
+    std::vector<DriveMode> modes = {DriveMode::Teleoperation, DriveMode::SafeTeleoperation,
+                                    DriveMode::Explore,
+                                    DriveMode::VictimApproach};  ///< that may be asked for
+};
+
+/// What the machine goes by, each time.
+struct ModeInputs {
+    bool stopped = false;                 ///< the stop stands (RobotRules, or the robot's own)
+    std::string stopReason;               ///< in words
+    std::optional<DriveVelocity> remote;  ///< of the radio remote, while it is in use
+    bool cue = false;                     ///< the heat detector has a body to go to
+    bool done = false;                    ///< the driver of before has reached its aim, or is at the end
+    bool failed = false;                  ///< ... or has given up
+    std::string report;                   ///< of done or failed, in words
+};
+
+/// What follows.
+struct ModeDecision {
+    DriveMode mode = DriveMode::Teleoperation;
+    Driver driver = Driver::Nobody;
+    DriveVelocity velocity;  ///< of Operator, LimitedOperator, Remote
+    std::string reason;      ///< why it is so, in words
+    bool changed = false;    ///< mode or reason are new: to be published
+    bool linkLost = false;
+    bool waitsForNeutral = false;  ///< the sticks have to be let go of first
+};
+
+/// The modes of a robot and the rules between them. Pure: times are passed in. Motion never begins by itself:
+/// after a stop, a lost link, the remote or a change from an autonomous mode, the operator's sticks are
+/// neutral first, and autonomous modes have to be asked for again.
+class ModeMachine {
+public:
+    explicit ModeMachine(const ModeSettings& settings = {});
+
+    /// The operator asks for @p mode. Refusals say why.
+    Result<void> request(DriveMode mode, Time now);
+    Result<void> request(const std::string& mode, Time now);
+    /// The operator's sticks, each time a command comes (or each time RobotRules is asked).
+    void command(const DriveVelocity& velocity, Time now);
+    void heardStation(Time now);  ///< anything came from the station that drives
+
+    ModeDecision step(const ModeInputs& inputs, Time now);
+
+    [[nodiscard]] DriveMode mode() const { return m_mode; }
+    [[nodiscard]] bool isAutonomous() const;
+    /// As it is published; the header is left to the caller.
+    [[nodiscard]] ModeSample sample() const;
+
+private:
+    enum class Link : std::uint8_t { Good, Standing, Finishing, Returning, Waiting };
+    void change(DriveMode mode, const std::string& reason);
+    void hold(const std::string& reason);
+    void say(const std::string& reason);
+    void needNeutral();
+    void stepStop(const ModeInputs& inputs);
+    void stepRemote(const ModeInputs& inputs, Time now);
+    void stepLink(const ModeInputs& inputs, Time now);
+    void stepDriver(const ModeInputs& inputs);
+    [[nodiscard]] ModeDecision decide(Time now) const;
+    [[nodiscard]] LinkLossRule ruleOf(DriveMode mode) const;
+    [[nodiscard]] std::string whyNot(DriveMode mode) const;
+
+    ModeSettings m_settings;
+    DriveMode m_mode = DriveMode::Teleoperation;
+    DriveMode m_manual = DriveMode::Teleoperation;  ///< to come back to after stop and remote
+    DriveMode m_before = DriveMode::Teleoperation;  ///< VictimApproach
+    std::string m_reason = "started";
+    bool m_changed = true;
+    bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
+    bool m_neutral = false;  ///< sticks were neutral since the last reason to ask for it
+    bool m_cue = false;
+    Link m_link = Link::Good;
+    Time m_lostAt{};
+    std::optional<Time> m_heard, m_commandAt, m_remoteAt;
+    DriveVelocity m_command, m_remote;
+};
+
+}  // namespace leitstand

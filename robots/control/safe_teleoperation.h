@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "core/perception/virtual_scan_view.h"
+#include "core/robot/control/drive_setpoint.h"
+
+namespace leitstand {
+
+/// How careful safe teleoperation is.
+struct SafeTeleoperationSettings {
+    BodyBox body;               ///< of the robot [m]
+    double margin = 0.06;       ///< that stays free around it [m]
+    double deceleration = 1.0;  ///< that it can count on [m/s2]
+    double delay = 0.25;        ///< until it begins to brake [s]
+    double lookAhead = 2.0;     ///< [m]
+    double freshAge = 2.6;      ///< sectors so old allow full speed: a turn and a slice [s]
+    double oldAge = 6.0;        ///< sectors so old, or never seen, allow creep only [s]
+    double creep = 0.10;        ///< [m/s]
+};
+
+/// What is left of the operator's wish.
+struct SafeVelocity {
+    DriveVelocity velocity;   ///< the wish, slowed down on the same curve
+    double share = 1.0;       ///< of the wish, 0 to 1
+    double freeTravel = 0.0;  ///< until something would be touched, at most lookAhead [m]
+    double age = 0.0;         ///< of the oldest sector that it drives into [s]
+    std::string reason;       ///< why it is slowed down, in words; empty: it is not
+};
+
+/// Limits @p wish by what the virtual scan saw in the way and by how long ago that was. The curve is kept;
+/// away from what it touches, the robot may always creep.
+[[nodiscard]] SafeVelocity safeVelocity(const DriveVelocity& wish, const VirtualScanView& view,
+                                        const SafeTeleoperationSettings& settings);
+
+}  // namespace leitstand
