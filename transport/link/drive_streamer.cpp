@@ -1,5 +1,6 @@
 #include "transport/link/drive_streamer.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -82,7 +83,9 @@ Sample DriveStreamer::State::sampleOf(const DriveVelocity& velocity) const {
 void DriveStreamer::State::send(const DriveVelocity& velocity) {
     const auto cdr = encode(sampleOf(velocity), stream.type);
     const Result<void> written = cdr ? publisher->write(*cdr) : Result<void>(cdr.error());
+    const int listeners = publisher->matched();
     const std::lock_guard lock(mutex);
+    status.listeners = listeners;
     status.velocity = velocity;
     ++(written ? status.sent : status.unsent);
     status.error = written ? std::string() : written.error().text;
@@ -92,18 +95,21 @@ SteadyTime DriveStreamer::State::step() {
     const DriveConditions conditions = settings.conditions ? settings.conditions() : DriveConditions{};
     DriveVelocity velocity;
     bool driving = false;
+    SteadyTime expires;
     {
         const std::lock_guard lock(mutex);
         setpoint.permit(status.focus && conditions.mayDrive && !conditions.hold);
         const SteadyTime now = steadyNow();
         velocity = setpoint.at(now);
         driving = setpoint.isFresh(now);
+        expires = setpoint.expires();
         status.driving = driving;
         status.needsNeutral = setpoint.waitsForNeutral();
     }
     const auto decision = schedule.decide(velocity, driving || conditions.hold, steadyNow());
     if (decision.send) send(velocity);
-    return decision.next;
+    // What grows too old becomes zero then, not with the next repetition.
+    return driving ? std::min(decision.next, expires) : decision.next;
 }
 
 void DriveStreamer::State::run(const std::stop_token& stop) {

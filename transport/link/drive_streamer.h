@@ -39,6 +39,7 @@ struct DriveStatus {
     bool needsNeutral = false;    ///< the sticks have to be let go first
     std::uint64_t sent = 0;       ///< commands
     std::uint64_t unsent = 0;     ///< commands that could not be written
+    int listeners = 0;            ///< readers of the commands; a robot begins with a zero that it has heard
     std::string error;            ///< why the last of those; empty when the last one was written
     friend bool operator==(const DriveStatus&, const DriveStatus&) = default;
 };

@@ -52,6 +52,8 @@ public:
 
     [[nodiscard]] DriveVelocity at(SteadyTime now) const;
     [[nodiscard]] bool isFresh(SteadyTime now) const;  ///< permitted, and set within its lifetime
+    /// When what was set last is too old.
+    [[nodiscard]] SteadyTime expires() const { return m_set + m_lifetime; }
     /// Permission is there, but the sticks have not been neutral since.
     [[nodiscard]] bool waitsForNeutral() const { return m_permitted && !m_neutral; }
 

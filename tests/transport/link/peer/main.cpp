@@ -1,0 +1,73 @@
+// control_peer robot DOMAIN            a robot "kurt3d"; says "moves", "rests", "stopped" and "free" on
+// change control_peer station DOMAIN ID TERM  a station that holds the grant of TERM from the start and
+// drives control_peer listen DOMAIN TOPIC TYPE  a reliable reader; says "heard" once All until they are
+// killed. CLOCK_AHEAD: seconds that their clock is ahead (clock_shift.cpp).
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "tests/transport/link/control_robot.h"
+#include "tests/transport/link/control_station.h"
+#include "transport/convert/decode.h"
+
+namespace {
+
+using namespace leitstand;
+using namespace leitstand::test;
+
+void say(const char* word) {
+    std::puts(word);
+    std::fflush(stdout);
+}
+
+[[noreturn]] void waitForTheEnd() {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+[[noreturn]] void beRobot(Node& node) {
+    ControlRobot robot(node, drivenRobot());
+    say("ready");
+    bool moved = false, stopped = false;
+    for (;;) {
+        const bool moves = robot.speed() != 0.0, stops = robot.commands().isStopped();
+        if (moves != moved) say(moves ? "moves" : "rests");
+        if (stops != stopped) say(stops ? "stopped" : "free");
+        moved = moves;
+        stopped = stops;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+[[noreturn]] void beStation(Node& node, const std::string& id, const std::string& term) {
+    ControlStation station(node, drivenRobot(), {id, "Peer", {{driveGrant("kurt3d"), std::stoull(term)}}});
+    say("ready");
+    const StreamDescription odometry = *drivenRobot().stream(StreamRole::Odometry);
+    std::atomic<bool> moves = false;
+    const auto listening =
+        must(node.subscribe({odometry.topic, odometry.type, odometry.qos}, [&](const ReceivedSample& sample) {
+            moves = std::get<OdometrySample>(must(decode(sample.event, odometry))).linear.x() > 0.0;
+        }));
+    if (station.driveUntil(0.3, [&] { return moves.load(); })) say("drives");
+    waitForTheEnd();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.size() < 2) return 2;
+    NodeSettings settings;
+    settings.domain = std::stoi(words[1]);
+    const auto node = Node::create(settings);
+    if (!node) return std::puts(node.error().text.c_str()), 1;
+    if (words[0] == "robot") beRobot(**node);
+    if (words[0] == "station" && words.size() == 4) beStation(**node, words[2], words[3]);
+    if (words[0] == "listen" && words.size() == 4) {
+        std::atomic<bool> heard = false;
+        const auto reader = must((*node)->subscribe({words[2], words[3], Qos{}}, [&](const ReceivedSample&) {
+            if (!heard.exchange(true)) say("heard");
+        }));
+        waitForTheEnd();
+    }
+    return 2;
+}
