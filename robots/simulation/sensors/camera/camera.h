@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "robots/simulation/sensors/camera/picture_renderer.h"
+#include "robots/simulation/sensors/schedule.h"
+#include "robots/simulation/sensors/sensor.h"
+
+namespace leitstand::simulation {
+
+/// Where a sensor that can be turned sits in base_link at a time of the near past.
+using MountAt = std::function<Pose(Time)>;
+
+/// Light of a world, measured when the first camera needs it.
+class SharedLight {
+public:
+    [[nodiscard]] const LightField& of(const Scene& scene) {
+        if (m_field == nullptr) m_field = std::make_unique<LightField>(scene);
+        return *m_field;
+    }
+
+private:
+    std::unique_ptr<LightField> m_field;
+};
+
+/// What a camera is and how it sends.
+struct CameraSettings {
+    CameraModel model;
+    ExposureSettings exposure;
+    double rate = 10.0, mostRate = 15.0;  ///< own, and the highest that can be asked for [Hz]
+    int quality = 70;                     ///< of JPEG
+    bool seesRobot = false;               ///< whether its own robot is in the picture
+    std::string sensor, frame;
+    MountAt cameraInBase;  ///< optical frame
+};
+
+/// A camera that sends JPEG pictures and its calibration.
+class Camera final : public Sensor {
+public:
+    Camera(CameraSettings settings, std::shared_ptr<SharedLight> light, const Noise& noise, Time start);
+
+    void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
+    bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
+
+private:
+    CameraSettings m_settings;
+    std::shared_ptr<SharedLight> m_light;
+    PictureRenderer m_renderer;
+    Schedule m_schedule;
+    int m_quality;
+    bool m_enabled = true, m_infoEnabled = true;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/robot/samples/picture_samples.h"
+
+namespace leitstand::simulation {
+
+/// How a camera maps directions to pixels: the unified model of Mei & Rives (2007), with the pinhole as its
+/// case xi = 0. Optical frame: x to the right of the picture, y down, z along the axis; the middle of the
+/// first pixel is (0, 0).
+struct CameraModel {
+    int width = 320, height = 240;          ///< [px]
+    double fx = 277.0, fy = 277.0;          ///< [px]
+    double cx = 159.5, cy = 119.5;          ///< [px]
+    double k1 = 0.0, k2 = 0.0;              ///< radial distortion
+    double p1 = 0.0, p2 = 0.0;              ///< tangential distortion
+    double xi = 0.0;                        ///< of the mirror; 0: none
+    bool mirror = false;                    ///< tells "mei" instead of "plumb_bob"
+    double fromAngle = 0.0, toAngle = 3.2;  ///< off the axis, between which it sees [rad]
+
+    /// Pixel of a point or direction in the camera's frame; empty for what cannot be seen, but pixels may be
+    /// off the picture.
+    [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
+    /// Direction of a pixel in the camera's frame, unit length; empty where the camera sees nothing.
+    [[nodiscard]] std::optional<Eigen::Vector3d> direction(const Eigen::Vector2d& pixel) const;
+    /// The same camera with pictures of at most @p maxWidth pixels a row; 0: as it is.
+    [[nodiscard]] CameraModel scaledTo(int maxWidth) const;
+    [[nodiscard]] CameraInfoSample info(const SampleHeader& header) const;
+};
+
+/// Left and right camera of Kurt3D: 320 x 240, 60 degrees across.
+[[nodiscard]] CameraModel pinholeCamera();
+/// Infrared camera of Kurt3D: 160 x 120, 40 degrees across.
+[[nodiscard]] CameraModel infraredOptics();
+/// Camera below a mirror on the Crawler: sees all around from 12 degrees off its axis (itself) to 15 above
+/// the horizon; its z axis points down.
+[[nodiscard]] CameraModel omnidirectionalCamera();
+
+}  // namespace leitstand::simulation

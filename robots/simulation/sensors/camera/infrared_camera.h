@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robots/simulation/sensors/camera/camera.h"
+
+namespace leitstand::simulation {
+
+/// What an infrared camera is and how it sends.
+struct InfraredSettings {
+    CameraModel model;
+    double rate = 9.0;    ///< own and highest [Hz]
+    double noise = 0.1;   ///< deviation of a pixel [K]
+    double scale = 0.01;  ///< of the numbers it sends [K]
+    double offset = 0.0;  ///< [K]
+    std::string sensor, frame;
+    MountAt cameraInBase;  ///< optical frame
+};
+
+/// Temperature that a camera (which takes everything for black) shows for what @p hit is of, with foil that
+/// lets through what is @p behind it [K]. @p ambient: of what is mirrored [K].
+[[nodiscard]] double apparentTemperature(const Hit& hit, const Hit* behind, double ambient);
+
+/// A camera that measures heat, and sends it as 16-bit PNG, centikelvin by default.
+class InfraredCamera final : public Sensor {
+public:
+    InfraredCamera(InfraredSettings settings, const Noise& noise, Time start);
+
+    void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
+    bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
+
+private:
+    void setCamera(const CameraModel& model);
+    void render(const Pose& cameraInArena, const CastRays& cast, double ambient);
+    void castBehindFoil(const CastRays& cast);
+
+    InfraredSettings m_settings;
+    CameraModel m_model;
+    Noise m_noise;
+    Schedule m_schedule;
+    bool m_enabled = true, m_infoEnabled = true;
+    std::vector<Eigen::Vector3f> m_directions;
+    std::vector<Ray> m_rays, m_behindRays;
+    std::vector<Hit> m_hits, m_behindHits;
+    std::vector<int> m_behindOf;  ///< of each ray: one of m_behindHits; -1: no foil
+    std::vector<std::uint16_t> m_pixels;
+};
+
+}  // namespace leitstand::simulation

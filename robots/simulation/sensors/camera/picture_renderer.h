@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "robots/simulation/sensors/camera/camera_model.h"
+#include "robots/simulation/sensors/camera/light_field.h"
+#include "robots/simulation/sensors/noise.h"
+#include "robots/simulation/sensors/ray_caster.h"
+
+namespace leitstand::simulation {
+
+/// Directions of all pixels of a camera, row-major, in its frame; zero where it sees nothing.
+[[nodiscard]] std::vector<Eigen::Vector3f> pixelDirections(const CameraModel& camera);
+
+/// How a camera takes pictures.
+struct ExposureSettings {
+    float brightness = 0.42F;  ///< that the mean of its pictures is brought to, 0 to 1
+    float leastGain = 0.6F, mostGain = 5.0F;
+    float adaption = 0.15F;    ///< share of the way to the right gain, a picture
+    float vignetting = 0.30F;  ///< how much darker corners are, 0 to 1
+    float noise = 0.006F;      ///< deviation of a pixel at gain 1, of 1
+};
+
+/// Draws what a camera sees: one ray a pixel, textures, light of the hall and of lamps, gain control, darker
+/// corners and noise.
+class PictureRenderer {
+public:
+    PictureRenderer(const CameraModel& camera, const Noise& noise, const ExposureSettings& settings = {});
+
+    /// Another picture size or calibration; the exposure goes on.
+    void setCamera(const CameraModel& camera);
+    [[nodiscard]] const CameraModel& camera() const { return m_camera; }
+
+    /// Pixels, bgr8, row-major, of what is seen from @p cameraInArena (optical frame). They stay until the
+    /// next call.
+    [[nodiscard]] const std::vector<std::uint8_t>& render(const Pose& cameraInArena, const CastRays& cast,
+                                                          const LightField& light);
+
+private:
+    void castRow(const Pose& cameraInArena, int row, const CastRays& cast);
+    void develop();
+
+    CameraModel m_camera;
+    Noise m_noise;
+    ExposureSettings m_settings;
+    float m_gain = 0.0F;  ///< 0: no picture was taken
+    std::vector<Eigen::Vector3f> m_directions;
+    std::vector<float> m_vignette;
+    std::vector<Eigen::Vector3f> m_light;  ///< of each pixel: red, green, blue, linear
+    std::vector<Ray> m_rays;               ///< of a row
+    std::vector<Hit> m_hits;
+    std::vector<std::uint8_t> m_pixels;
+};
+
+}  // namespace leitstand::simulation

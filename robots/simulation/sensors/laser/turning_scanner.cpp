@@ -1,0 +1,125 @@
+#include "robots/simulation/sensors/laser/turning_scanner.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace leitstand::simulation {
+namespace {
+
+constexpr std::chrono::seconds LongestLag(3);  ///< the world keeps poses not much longer
+
+}  // namespace
+
+TurningScannerSettings scanDrive() {
+    return {};
+}
+
+TurningScannerSettings turningUrg() {
+    TurningScannerSettings settings;
+    settings.pattern.rawScans = 60;
+    settings.pattern.points = 445;
+    settings.pattern.step = degrees(0.36);
+    settings.pattern.shotsOfCircle = 1000.0;
+    settings.pattern.turn = std::chrono::seconds(6);
+    settings.pattern.slice = std::chrono::milliseconds(500);
+    settings.laser.nearest = 0.06;
+    settings.laser.farthest = 4.0;
+    settings.laser.deviation = 0.005;
+    settings.laser.deviationOfRange = 0.01;
+    settings.laser.divergence = 0.003;
+    return settings;
+}
+
+TurningScanner::TurningScanner(const TurningScannerSettings& settings, const Noise& noise, Time start)
+    : m_settings(settings), m_head(settings.laser, noise), m_start(start) {
+    m_rays.resize(static_cast<std::size_t>(settings.pattern.points));
+}
+
+void TurningScanner::aim(const World& world, int robot) {
+    const TurningPattern& pattern = m_settings.pattern;
+    const Time start = startOf(m_rawScan);
+    for (int point = 0; point < pattern.points; ++point) {
+        const Pose mount =
+            world.baseInArena(robot, start + pattern.shotAfter(point)) * m_settings.mountInBase;
+        Ray& ray = m_rays[static_cast<std::size_t>(point)];
+        ray.origin = mount.translation().cast<float>();
+        ray.direction = (mount.linear() * pattern.direction(m_rawScan, point)).cast<float>();
+    }
+}
+
+void TurningScanner::append(std::span<const LaserEcho> echoes) {
+    const TurningPattern& pattern = m_settings.pattern;
+    const Time start = startOf(m_rawScan);
+    if (m_slice.rows == 0) m_slice.header = {start, m_settings.frame};
+    ++m_slice.rows;
+    m_slice.columns = pattern.points;
+    for (int point = 0; point < pattern.points; ++point) {
+        const LaserEcho& echo = echoes[static_cast<std::size_t>(point)];
+        m_slice.points.emplace_back(pattern.direction(m_rawScan, point).cast<float>() * echo.range);
+        m_slice.intensities.push_back(echo.intensity);
+        m_slice.times.push_back((start + pattern.shotAfter(point) - m_slice.header.stamp).count());
+        m_slice.rings.push_back(pattern.row(m_rawScan));
+    }
+}
+
+void TurningScanner::tellFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples) {
+    const TurningPattern& pattern = m_settings.pattern;
+    const SampleHeader header{startOf(m_rawScan), m_settings.fanFrame};
+    Pose fanInMount = Pose::Identity();  // x: the heading, y: up
+    fanInMount.linear() = (Eigen::AngleAxisd(pattern.heading(m_rawScan), Eigen::Vector3d::UnitZ()) *
+                           Eigen::AngleAxisd(degrees(90), Eigen::Vector3d::UnitX()))
+                              .toRotationMatrix();
+    samples.push_back({StreamRole::Transforms,
+                       {},
+                       TransformsSample{{{{header.stamp, m_settings.frame}, header.frame, fanInMount}}}});
+    RangesSample ranges;
+    ranges.header = header;
+    ranges.angleMin = pattern.lowest;
+    ranges.angleStep = pattern.step;
+    ranges.timeStep = std::chrono::duration<double>(pattern.shotAfter(1)).count();
+    ranges.turnTime = std::chrono::duration<double>(pattern.turn).count() / pattern.rawScans;
+    ranges.rangeMin = m_settings.laser.nearest;
+    ranges.rangeMax = m_settings.laser.farthest;
+    for (const LaserEcho& echo : echoes) ranges.ranges.push_back(echo.range);
+    samples.push_back({StreamRole::Ranges, m_settings.rangesSensor, std::move(ranges)});
+}
+
+void TurningScanner::emitSlice(std::vector<HardwareSample>& samples) {
+    if (m_slice.rows == 0) return;
+    samples.push_back({StreamRole::Points, m_settings.sensor, std::exchange(m_slice, {})});
+}
+
+void TurningScanner::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
+    const TurningPattern& pattern = m_settings.pattern;
+    const auto lag = world.now() - LongestLag - m_start;
+    if (pattern.startOf(m_rawScan) < lag) {
+        emitSlice(samples);
+        m_rawScan = pattern.firstFrom(lag);
+    }
+    const auto rawScanTime = pattern.shotAfter(pattern.points - 1);
+    const CastRays cast = castInto(world.scene(), RayKind::Laser);
+    for (; startOf(m_rawScan) + rawScanTime <= world.now(); ++m_rawScan) {
+        const bool ranges = m_rangesEnabled && !m_settings.fanFrame.empty();
+        if (m_enabled || ranges) {
+            aim(world, robot);
+            const auto echoes = m_head.measure(m_rays, cast);
+            if (ranges) tellFan(echoes, samples);
+            if (m_enabled) append(echoes);
+        }
+        if (pattern.sliceOf(m_rawScan + 1) != pattern.sliceOf(m_rawScan)) emitSlice(samples);
+    }
+}
+
+bool TurningScanner::configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) {
+    if (role == StreamRole::Points && sensor == m_settings.sensor) {
+        m_enabled = settings.enabled;  // it turns as it turns: no other rate
+        return true;
+    }
+    if (role == StreamRole::Ranges && !m_settings.fanFrame.empty() && sensor == m_settings.rangesSensor) {
+        m_rangesEnabled = settings.enabled;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+
+namespace leitstand::simulation {
+
+/// How far and fast a pan-tilt unit turns.
+struct PanTiltLimits {
+    double pan = degrees(100);      ///< to each side [rad]
+    double tiltUp = degrees(60);    ///< [rad]
+    double tiltDown = degrees(50);  ///< [rad]
+    double speed = degrees(120);    ///< of each axis [rad/s]
+};
+
+/// Angles of a pan-tilt unit, right-handed (REP 103): pan to the left about z, then tilt down about y.
+struct PanTiltAngles {
+    double pan = 0.0, tilt = 0.0;  ///< [rad]
+};
+
+/// A unit that turns a camera: two servos at constant speed.
+class PanTilt {
+public:
+    PanTilt(const PanTiltLimits& limits, Time start) : m_limits(limits), m_before(start), m_now(start) {}
+
+    /// Where to turn to; beyond the limits it stops at them, and what is no number is left out.
+    void setTarget(double pan, double tilt);
+    /// Turns on until @p now.
+    void advance(Time now);
+    /// Where it was at @p time, between the last two advances.
+    [[nodiscard]] PanTiltAngles at(Time time) const;
+    /// How fast the axes turned between the last two advances [rad/s].
+    [[nodiscard]] PanTiltAngles velocity() const;
+    /// Of the tilted platform in the frame in which the unit stands, at @p time.
+    [[nodiscard]] Pose platform(Time time) const;
+
+private:
+    PanTiltLimits m_limits;
+    PanTiltAngles m_target, m_anglesBefore, m_angles;
+    Time m_before, m_now;
+};
+
+}  // namespace leitstand::simulation

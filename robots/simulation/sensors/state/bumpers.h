@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "robots/simulation/sensors/sensor.h"
+
+namespace leitstand::simulation {
+
+/// Bumpers around a robot: front, left, rear, right. Told at the beginning and on every change.
+class Bumpers final : public Sensor {
+public:
+    explicit Bumpers(std::string frame);
+
+    void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
+    bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
+
+private:
+    struct Side {
+        Time hit{};  ///< last time
+        std::uint32_t hits = 0;
+        bool pressed = false;
+    };
+    std::string m_frame;
+    bool m_enabled = true, m_told = false;
+    std::size_t m_seen = 0;  ///< of the world's bumps
+    std::array<Side, 4> m_sides;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robots/simulation/sensors/pan_tilt.h"
+#include "robots/simulation/sensors/schedule.h"
+#include "robots/simulation/sensors/sensor.h"
+
+namespace leitstand::simulation {
+
+/// A pan-tilt unit on a robot, with its frames: NAME_pan stands in base_link, NAME_tilt in NAME_pan.
+struct MountedPanTilt {
+    std::string name;  ///< "left"
+    std::string panFrame, tiltFrame;
+    Pose unitInBase = Pose::Identity();  ///< where its axes meet, unturned
+    PanTilt unit;
+};
+using PanTiltUnits = std::map<std::string, std::shared_ptr<MountedPanTilt>>;
+
+/// Angles of wheels and pan-tilt units, as joint states and as transforms, and once what never moves.
+class Joints final : public Sensor {
+public:
+    Joints(std::string baseFrame, double wheelRadius, PanTiltUnits units, std::vector<FrameTransform> fixed,
+           Time start);
+
+    void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
+    bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
+
+private:
+    [[nodiscard]] JointSample jointsOf(const BodyState& state, Time stamp) const;
+    [[nodiscard]] TransformsSample transforms(Time stamp) const;
+
+    std::string m_baseFrame;
+    double m_wheelRadius;
+    PanTiltUnits m_units;
+    std::vector<FrameTransform> m_fixed;
+    Schedule m_schedule;
+    bool m_jointsEnabled = true, m_transformsEnabled = true, m_fixedTold = false;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robots/simulation/sensors/schedule.h"
+#include "robots/simulation/sensors/sensor.h"
+#include "robots/simulation/sensors/state/inertial_unit.h"
+
+namespace leitstand::simulation {
+
+/// Adds up what wheels or chains turned, along the attitude that an inertial unit tells. Slip is not seen:
+/// what is told is too far by it. While the wheels stand, the heading holds.
+class DeadReckoning {
+public:
+    /// One step: how far the sides turned since the last [m].
+    void step(double left, double right, const MeasuredAttitude& attitude);
+    [[nodiscard]] const Pose& pose() const { return m_pose; }
+    [[nodiscard]] double distance() const { return m_distance; }  ///< all ways, on either side [m]
+
+private:
+    Pose m_pose = Pose::Identity();
+    double m_heading = 0.0, m_lastHeading = 0.0;  ///< own, and that of the unit [rad]
+    double m_distance = 0.0;
+};
+
+struct OdometrySettings {
+    double rate = 20.0, mostRate = 50.0;  ///< own, and the highest that can be asked for [Hz]
+    std::string odomFrame, baseFrame;
+};
+
+/// Odometry of wheels and gyro, as message and as transform of base_link in odom.
+class WheelOdometry final : public Sensor {
+public:
+    /// @p unit is run before, and outlives this.
+    WheelOdometry(const OdometrySettings& settings, const InertialUnit& unit, Time start);
+
+    void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
+    bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
+
+private:
+    struct Encoders {
+        Time at{};
+        double left = 0.0, right = 0.0;  ///< turned since the beginning [m]
+    };
+    [[nodiscard]] OdometrySample sampleOf(const MeasuredAttitude& attitude, const BodyState& state) const;
+
+    OdometrySettings m_settings;
+    const InertialUnit& m_unit;
+    Schedule m_schedule;
+    bool m_odometryEnabled = true, m_transformsEnabled = true, m_begun = false;
+    Encoders m_before;  ///< at the last run
+    Encoders m_told;    ///< at the last step
+    DeadReckoning m_reckoning;
+};
+
+}  // namespace leitstand::simulation
