@@ -235,7 +235,8 @@ MissionState stateAt(MissionHistory& history, std::uint64_t sequence) {
     for (auto stored = history.checkpointUpTo(sequence); stored;
          stored = stored->sequence > 1 ? history.checkpointUpTo(stored->sequence - 1) : std::nullopt) {
         auto state = stateOf(stored->checkpoint);
-        if (!state || state->sequence > sequence) continue;  // an older one may be readable
+        // It is of what came before it; an older one may be readable.
+        if (!state || state->sequence >= stored->sequence) continue;
         replay = Fold(std::move(state).value());
         break;
     }
