@@ -1,6 +1,7 @@
 #include "transport/link/robot_side.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <utility>
 #include <variant>
@@ -24,6 +25,9 @@ SteadyTime steadyNow() {
 Time wallNow() {
     return std::chrono::system_clock::now();
 }
+
+constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr DriveVelocity NoVelocity{NoNumber, NoNumber, NoNumber};
 
 RobotRuleSettings rulesOf(const RobotDescription& robot, const RobotCommandSettings& settings) {
     return {.limits = limitsOf(robot),
@@ -102,7 +106,7 @@ DriveVelocity RobotCommands::State::velocityOf(const Sample& command) const {
     if (const auto* twist = std::get_if<TwistSample>(&command)) {
         return {twist->linear.x(), twist->linear.y(), twist->angular.z()};
     }
-    std::pair<double, double> tracks{0.0, 0.0};
+    std::pair<double, double> tracks{NoNumber, NoNumber};  // a track of which nothing is said does not turn
     const auto& joints = std::get<TrackCommand>(command);
     for (std::size_t i = 0; i < std::min(joints.names.size(), joints.velocities.size()); ++i) {
         if (joints.names[i] == settings.leftTrack) tracks.first = joints.velocities[i];
@@ -124,7 +128,7 @@ void RobotCommands::State::hear(const StreamDescription& stream, const ReceivedS
     if (!decoded) {
         ++counts.broken;
         // A holder whose commands are not understood drives nobody: what went before is over.
-        static_cast<void>(rules.drive({}, from, steadyNow()));
+        static_cast<void>(rules.drive(NoVelocity, from, steadyNow()));
         return;
     }
     const DriveVerdict verdict = rules.drive(velocityOf(*decoded), from, steadyNow());

@@ -184,7 +184,8 @@ void GrantBook::hearWord(Entry& entry, const GrantSample& sample, const Sender& 
 
 void GrantBook::take(Entry& entry, SteadyTime now, Time wall) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(wall.time_since_epoch()).count();
-    entry.term = std::max(entry.highest + 1, seconds > 0 ? static_cast<std::uint64_t>(seconds) : 1U);
+    const auto clock = seconds > 0 ? static_cast<std::uint64_t>(seconds) : 1U;
+    entry.term = std::min(std::max(entry.highest + 1, clock), HighestTerm);
     entry.highest = entry.term;
     entry.mine = true;
     entry.asked = entry.offered = entry.released = false;

@@ -234,6 +234,17 @@ TEST(GrantBook, AnswersOfOthersThanTheHolderCountForNothing) {
     EXPECT_TRUE(b.view(Drive, at(650)).asked);
 }
 
+TEST(GrantBook, TheHighestTermOfAllIsNoLockForEver) {
+    GrantBook a = book("a", 1), b = book("b", 2);
+    const GrantSample absurd = grantSaying("x", Action::Hold, std::uint64_t{1} << 62U);
+    a.hear(absurd, sender(9), at(0));
+    b.hear(absurd, sender(9), at(0));
+    b.ask(Drive);
+    talk({{&a, 1}, {&b, 2}}, 50, 4'000);
+    EXPECT_TRUE(b.mayAct(Drive, at(4'000)));
+    EXPECT_EQ(a.view(Drive, at(4'000)).holder, "b");
+}
+
 TEST(GrantBook, AFloodOfNamesTakesNoMoreThanItsShare) {
     GrantBook a = book("a", 1);
     for (int i = 0; i < 10'000; ++i) {
