@@ -29,7 +29,7 @@ bool isVictim(const Arena& arena, int element) {
 Robot::Robot(const BodySpec& spec, int body, std::uint64_t seed, const Pose& baseInArena)
     : m_spec(spec),
       m_body(body),
-      m_random(seed),
+      m_draws(seed),
       m_suspension(m_spec),
       m_driveTrain(m_spec),
       m_feelers(m_spec) {
@@ -57,7 +57,7 @@ void Robot::drawSlip(double seconds) {
     if (m_slipFor > 0.0) return;
     m_slipFor += SlipHolds;
     const auto draw = [this] {
-        const double sigmas = std::clamp(m_random.normal(), -3.0, 3.0);
+        const double sigmas = std::clamp(m_draws.next(), -3.0, 3.0);
         return m_spec.slip.mean + sigmas * m_spec.slip.deviation;
     };
     m_leftSlip = draw();

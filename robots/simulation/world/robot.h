@@ -11,8 +11,8 @@
 #include "robots/simulation/world/bump_counter.h"
 #include "robots/simulation/world/drive_train.h"
 #include "robots/simulation/world/feelers.h"
+#include "robots/simulation/world/normal_draws.h"
 #include "robots/simulation/world/pose_history.h"
-#include "robots/simulation/world/random.h"
 #include "robots/simulation/world/suspension.h"
 #include "robots/simulation/world/world.h"
 
@@ -55,7 +55,7 @@ private:
 
     const BodySpec m_spec;
     const int m_body;
-    Random m_random;
+    NormalDraws m_draws;
     Suspension m_suspension;
     DriveTrain m_driveTrain;
     Feelers m_feelers;

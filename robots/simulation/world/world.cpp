@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "robots/simulation/world/normal_draws.h"
 #include "robots/simulation/world/robot.h"
 
 namespace leitstand::simulation {
@@ -40,7 +41,7 @@ struct World::State {
 
     int add(const BodySpec& spec, const Pose& pose, bool ghost) {
         const int body = scene.addBody(spec.shape);
-        const std::uint64_t own = Random(seed + 0x51ED270B9ULL * static_cast<std::uint64_t>(body + 1)).bits();
+        const std::uint64_t own = mixed(seed ^ mixed(static_cast<std::uint64_t>(body + 1)));
         robots.push_back({std::make_unique<Robot>(spec, body, own, pose), ghost, true});
         names.push_back(spec.name);
         return body;

@@ -67,6 +67,18 @@ TEST(Terrain, TheCrawlerClimbsStairsOfTenCentimetres) {
     EXPECT_NEAR(state.baseInArena.translation().z(), 0.0, 0.005);
 }
 
+TEST(Terrain, TheCrawlerDrivesDownStairsForwards) {
+    TestArena arena;
+    arena.stairs(0.6, 0.10, 0.25, 5);
+    World world = arena.world();
+    const int robot = world.addRobot(crawlerBody(), poseFrom({2.6, 0, 0.6}, 0, 0, degrees(180)));
+    EXPECT_NEAR(world.state(robot).baseInArena.translation().z(), 0.5, 1e-4);
+    Driver(world, robot).drive(0.2, 0.2, 18.0);
+    EXPECT_FALSE(world.state(robot).tipped);
+    EXPECT_NEAR(world.state(robot).baseInArena.translation().z(), 0.0, 0.005);
+    EXPECT_LT(world.state(robot).baseInArena.translation().x(), 0.3);
+}
+
 TEST(Terrain, Kurt3dIsStoppedByTheFirstOfThem) {
     TestArena arena;
     arena.stairs(0.6, 0.10, 0.25, 5);
