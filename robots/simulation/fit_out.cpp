@@ -16,11 +16,9 @@ constexpr double BehindCamera = 0.03;  ///< from a camera back to where its unit
 
 FitOut::FitOut(World& world, int robot, const RobotDescription& description, std::uint64_t seed)
     : m_world(world), m_robot(robot), m_description(description), m_seed(seed) {
-    const auto orElse = [&](const std::string& frame, const char* usual) {
-        return frame.empty() ? description.name + "/" + usual : frame;
-    };
-    m_baseFrame = orElse(description.baseFrame, "base_link");
-    m_odomFrame = orElse(description.odomFrame, "odom");
+    m_baseFrame = description.baseFrame.empty() ? description.name + "/base_link" : description.baseFrame;
+    m_prefix = m_baseFrame.substr(0, m_baseFrame.rfind('/') + 1);
+    m_odomFrame = description.odomFrame.empty() ? m_prefix + "odom" : description.odomFrame;
 }
 
 Noise FitOut::noise(const std::string& name) const {
@@ -29,7 +27,7 @@ Noise FitOut::noise(const std::string& name) const {
 
 std::optional<SensorPlace> FitOut::place(StreamRole role, const std::string& key, const std::string& name,
                                          const Pose& usual) const {
-    return placeOf(m_description, role, key, {name, m_description.name + "/" + name, usual});
+    return placeOf(m_description, role, key, {name, m_prefix + name, usual});
 }
 
 void FitOut::fix(const std::string& frame, const Pose& inBase) {
@@ -38,11 +36,10 @@ void FitOut::fix(const std::string& frame, const Pose& inBase) {
 }
 
 std::shared_ptr<MountedPanTilt> FitOut::addPanTilt(const std::string& name, const SensorPlace& camera) {
-    const std::string prefix = m_description.name + "/" + name;
     Pose axes = Pose::Identity();
     axes.translation() = camera.inBase.translation() - BehindCamera * Eigen::Vector3d::UnitX();
-    auto unit = std::make_shared<MountedPanTilt>(
-        MountedPanTilt{name, prefix + "_pan", prefix + "_tilt", axes, PanTilt({}, start())});
+    auto unit = std::make_shared<MountedPanTilt>(MountedPanTilt{
+        name, m_prefix + name + "_pan", m_prefix + name + "_tilt", axes, PanTilt({}, start())});
     m_units.emplace(name, unit);
     return unit;
 }

@@ -44,6 +44,7 @@ private:
     int m_robot;
     const RobotDescription& m_description;
     std::uint64_t m_seed;
+    std::string m_prefix;  ///< of names of frames: "kurt3d/" or nothing, as base_link's
     std::string m_baseFrame, m_odomFrame;
     PanTiltUnits m_units;
     std::vector<FrameTransform> m_fixed;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr float LeastJump = 0.06F;    ///< neighbours that differ by less have no edge between them [m]
 constexpr float JumpOfRange = 0.05F;  ///< nor those by less than this share of their range
+constexpr float SameNormal = 0.98F;   ///< cosine between normals of one plane
+constexpr float SamePlane = 0.02F;    ///< [m]
 constexpr float FullIntensity = 255.0F;
 
 float rangeOr(const Hit& hit, double farthest) {
@@ -17,6 +19,14 @@ float rangeOr(const Hit& hit, double farthest) {
 
 bool differ(float a, float b) {
     return std::abs(a - b) > std::max(LeastJump, JumpOfRange * std::min(a, b));
+}
+
+/// Whether two rays ended on one plane: a floor that is met at a flat angle has no edge.
+bool onOnePlane(const Hit& a, const Ray& rayOfA, const Hit& b, const Ray& rayOfB) {
+    if (!a.there() || !b.there() || a.normal.dot(b.normal) < SameNormal) return false;
+    const Eigen::Vector3f apart =
+        (rayOfB.origin + b.distance * rayOfB.direction) - (rayOfA.origin + a.distance * rayOfA.direction);
+    return std::abs(a.normal.dot(apart)) < SamePlane;
 }
 
 float cosineOf(const Hit& hit, const Ray& ray) {
@@ -57,6 +67,7 @@ void LaserHead::castEdges(std::span<const Ray> rays, const CastRays& cast) {
         if (!differ(rangeOr(m_hits[i - 1], m_settings.farthest), rangeOr(m_hits[i], m_settings.farthest))) {
             continue;
         }
+        if (onOnePlane(m_hits[i - 1], rays[i - 1], m_hits[i], rays[i])) continue;
         add(i - 1, i);
         add(i, i - 1);
     }
@@ -64,13 +75,13 @@ void LaserHead::castEdges(std::span<const Ray> rays, const CastRays& cast) {
     if (!m_edgeRays.empty()) cast(m_edgeRays, m_edgeHits);
 }
 
-LaserEcho LaserHead::echoOf(const Ray& ray, const Hit& hit, const Hit* edge) {
+LaserEcho LaserHead::echoOf(const Ray& ray, const Hit& hit, const Hit* edge, const Ray* edgeRay) {
     LaserEcho echo;
     const bool first = returns(hit, ray), second = edge != nullptr && returns(*edge, ray);
     if (!first && !second) return echo;
     const Hit& chosen = first ? hit : *edge;
     double range = chosen.distance;
-    if (first && second && differ(hit.distance, edge->distance)) {
+    if (first && second && differ(hit.distance, edge->distance) && !onOnePlane(hit, ray, *edge, *edgeRay)) {
         echo.mixed = true;
         // Near surfaces melt into one echo between them; of far ones the receiver takes the stronger.
         const double share = 0.5 * m_noise.uniform();
@@ -100,8 +111,10 @@ std::span<const LaserEcho> LaserHead::measure(std::span<Ray> rays, const CastRay
     castEdges(rays, cast);
     m_echoes.resize(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Hit* edge = m_edgeOf[i] < 0 ? nullptr : &m_edgeHits[static_cast<std::size_t>(m_edgeOf[i])];
-        m_echoes[i] = echoOf(rays[i], m_hits[i], edge);
+        const auto edge = static_cast<std::size_t>(m_edgeOf[i]);
+        const bool cut = m_edgeOf[i] >= 0;
+        m_echoes[i] =
+            echoOf(rays[i], m_hits[i], cut ? &m_edgeHits[edge] : nullptr, cut ? &m_edgeRays[edge] : nullptr);
     }
     return m_echoes;
 }

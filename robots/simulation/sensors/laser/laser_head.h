@@ -43,7 +43,7 @@ public:
 private:
     [[nodiscard]] bool returns(const Hit& hit, const Ray& ray) const;
     void castEdges(std::span<const Ray> rays, const CastRays& cast);
-    [[nodiscard]] LaserEcho echoOf(const Ray& ray, const Hit& hit, const Hit* edge);
+    [[nodiscard]] LaserEcho echoOf(const Ray& ray, const Hit& hit, const Hit* edge, const Ray* edgeRay);
 
     LaserSettings m_settings;
     Noise m_noise;

@@ -1,0 +1,246 @@
+#include "robots/simulation/sensors/camera/camera.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "core/perception/picture_decoding.h"
+#include "robots/simulation/sensors/pan_tilt.h"
+#include "robots/simulation/sensors/sensor_place.h"
+#include "tests/simulation/sensors/room.h"
+
+namespace leitstand::simulation::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Where two white fields of a chessboard touch, on a dark wall.
+struct Mark {
+    Eigen::Vector3d at;     ///< arena's frame
+    Eigen::Vector3d along;  ///< of the wall, level
+};
+
+Eigen::Vector3d lowest(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.cwiseMin(b);
+}
+
+void addMark(RoomBuilder& room, int white, const Mark& mark) {
+    const Eigen::Vector3d thick = mark.along.cross(Eigen::Vector3d::UnitZ()) * 0.001;
+    const double size = 0.16;
+    for (const double side : {1.0, -1.0}) {
+        const Eigen::Vector3d a = mark.at - thick;
+        const Eigen::Vector3d b = mark.at + thick + side * size * (mark.along + Eigen::Vector3d::UnitZ());
+        room.box(white, lowest(a, b), a.cwiseMax(b));
+    }
+}
+
+cv::Mat greyOf(const PictureSample& sample) {
+    const auto picture = decodePicture(sample);
+    EXPECT_TRUE(picture) << picture.error().text;
+    if (!picture) return {};
+    cv::Mat rgb(picture->height, picture->width, CV_8UC3, const_cast<std::byte*>(picture->bytes.data()));
+    cv::Mat grey;
+    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    return grey;
+}
+
+/// Distance between where a mark is seen and where it should be [px].
+double missOf(const cv::Mat& grey, const Eigen::Vector2d& expected) {
+    std::vector<cv::Point2f> corner = {{float(expected.x()) + 1.5F, float(expected.y()) - 1.2F}};
+    cv::cornerSubPix(grey, corner, {4, 4}, {-1, -1},
+                     {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 50, 0.001});
+    return (Eigen::Vector2d(double{corner[0].x}, double{corner[0].y}) - expected).norm();
+}
+
+struct Stage {
+    RoomBuilder room;
+    std::vector<Mark> marks;
+
+    Stage() {
+        const int dark = room.surface(Material::Rubber);
+        room.setColour(dark, 0.25F, 0.25F, 0.25F);
+        room.box(dark, {-3, -3, -0.1}, {3, 3, 0});
+        room.box(dark, {-2.1, -2, 0}, {-2, 2, 1.5});
+        room.box(dark, {2, -2, 0}, {2.1, 2, 1.5});
+        room.box(dark, {-2, -2.1, 0}, {2, -2, 1.5});
+        room.box(dark, {-2, 2, 0}, {2, 2.1, 1.5});
+        const int white = room.surface(Material::Paper);
+        room.setColour(white, 0.9F, 0.9F, 0.9F);
+        for (const double along : {-1.2, -0.6, 0.0, 0.6, 1.2}) {
+            marks.push_back({{2, along, 0.4}, Eigen::Vector3d::UnitY()});
+            marks.push_back({{-2, along, 0.4}, -Eigen::Vector3d::UnitY()});
+            marks.push_back({{along, 2, 0.4}, -Eigen::Vector3d::UnitX()});
+            marks.push_back({{along, -2, 0.4}, Eigen::Vector3d::UnitX()});
+        }
+        for (const Mark& mark : marks) addMark(room, white, mark);
+    }
+};
+
+/// How many marks were found, and the worst miss.
+std::pair<int, double> reproject(const Stage& stage, const CameraModel& model, const Pose& cameraInArena,
+                                 const PictureSample& sample) {
+    const cv::Mat grey = greyOf(sample);
+    int found = 0;
+    double worst = 0.0;
+    for (const Mark& mark : stage.marks) {
+        const auto pixel = model.project(cameraInArena.inverse() * mark.at);
+        const double margin = model.mirror ? 5 : 12;
+        if (!pixel || pixel->x() < margin || pixel->y() < margin || pixel->x() > model.width - margin ||
+            pixel->y() > model.height - margin) {
+            continue;
+        }
+        const double miss = missOf(grey, *pixel);
+        EXPECT_LT(miss, 1.0) << "mark at " << mark.at.transpose() << ", pixel " << pixel->transpose();
+        worst = std::max(worst, miss);
+        ++found;
+    }
+    return {found, worst};
+}
+
+TEST(Camera, ShowsKnownCornersWhereTheyAreWhileItTurnsAndDrives) {
+    Stage stage;
+    const auto world = stage.room.world();
+    const int robot = addBareRobot(*world, -0.5, 0.2, 0.3);
+    PanTilt unit({}, world->now());
+    const Pose onUnit = opticalAt(0.03, 0.0, 0.0);
+    CameraSettings settings;
+    settings.model = pinholeCamera();
+    settings.quality = 95;
+    settings.sensor = "left";
+    settings.frame = "kurt3d/left";
+    settings.cameraInBase = [&](Time time) {
+        Pose axes = Pose::Identity();
+        axes.translation() << 0.16, 0.08, 0.33;
+        return Pose(axes * unit.platform(time) * onUnit);
+    };
+    Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "left"), world->now());
+    world->setMotors(robot, 0.3, 0.6);
+    unit.setTarget(degrees(-95), degrees(10));
+    std::vector<HardwareSample> samples;
+    int found = 0, pictures = 0;
+    double worst = 0.0;
+    for (int step = 0; step < 100; ++step) {
+        world->advance(20ms);
+        unit.advance(world->now());
+        samples.clear();
+        camera.run(*world, robot, samples);
+        for (const HardwareSample& sample : samples) {
+            if (sample.role != StreamRole::Picture) continue;
+            const auto& picture = std::get<PictureSample>(sample.sample);
+            const Time stamp = picture.header.stamp;
+            const Pose place = world->baseInArena(robot, stamp) * settings.cameraInBase(stamp);
+            const auto [marks, miss] = reproject(stage, settings.model, place, picture);
+            found += marks;
+            worst = std::max(worst, miss);
+            ++pictures;
+        }
+    }
+    EXPECT_EQ(pictures, 21);
+    EXPECT_GT(found, 30);
+    RecordProperty("worst_px", std::to_string(worst));
+    std::printf("%d corners in %d pictures, at worst %.2f px off\n", found, pictures, worst);
+}
+
+TEST(Camera, BelowTheMirrorShowsKnownCornersWhereTheyAre) {
+    Stage stage;
+    const auto world = stage.room.world();
+    const int robot = addBareRobot(*world, 0.3, -0.2, 0.7);
+    CameraSettings settings;
+    settings.model = omnidirectionalCamera().scaledTo(0);
+    settings.model = [] {  // a finer picture, so that marks are large enough to be found
+        CameraModel fine = omnidirectionalCamera();
+        fine.width = fine.height = 960;
+        fine.fx = fine.fy = 330.0;
+        fine.cx = 480.9;
+        fine.cy = 476.7;
+        return fine;
+    }();
+    settings.quality = 95;
+    settings.sensor = "omni";
+    settings.cameraInBase = [](Time) {
+        Pose pose = Pose::Identity();
+        pose.linear() = mirrorAxes();
+        pose.translation().z() = 0.34;
+        return pose;
+    };
+    Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "omni"), world->now());
+    std::vector<HardwareSample> samples;
+    camera.run(*world, robot, samples);
+    ASSERT_EQ(samples.size(), 2U);
+    const auto& info = std::get<CameraInfoSample>(samples[1].sample);
+    EXPECT_EQ(info.distortionModel, "mei");
+    const Pose place = world->state(robot).baseInArena * settings.cameraInBase(world->now());
+    const auto [found, worst] =
+        reproject(stage, settings.model, place, std::get<PictureSample>(samples[0].sample));
+    EXPECT_EQ(found, 20) << "all around";
+    std::printf("%d corners, at worst %.2f px off\n", found, worst);
+}
+
+TEST(Camera, IsBrightInLightNoisyInTheDarkAndSeesLamps) {
+    for (const double light : {1.0, 0.15}) {
+        Stage stage;
+        stage.room.arena().light = light;
+        const auto world = stage.room.world();
+        const int robot = addBareRobot(*world);
+        CameraSettings settings;
+        settings.model = pinholeCamera();
+        settings.cameraInBase = [](Time) { return opticalAt(0.0, 0.0, 0.4); };
+        Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "left"), world->now());
+        std::vector<HardwareSample> samples;
+        camera.run(*world, robot, samples);
+        const cv::Mat grey = greyOf(std::get<PictureSample>(samples.at(0).sample));
+        const double mean = cv::mean(grey)[0];
+        EXPECT_GT(mean, light > 0.5 ? 70 : 40);
+        EXPECT_LT(mean, 180);
+    }
+}
+
+TEST(Camera, HonoursWhatIsAskedOfItsStream) {
+    Stage stage;
+    const auto world = stage.room.world();
+    const int robot = addBareRobot(*world);
+    CameraSettings settings;
+    settings.model = pinholeCamera();
+    settings.sensor = "left";
+    settings.cameraInBase = [](Time) { return opticalAt(0.0, 0.0, 0.4); };
+    Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "left"), world->now());
+    std::vector<HardwareSample> samples;
+    const auto run = [&](std::chrono::nanoseconds time) {
+        samples.clear();
+        for (const Time end = world->now() + time; world->now() < end;) {
+            world->advance(20ms);
+            camera.run(*world, robot, samples);
+        }
+        std::size_t bytes = 0;
+        int pictures = 0, width = 0;
+        for (const HardwareSample& sample : samples) {
+            if (const auto* picture = std::get_if<PictureSample>(&sample.sample)) {
+                bytes += picture->content.bytes.size();
+                ++pictures;
+            } else {
+                width = std::get<CameraInfoSample>(sample.sample).width;
+            }
+        }
+        return std::tuple(pictures, width, pictures == 0 ? 0 : bytes / std::size_t(pictures));
+    };
+    const auto [pictures, width, bytes] = run(1s);
+    EXPECT_NEAR(pictures, 10, 1);
+    EXPECT_EQ(width, 320);
+    EXPECT_FALSE(camera.configure(StreamRole::Picture, "right", {}));
+    EXPECT_TRUE(camera.configure(StreamRole::Picture, "left", {true, 5.0, 30, 160}));
+    const auto [fewer, narrower, smaller] = run(2s);
+    EXPECT_NEAR(fewer, 10, 1);
+    EXPECT_EQ(narrower, 160) << "the calibration goes with the picture";
+    EXPECT_LT(smaller, bytes / 2);
+    EXPECT_TRUE(camera.configure(StreamRole::Picture, "left", {.enabled = false}));
+    EXPECT_EQ(std::get<0>(run(1s)), 0);
+    EXPECT_TRUE(camera.configure(StreamRole::Picture, "left", {.rate = 1000.0}));
+    EXPECT_NEAR(std::get<0>(run(1s)), 15, 1) << "no more than it can";
+}
+
+}  // namespace
+}  // namespace leitstand::simulation::test
