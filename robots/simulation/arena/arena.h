@@ -15,10 +15,18 @@ namespace leitstand::simulation {
 
 /// How hard an arena is (paper, section 1.1).
 enum class Grade : std::uint8_t { Yellow, Orange, Red };
+inline constexpr int GradeCount = 3;
 [[nodiscard]] std::string toString(Grade grade);
 
 /// Where a victim lies (paper, section 1.1).
-enum class Situation : std::uint8_t { Surface, Trapped, Void, Entombed };
+enum class Situation : std::uint8_t {
+    Surface,   ///< lies open
+    Trapped,   ///< boards lie on it
+    Void,      ///< in a box that is open on one side
+    Entombed,  ///< in a box with only a hole
+};
+inline constexpr int SituationCount = 4;
+[[nodiscard]] std::string toString(Situation situation);
 
 /// What an element of an arena is. Its frame has its origin in the middle of its base, z up, x along its
 /// length.
@@ -30,19 +38,20 @@ enum class ElementKind : std::uint8_t {
     Stairs,      ///< steps of `riser` along x, up to size z
     StepField,   ///< columns of square section on a grid of `cell`, as high as `heights`
     Ceiling,     ///< a slab above the frame's plane
-    Lamp,        ///< a warm, bright sphere or tube
+    Lamp,        ///< a warm, bright sphere, or a tube where longer than twice its height
     Heater,      ///< a radiator
     Table,       ///< a top with jutting edges on legs
     Chair,       ///< seat, back, legs
     Overhang,    ///< a board that juts out of a wall, nothing below
     Curtain,     ///< cloth that hangs down
     LoosePaper,  ///< crumpled newspaper on the floor
-    Foil,        ///< a sheet of plastic
+    Foil,        ///< a sheet of plastic, upright in the frame's xz plane
     Rubble,      ///< tilted bricks and boards, placed by `seed`
-    Victim,      ///< a manikin, lying along x; `victim` tells more
+    Victim,      ///< a manikin on its back, head at +x, that robots get to at -y; `victim` tells more
     Sign,        ///< a plate in the frame's xz plane that faces -y: hazard sign or QR code, by `text`
-    Spectator,   ///< a person outside
+    Spectator,   ///< a person outside, who paces along x by `width` to each side
 };
+inline constexpr int ElementKindCount = 19;
 [[nodiscard]] std::string toString(ElementKind kind);
 
 /// Signs of life of a victim, and how it is hidden.
@@ -63,15 +72,20 @@ struct Element {
     Eigen::Vector3d size = Eigen::Vector3d(1, 0.05, 1);  ///< along x, y, z [m]
     Material material = Material::Plywood;
     double temperature = 20.0;           ///< [degrees C]
-    double width = 0.0;                  ///< of Door's opening [m]
+    double width = 0.0;                  ///< of Door's opening; of Spectator's walk to each side [m]
     double angle = 0.0;                  ///< of Door's leaf [rad]
     double riser = 0.0;                  ///< of Stairs [m]
     double cell = 0.0;                   ///< of StepField [m]
-    std::vector<double> heights;         ///< of StepField, row-major, rows along y [m]
+    std::vector<double> heights;         ///< of StepField, row after row from -y, each along x [m]
     std::string text;                    ///< of Sign: "qr:TEXT", "hazard:flammable" ...
     std::uint64_t seed = 0;              ///< of what is strewn
     std::optional<VictimTraits> victim;  ///< of Victim
 };
+
+/// An element of @p kind with the size, material and the rest that are usual; arena files tell what differs.
+[[nodiscard]] Element elementOf(ElementKind kind);
+/// Where the air that a victim breathes comes from, in the arena's frame [m].
+[[nodiscard]] Eigen::Vector3d mouthOf(const Element& victim);
 
 /// A place that robots explore. Frame: x east, y north, z up, floor at z = 0 [m].
 struct Arena {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "robots/simulation/arena/arena.h"
+#include "robots/simulation/arena/mesh/mesh_builder.h"
+
+namespace leitstand::simulation {
+
+/// An element and what surrounds it.
+struct ElementPlace {
+    const Arena& arena;
+    const Element& element;
+    int index = 0;  ///< of the element in the arena
+};
+
+/// Look of an element's main part: its material's colour and texture, its temperature.
+[[nodiscard]] Look lookOf(const ElementPlace& place, MeshBuilder& builder);
+/// Look of a part of an element that is of another @p material, at the arena's temperature.
+[[nodiscard]] Look lookOf(const ElementPlace& place, Material material, MeshBuilder& builder);
+
+// Each builds in the frame of the builder, which is the element's, with its look.
+void addFloor(MeshBuilder& builder, const Element& element);
+void addWall(MeshBuilder& builder, const Element& element);
+void addDoor(MeshBuilder& builder, const Element& element);
+void addRamp(MeshBuilder& builder, const Element& element);
+void addStairs(MeshBuilder& builder, const Element& element);
+void addStepField(MeshBuilder& builder, const Element& element);
+void addHeater(MeshBuilder& builder, const Element& element);
+void addTable(MeshBuilder& builder, const Element& element);
+void addChair(MeshBuilder& builder, const Element& element);
+void addLamp(MeshBuilder& builder, const Element& element);
+void addCurtain(MeshBuilder& builder, const Element& element);
+void addLoosePaper(MeshBuilder& builder, const Element& element);
+void addFoil(MeshBuilder& builder, const Element& element);
+void addRubble(MeshBuilder& builder, const ElementPlace& place);
+void addSign(MeshBuilder& builder, const ElementPlace& place);
+
+/// A manikin and what hides it; a waving arm becomes one of @p moving.
+void addVictim(MeshBuilder& builder, const ElementPlace& place, std::vector<MovingPart>& moving);
+/// A person, all of it one of @p moving.
+void addSpectator(const ElementPlace& place, std::vector<MovingPart>& moving);
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "robots/simulation/arena/arena.h"
+#include "robots/simulation/arena/mesh/mesh_builder.h"
+
+namespace leitstand::simulation {
+
+/// Looks of a person's parts.
+struct PersonLooks {
+    Look skin, shirt, trousers, hair, shoes;
+};
+
+/// Where a person's joints are, lying on its back along x with the head at +x, the middle of its back at the
+/// origin; for a person of length 1, to be scaled.
+struct Joints {
+    Eigen::Vector3d head{0.445, 0.0, 0.07};
+    Eigen::Vector3d mouth{0.425, 0.0, 0.128};
+    Eigen::Vector3d neck{0.37, 0.0, 0.06};
+    Eigen::Vector3d shoulder{0.32, 0.105, 0.06};  ///< left one, +y; the right one is its mirror image
+    Eigen::Vector3d hip{-0.02, 0.05, 0.06};
+    Eigen::Vector3d knee{-0.25, 0.07, 0.055};
+    Eigen::Vector3d ankle{-0.46, 0.075, 0.035};
+};
+
+/// Trunk, head and legs, in the builder's frame, for a person of @p length [m].
+void addTrunk(MeshBuilder& builder, const PersonLooks& looks, double length);
+/// An arm from its shoulder (the origin) along @p upper and then along @p lower (each a unit vector).
+void addArm(MeshBuilder& builder, const PersonLooks& looks, const Eigen::Vector3d& upper,
+            const Eigen::Vector3d& lower, double length);
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace leitstand::simulation {
+
+/// The modules of a QR code, without the quiet zone around it.
+struct QrCode {
+    int edge = 0;             ///< modules on each side
+    std::vector<char> black;  ///< row-major, edge * edge
+
+    [[nodiscard]] bool at(int row, int column) const {
+        return black[static_cast<std::size_t>(row * edge + column)] != 0;
+    }
+};
+
+inline constexpr std::size_t LongestQrText = 62;  ///< [B]
+
+/// @p text as a QR code (ISO/IEC 18004: model 2, versions 1 to 4, byte mode, error correction M). The error
+/// tells when the text is longer than LongestQrText.
+[[nodiscard]] Result<QrCode> encodeQr(std::string_view text);
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "robots/simulation/arena/mesh/element_meshes.h"
+
+namespace leitstand::simulation {
+namespace {
+
+constexpr double LeafHeight = 2.0;  ///< of doors, at most [m]
+constexpr double LeafThickness = 0.03;
+
+/// The box of an element that stands on its frame's plane.
+void standingBox(MeshBuilder& builder, const Eigen::Vector3d& size) {
+    builder.box({-size.x() / 2, -size.y() / 2, 0.0}, {size.x() / 2, size.y() / 2, size.z()});
+}
+
+}  // namespace
+
+void addFloor(MeshBuilder& builder, const Element& element) {
+    const Eigen::Vector3d& size = element.size;
+    builder.box({-size.x() / 2, -size.y() / 2, -size.z()}, {size.x() / 2, size.y() / 2, 0.0});
+}
+
+void addWall(MeshBuilder& builder, const Element& element) {
+    standingBox(builder, element.size);
+}
+
+void addDoor(MeshBuilder& builder, const Element& element) {
+    const Eigen::Vector3d half = element.size / 2;
+    const double opening = std::clamp(element.width, 0.0, element.size.x()) / 2;
+    const double leaf = std::min(LeafHeight, element.size.z());
+    if (opening < half.x()) {
+        builder.box({-half.x(), -half.y(), 0.0}, {-opening, half.y(), element.size.z()});
+        builder.box({opening, -half.y(), 0.0}, {half.x(), half.y(), element.size.z()});
+    }
+    if (leaf < element.size.z()) {
+        builder.box({-opening, -half.y(), leaf}, {opening, half.y(), element.size.z()});
+    }
+    if (opening <= 0.02) return;
+    Pose hinge = Pose::Identity();
+    hinge.translate(Eigen::Vector3d(-opening, 0.0, 0.0));
+    hinge.rotate(Eigen::AngleAxisd(element.angle, Eigen::Vector3d::UnitZ()));
+    builder.box(hinge, {0.01, -LeafThickness / 2, 0.01},
+                {2 * opening - 0.01, LeafThickness / 2, std::max(0.02, leaf - 0.01)});
+}
+
+void addRamp(MeshBuilder& builder, const Element& element) {
+    const double x = element.size.x() / 2;
+    const std::array<Eigen::Vector2d, 3> profile = {
+        Eigen::Vector2d(-x, 0.0), {x, 0.0}, {x, element.size.z()}};
+    builder.prism(profile, -element.size.y() / 2, element.size.y() / 2);
+}
+
+void addStairs(MeshBuilder& builder, const Element& element) {
+    const Eigen::Vector3d& size = element.size;
+    const int steps =
+        std::clamp(static_cast<int>(std::lround(size.z() / std::max(element.riser, 0.005))), 1, 200);
+    const double riser = size.z() / steps;
+    const double tread = size.x() / steps;
+    const double y = size.y() / 2;
+    const auto at = [&](int column, double y, int row) {
+        return Eigen::Vector3d(-size.x() / 2 + column * tread, y, row * riser);
+    };
+    for (int i = 0; i < steps; ++i) {
+        builder.face({at(i, -y, i), at(i, -y, i + 1), at(i, y, i + 1), at(i, y, i)});
+        builder.face({at(i, -y, i + 1), at(i + 1, -y, i + 1), at(i + 1, y, i + 1), at(i, y, i + 1)});
+        builder.face({at(i, -y, 0), at(i + 1, -y, 0), at(i + 1, -y, i + 1), at(i, -y, i + 1)});
+        builder.face({at(i + 1, y, 0), at(i, y, 0), at(i, y, i + 1), at(i + 1, y, i + 1)});
+    }
+    builder.face({at(steps, -y, 0), at(steps, y, 0), at(steps, y, steps), at(steps, -y, steps)});
+    builder.face({at(0, y, 0), at(steps, y, 0), at(steps, -y, 0), at(0, -y, 0)});
+}
+
+void addStepField(MeshBuilder& builder, const Element& element) {
+    const double cell = element.cell;
+    if (!(cell > 0.0)) return;
+    const int columns = static_cast<int>(std::lround(element.size.x() / cell));
+    const int rows = static_cast<int>(std::lround(element.size.y() / cell));
+    const auto height = [&](int column, int row) {
+        const auto place = static_cast<std::size_t>(row * columns + column);
+        const bool inside = column >= 0 && row >= 0 && column < columns && row < rows;
+        return inside && place < element.heights.size() ? element.heights[place] : 0.0;
+    };
+    const auto at = [&](int column, int row, double z) {
+        return Eigen::Vector3d(-element.size.x() / 2 + column * cell, -element.size.y() / 2 + row * cell, z);
+    };
+    // Only what is not hidden by a neighbour; where the height is 0 there is the floor.
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const double h = height(column, row);
+            if (h <= 0.0) continue;
+            builder.face({at(column, row, h), at(column + 1, row, h), at(column + 1, row + 1, h),
+                          at(column, row + 1, h)});
+            builder.face({at(column, row + 1, 0), at(column + 1, row + 1, 0), at(column + 1, row, 0),
+                          at(column, row, 0)});
+            if (const double low = height(column, row - 1); low < h) {
+                builder.face({at(column, row, low), at(column + 1, row, low), at(column + 1, row, h),
+                              at(column, row, h)});
+            }
+            if (const double low = height(column + 1, row); low < h) {
+                builder.face({at(column + 1, row, low), at(column + 1, row + 1, low),
+                              at(column + 1, row + 1, h), at(column + 1, row, h)});
+            }
+            if (const double low = height(column, row + 1); low < h) {
+                builder.face({at(column + 1, row + 1, low), at(column, row + 1, low), at(column, row + 1, h),
+                              at(column + 1, row + 1, h)});
+            }
+            if (const double low = height(column - 1, row); low < h) {
+                builder.face({at(column, row + 1, low), at(column, row, low), at(column, row, h),
+                              at(column, row + 1, h)});
+            }
+        }
+    }
+}
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "robots/simulation/arena/mesh.h"
+
+namespace leitstand::simulation {
+
+// Pictures of materials, made by rule; each the same every time.
+[[nodiscard]] const Texture& plywoodTexture();    ///< grain along u, knots, joints of the veneer
+[[nodiscard]] const Texture& concreteTexture();   ///< blotches, pores, fine cracks
+[[nodiscard]] const Texture& plasterTexture();    ///< smudges and scratches
+[[nodiscard]] const Texture& newspaperTexture();  ///< headlines, columns and a photograph
+[[nodiscard]] const Texture& clothTexture();      ///< stripes; for curtains
+
+/// Edge of what the textures of plywood, concrete and plaster show [m].
+inline constexpr double MaterialTextureSize = 2.4;
+
+}  // namespace leitstand::simulation
