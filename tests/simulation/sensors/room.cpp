@@ -61,7 +61,7 @@ void RoomBuilder::victim(const Eigen::Vector3d& mouth, double co2) {
     element.size = {1.7, 0.5, 0.3};
     element.victim = VictimTraits{};
     element.victim->co2 = co2;
-    element.pose.translation() = mouth - mouthOf(element);
+    element.pose.translation() = mouth - breathOf(element);
     m_arena.elements.push_back(element);
 }
 
