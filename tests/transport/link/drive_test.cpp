@@ -199,7 +199,7 @@ TEST_F(DriveLatency, NobodyElseHoldsUpDriving) {
 TEST_F(Drive, TheRobotStopsWhenTheStationIsGone) {
     const RobotDescription description = drivenRobot();
     ControlRobot robot(*m_robotNode, description);
-    const ChildProcess station(CONTROL_PEER, {"station", std::to_string(m_domain.number()), "b", "5"});
+    const ChildProcess station(CONTROL_PEER, {"station", std::to_string(m_domain.number()), "b", "5", "0.3"});
     ASSERT_TRUE(waitUntil([&] { return robot.speed() > 0.0; })) << station.out();
     const auto killed = Clock::now();
     station.signal(SIGKILL);

@@ -19,10 +19,11 @@ std::chrono::steady_clock::time_point now() {
 
 class Grants : public testing::Test {
 protected:
-    [[nodiscard]] std::unique_ptr<ChildProcess> stationProcess(const std::string& id,
-                                                               const std::string& term) const {
+    [[nodiscard]] std::unique_ptr<ChildProcess> stationProcess(const std::string& id, const std::string& term,
+                                                               const std::string& speed = "0.3") const {
         return std::make_unique<ChildProcess>(
-            CONTROL_PEER, std::vector<std::string>{"station", std::to_string(m_domain.number()), id, term});
+            CONTROL_PEER,
+            std::vector<std::string>{"station", std::to_string(m_domain.number()), id, term, speed});
     }
     const TestDomain m_domain;
     const RobotDescription m_description = drivenRobot();
@@ -95,11 +96,10 @@ TEST_F(Grants, ARestartedStationHasItsGrantBackAtOnce) {
     before->signal(SIGKILL);
     before->wait();
     const auto restarted = now();
-    const auto after = stationProcess("b", "5");
+    const auto after = stationProcess("b", "5", "-0.3");
     ASSERT_TRUE(waitUntil([&] { return after->out().find("ready") != std::string::npos; }));
     const Seconds started = now() - restarted;
-    ASSERT_TRUE(waitUntil([&] { return m_robot.speed() == 0.0; }));
-    ASSERT_TRUE(waitUntil([&] { return m_robot.speed() > 0.0; })) << after->out();
+    ASSERT_TRUE(waitUntil([&] { return m_robot.speed() < 0.0; })) << after->out();
     const Seconds drove = now() - restarted;
     std::printf("restarted: up after %.2f s, the robot moves again after %.2f s\n", started.count(),
                 drove.count());
@@ -113,14 +113,14 @@ TEST_F(Grants, OfTwoThatAskInTheSameMomentOneGetsIt) {
     ControlStation second(*otherNode, m_description, {"b", "Right desk", {}});
     first.ask();
     second.ask();
-    ASSERT_TRUE(waitUntil([&] { return first.mayDrive() || second.mayDrive(); }));
-    ASSERT_TRUE(waitUntil([&] {
-        return first.mayDrive() != second.mayDrive() &&
-               m_robot.commands().holder() == (first.mayDrive() ? "a" : "b");
+    // For a moment both may believe it; the robot obeys one of them then.
+    auto agreed = now();
+    EXPECT_TRUE(waitUntil([&] {
+        const bool one = first.mayDrive() != second.mayDrive() &&
+                         m_robot.commands().holder() == (first.mayDrive() ? "a" : "b");
+        if (!one) agreed = now();
+        return now() - agreed > 2s;
     }));
-    // And it stays so.
-    const bool mine = first.mayDrive();
-    EXPECT_FALSE(waitUntil([&] { return first.mayDrive() != mine || second.mayDrive() == mine; }, 3s));
 }
 
 TEST_F(Grants, WhoEndsInOrderLeavesItToOthersAndRemembersIt) {

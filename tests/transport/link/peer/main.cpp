@@ -1,7 +1,10 @@
-// control_peer robot DOMAIN            a robot "kurt3d"; says "moves", "rests", "stopped" and "free" on
-// change control_peer station DOMAIN ID TERM  a station that holds the grant of TERM from the start and
-// drives control_peer listen DOMAIN TOPIC TYPE  a reliable reader; says "heard" once All until they are
-// killed. CLOCK_AHEAD: seconds that their clock is ahead (clock_shift.cpp).
+// control_peer robot DOMAIN
+//     a robot "kurt3d"; says "moves", "rests", "stopped" and "free" on change
+// control_peer station DOMAIN ID TERM SPEED
+//     a station that holds the grant of TERM from the start and drives
+// control_peer listen DOMAIN TOPIC TYPE
+//     a reliable reader; says "heard" once
+// All run until they are killed. CLOCK_AHEAD: seconds that their clock is ahead (clock_shift.cpp).
 #include <cstdio>
 #include <string>
 #include <thread>
@@ -38,16 +41,16 @@ void say(const char* word) {
     }
 }
 
-[[noreturn]] void beStation(Node& node, const std::string& id, const std::string& term) {
+[[noreturn]] void beStation(Node& node, const std::string& id, const std::string& term, double speed) {
     ControlStation station(node, drivenRobot(), {id, "Peer", {{driveGrant("kurt3d"), std::stoull(term)}}});
     say("ready");
     const StreamDescription odometry = *drivenRobot().stream(StreamRole::Odometry);
     std::atomic<bool> moves = false;
     const auto listening =
         must(node.subscribe({odometry.topic, odometry.type, odometry.qos}, [&](const ReceivedSample& sample) {
-            moves = std::get<OdometrySample>(must(decode(sample.event, odometry))).linear.x() > 0.0;
+            moves = std::get<OdometrySample>(must(decode(sample.event, odometry))).linear.x() == speed;
         }));
-    if (station.driveUntil(0.3, [&] { return moves.load(); })) say("drives");
+    if (station.driveUntil(speed, [&] { return moves.load(); })) say("drives");
     waitForTheEnd();
 }
 
@@ -61,7 +64,8 @@ int main(int argc, char** argv) {
     const auto node = Node::create(settings);
     if (!node) return std::puts(node.error().text.c_str()), 1;
     if (words[0] == "robot") beRobot(**node);
-    if (words[0] == "station" && words.size() == 4) beStation(**node, words[2], words[3]);
+    if (words[0] == "station" && words.size() == 5)
+        beStation(**node, words[2], words[3], std::stod(words[4]));
     if (words[0] == "listen" && words.size() == 4) {
         std::atomic<bool> heard = false;
         const auto reader = must((*node)->subscribe({words[2], words[3], Qos{}}, [&](const ReceivedSample&) {
