@@ -13,7 +13,7 @@ namespace leitstand::simulation {
 class BumpCounter {
 public:
     /// Whether @p obstacle is a new contact at @p now. Walls that meet count as one where they face alike.
-    [[nodiscard]] bool isNew(const Obstacle& obstacle, bool victim, Time now);
+    [[nodiscard]] bool isNew(const Obstacle& obstacle, Time now);
 
 private:
     struct Contact {

@@ -37,14 +37,14 @@ std::vector<Sample> samplesOf(const std::vector<Eigen::Vector2d>& outline) {
     return samples;
 }
 
-bool isVictim(const Scene& scene, const Hit& hit) {
-    const auto& elements = scene.arena().elements;
-    const int element = hit.surface->element;
-    return element >= 0 && element < static_cast<int>(elements.size()) &&
-           elements[static_cast<std::size_t>(element)].kind == ElementKind::Victim;
-}
-
 }  // namespace
+
+bool isOfVictim(const Arena& arena, const Surface& surface) {
+    const int element = surface.element;
+    if (element < 0 || element >= static_cast<int>(arena.elements.size())) return false;
+    return arena.elements[static_cast<std::size_t>(element)].kind == ElementKind::Victim &&
+           surface.material != Material::Plywood && surface.material != Material::Concrete;
+}
 
 Feelers::Feelers(const BodySpec& spec) {
     if (spec.outline.size() < 3) return;
@@ -93,7 +93,7 @@ void Feelers::cast(const Scene& scene, int self, const Pose& pose, const std::ve
     scene.cast(m_rays, m_hits, RayKind::Contact, self);
 }
 
-void Feelers::add(const Pose& pose, const Feeler& feeler, const Hit& hit, double depth) {
+void Feelers::add(const Pose& pose, const Feeler& feeler, const Hit& hit, double depth, bool victim) {
     Obstacle obstacle;
     const Eigen::Vector2d normal = (pose.linear().transpose() * hit.normal.cast<double>()).head<2>();
     obstacle.push.at = feeler.to.head<2>();
@@ -104,6 +104,7 @@ void Feelers::add(const Pose& pose, const Feeler& feeler, const Hit& hit, double
     obstacle.normalInArena = (pose.linear() * inBase).head<2>().normalized();
     obstacle.element = hit.surface->element;
     obstacle.body = hit.body;
+    obstacle.victim = victim;
     m_inside[feeler.sample] = true;
     m_found.push_back(obstacle);
 }
@@ -112,11 +113,12 @@ void Feelers::feelAround(const Scene& scene, int self, const Pose& pose) {
     cast(scene, self, pose, m_around, Beyond);
     for (std::size_t i = 0; i < m_around.size(); ++i) {
         const Hit& hit = m_hits[i];
-        if (!hit.there() || hit.normal.z() > Walkable) continue;
-        if (m_around[i].victimsOnly && !isVictim(scene, hit)) continue;
+        if (!hit.there()) continue;
+        const bool victim = isOfVictim(scene.arena(), *hit.surface);
+        if (!victim && (m_around[i].victimsOnly || hit.normal.z() > Walkable)) continue;
         const double depth = (m_around[i].to - m_around[i].from).norm() - static_cast<double>(hit.distance);
         if (depth > 0.0) {
-            add(pose, m_around[i], hit, depth);
+            add(pose, m_around[i], hit, depth, victim);
         } else {
             m_clearance = std::min(m_clearance, -depth);
         }
@@ -139,7 +141,8 @@ void Feelers::feelUpwards(const Scene& scene, int self, const Pose& pose) {
         ray.far = static_cast<float>((edge.to - edge.from).norm());
         const Hit side = scene.cast(ray, RayKind::Contact, self);
         add(pose, edge, side.there() ? side : m_hits[i],
-            side.there() ? static_cast<double>(ray.far - side.distance) : 0.002);
+            side.there() ? static_cast<double>(ray.far - side.distance) : 0.002,
+            isOfVictim(scene.arena(), *m_hits[i].surface));
     }
 }
 

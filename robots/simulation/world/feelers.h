@@ -17,7 +17,11 @@ struct Obstacle {
     Eigen::Vector2d normalInArena = Eigen::Vector2d::Zero();  ///< out of the obstacle
     int element = -1;                                         ///< of the arena; -1: none
     int body = -1;                                            ///< a robot; -1: none
+    bool victim = false;                                      ///< a person, not the box around it
 };
+
+/// Whether @p surface is a victim's skin or clothes: boards on it and the box around it are not.
+[[nodiscard]] bool isOfVictim(const Arena& arena, const Surface& surface);
 
 /// Rays from a robot's middle to its outline, at some heights, and upwards along the outline: they find what
 /// it runs against.
@@ -45,7 +49,7 @@ private:
               double beyond);
     void feelAround(const Scene& scene, int self, const Pose& pose);
     void feelUpwards(const Scene& scene, int self, const Pose& pose);
-    void add(const Pose& pose, const Feeler& feeler, const Hit& hit, double depth);
+    void add(const Pose& pose, const Feeler& feeler, const Hit& hit, double depth, bool victim);
     void keepDeepest();
 
     std::vector<Feeler> m_around, m_upwards;

@@ -19,11 +19,6 @@ double farthest(const BodySpec& spec) {
     return reach;
 }
 
-bool isVictim(const Arena& arena, int element) {
-    return element >= 0 && element < static_cast<int>(arena.elements.size()) &&
-           arena.elements[static_cast<std::size_t>(element)].kind == ElementKind::Victim;
-}
-
 }  // namespace
 
 Robot::Robot(const BodySpec& spec, int body, std::uint64_t seed, const Pose& baseInArena)
@@ -149,12 +144,11 @@ std::vector<Bump> Robot::lookForBumps(const Surroundings& around, double seconds
     std::vector<Bump> bumps;
     const auto& elements = around.scene.arena().elements;
     const auto touch = [&](const Obstacle& obstacle) {
-        const bool victim = isVictim(around.scene.arena(), obstacle.element);
-        if (!m_bumpCounter.isNew(obstacle, victim, around.now)) return;
+        if (!m_bumpCounter.isNew(obstacle, around.now)) return;
         Bump bump;
         bump.at = around.now;
         bump.robot = m_body;
-        bump.victim = victim;
+        bump.victim = obstacle.victim;
         bump.where = obstacle.push.at;
         if (obstacle.body >= 0) {
             bump.element = around.names[static_cast<std::size_t>(obstacle.body)];
@@ -167,10 +161,10 @@ std::vector<Bump> Robot::lookForBumps(const Surroundings& around, double seconds
         m_pushes.push_back(obstacle.push);
         touch(obstacle);
     }
-    for (const int element : m_footing.elements) {
-        if (!isVictim(around.scene.arena(), element)) continue;
+    for (const int element : m_footing.victims) {
         Obstacle under;
         under.element = element;
+        under.victim = true;
         touch(under);
     }
     m_freeWay = m_pushes.empty() ? std::min(LongestBlindWay, m_feelers.clearance() - 0.003) : 0.0;

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "robots/simulation/world/feelers.h"
 #include "robots/simulation/world/resting_plane.h"
 
 namespace leitstand::simulation {
@@ -47,7 +48,7 @@ Pose poseOnPlane(const Eigen::Vector3d& position, double yaw, const Eigen::Vecto
 Suspension::Suspension(const BodySpec& spec) : m_spec(spec), m_under(spec.contacts) {
     m_under.insert(m_under.end(), spec.belly.begin(), spec.belly.end());
     m_ground.resize(m_under.size());
-    m_elements.resize(m_under.size(), -1);
+    m_victims.resize(m_under.size(), -1);
     m_rays.resize(m_under.size());
     m_hits.resize(m_under.size());
     for (Ray& ray : m_rays) ray.direction = {0, 0, -1};
@@ -72,7 +73,8 @@ void Suspension::feel(const Scene& scene, const Pose& pose) {
         const double ground = m_hits[i].there() ? found : std::min(0.0, start - Depth);
         const bool hallFloor = !m_hits[i].there() && start > 0.0;
         m_ground[i].z() = (hallFloor ? 0.0 : ground) - pose.translation().z() - m_ground[i].z();
-        m_elements[i] = m_hits[i].there() ? m_hits[i].surface->element : -1;
+        const bool victim = m_hits[i].there() && isOfVictim(scene.arena(), *m_hits[i].surface);
+        m_victims[i] = victim ? m_hits[i].surface->element : -1;
     }
 }
 
@@ -145,7 +147,7 @@ Footing Suspension::footingOf(const Pose& pose, double seconds, Pose& next) {
                        : m_under[foot].y() > 0.0      ? footing.leftLoad
                                                       : footing.rightLoad;
         side += load * plane->shares[i];
-        if (plane->shares[i] > 0.02 && m_elements[foot] >= 0) footing.elements.push_back(m_elements[foot]);
+        if (plane->shares[i] > 0.02 && m_victims[foot] >= 0) footing.victims.push_back(m_victims[foot]);
     }
     return footing;
 }

@@ -16,7 +16,7 @@ struct Footing {
     bool supported = false;                                   ///< false: falls
     double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< across the ground [N]
     bool tips = false;                                        ///< nothing holds it upright any more
-    std::vector<int> elements;                                ///< of the arena, that carry it
+    std::vector<int> victims;                                 ///< elements of the arena that carry it
 };
 
 /// Lets a robot down onto the ground: where wheels and chains touch gives height, roll and pitch.
@@ -38,7 +38,7 @@ private:
     const BodySpec& m_spec;
     std::vector<Eigen::Vector3d> m_under;   ///< points of the underside, contacts first [m]
     std::vector<Eigen::Vector3d> m_ground;  ///< under each, from base_link's origin, less the point's height
-    std::vector<int> m_elements;            ///< of the arena, under each; -1: none
+    std::vector<int> m_victims;             ///< elements of the arena, under each; -1: none
     std::vector<Ray> m_rays;
     std::vector<Hit> m_hits;
     std::array<int, 3> m_feet = {0, 1, 2};

@@ -66,7 +66,8 @@ TEST(Bumps, AVictimCountsAsOne) {
 TEST(Bumps, AHandOnTheFloorStopsTooThoughAPlankWouldNot) {
     for (const bool victim : {true, false}) {
         TestArena arena;
-        arena.box({0.8, -0.5, 0}, {1.0, 0.5, 0.05}, victim ? ElementKind::Victim : ElementKind::Floor, "low");
+        arena.box({0.8, -0.5, 0}, {1.0, 0.5, 0.05}, victim ? ElementKind::Victim : ElementKind::Floor, "low",
+                  victim ? Material::Skin : Material::Plywood);
         World world = arena.world();
         const int robot = world.addRobot(crawlerBody(), Pose::Identity());
         Driver(world, robot).drive(0.3, 0.3, 7.0);
