@@ -1,11 +1,21 @@
 #include "core/robot/robot_description.h"
 
 #include <algorithm>
+#include <array>
 
 namespace leitstand {
 
 bool isCommand(StreamRole role) {
     return role >= StreamRole::DriveCommand;
+}
+
+std::span<const StreamRole> allStreamRoles() {
+    static constexpr auto All = [] {
+        std::array<StreamRole, static_cast<std::size_t>(StreamRole::Ping) + 1> roles{};
+        for (std::size_t i = 0; i < roles.size(); ++i) roles[i] = static_cast<StreamRole>(i);
+        return roles;
+    }();
+    return All;
 }
 
 std::string toString(StreamRole role) {
@@ -62,6 +72,30 @@ std::string toString(StreamRole role) {
             return "stream_command";
         case StreamRole::Ping:
             return "ping";
+    }
+    return {};
+}
+
+std::string toString(StampSource source) {
+    switch (source) {
+        case StampSource::Robot:
+            return "robot";
+        case StampSource::Zero:
+            return "zero";
+        case StampSource::Station:
+            return "station";
+    }
+    return {};
+}
+
+std::string toString(TfPrefix prefix) {
+    switch (prefix) {
+        case TfPrefix::Topic:
+            return "topic";
+        case TfPrefix::Frame:
+            return "frame";
+        case TfPrefix::None:
+            return "none";
     }
     return {};
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,17 +47,21 @@ enum class StreamRole : std::uint8_t {
 
 /// Whether the station sends topics of @p role.
 [[nodiscard]] bool isCommand(StreamRole role);
+/// All roles, in the order of their declaration.
+[[nodiscard]] std::span<const StreamRole> allStreamRoles();
 /// The name of @p role in robot files: "points", "drive_command".
 [[nodiscard]] std::string toString(StreamRole role);
 
 /// Whose clock stamps commands.
 enum class StampSource : std::uint8_t { Robot, Zero, Station };
+[[nodiscard]] std::string toString(StampSource source);
 
 /// How raw numbers of a thermal picture become temperatures: kelvin = raw * scale + offset.
 struct ThermalScale {
     double scale = 0.01;   ///< [K] a step
     double offset = 0.0;   ///< [K]
     bool measured = true;  ///< false: colour-mapped pictures, which tell no temperature
+    friend bool operator==(const ThermalScale&, const ThermalScale&) = default;
 };
 
 /// One topic of a robot.
@@ -71,6 +75,7 @@ struct StreamDescription {
     ThermalScale thermal;                    ///< of Thermal
     std::string hardwareId;                  ///< Diagnostics: only statuses whose hardware_id starts so
     bool record = true;                      ///< whether the mission's log keeps it
+    friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
 
 /// A sensor and where it sits.
@@ -88,6 +93,7 @@ enum class LinkLossRule : std::uint8_t { Stop, FinishAndWait, ReturnToLink };
 
 /// How the frames of a robot's tf are told from those of others.
 enum class TfPrefix : std::uint8_t { Topic, Frame, None };
+[[nodiscard]] std::string toString(TfPrefix prefix);
 
 /// Everything the station knows about a robot beforehand: its file.
 struct RobotDescription {

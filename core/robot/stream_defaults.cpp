@@ -2,6 +2,10 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "core/robot/stream_types.h"
+
 namespace leitstand {
 namespace {
 
@@ -9,7 +13,7 @@ constexpr Qos::Reliability BestEffort = Qos::Reliability::BestEffort, Reliable =
 constexpr Qos::Durability Volatile = Qos::Durability::Volatile, Stays = Qos::Durability::TransientLocal;
 
 struct Default {
-    std::string_view leaf, type;
+    std::string_view leaf;  ///< below the robot's namespace, or with a slash as it is
     Qos qos;
 };
 
@@ -22,68 +26,75 @@ Default defaultOf(StreamRole role) {
     const Qos command = qos(Reliable, Volatile, 1);
     switch (role) {
         case StreamRole::Points:
-            return {"points", "sensor_msgs/msg/PointCloud2", qos(Reliable, Volatile, 600)};
+            return {"points", qos(Reliable, Volatile, 600)};
         case StreamRole::Ranges:
-            return {"scan", "sensor_msgs/msg/LaserScan", steady};
+            return {"scan", steady};
         case StreamRole::Odometry:
-            return {"odom", "nav_msgs/msg/Odometry", steady};
+            return {"odom", steady};
         case StreamRole::Imu:
-            return {"imu", "sensor_msgs/msg/Imu", steady};
+            return {"imu", steady};
         case StreamRole::Joints:
-            return {"joint_states", "sensor_msgs/msg/JointState", steady};
+            return {"joint_states", steady};
         case StreamRole::Transforms:
-            return {"tf", "tf2_msgs/msg/TFMessage", steady};
+            return {"tf", steady};
         case StreamRole::StaticTransforms:
-            return {"tf_static", "tf2_msgs/msg/TFMessage", qos(Reliable, Stays, 100)};
+            return {"tf_static", qos(Reliable, Stays, 100)};
         case StreamRole::Picture:
-            return {"image/compressed", "sensor_msgs/msg/CompressedImage", steady};
+            return {"image/compressed", steady};
         case StreamRole::CameraInfo:
-            return {"camera_info", "sensor_msgs/msg/CameraInfo", steady};
+            return {"camera_info", steady};
         case StreamRole::Thermal:
-            return {"image/compressed", "sensor_msgs/msg/CompressedImage", steady};
+            return {"image/compressed", steady};
         case StreamRole::Gas:
-            return {"co2", "leitstand_msgs/msg/GasConcentration", steady};
+            return {"co2", steady};
         case StreamRole::Battery:
-            return {"battery_state", "sensor_msgs/msg/BatteryState", steady};
+            return {"battery_state", steady};
         case StreamRole::Diagnostics:
-            return {"/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", steady};
+            return {"/diagnostics", steady};
         case StreamRole::Mode:
-            return {"mode", "leitstand_msgs/msg/Mode", onChange};
+            return {"mode", onChange};
         case StreamRole::Bumps:
-            return {"bumps", "leitstand_msgs/msg/Bumps", onChange};
+            return {"bumps", onChange};
         case StreamRole::Sightings:
-            return {"sightings", "leitstand_msgs/msg/Sightings", onChange};
+            return {"sightings", onChange};
         case StreamRole::StopState:
-            return {"stop_state", "leitstand_msgs/msg/StopState", onChange};
+            return {"stop_state", onChange};
         case StreamRole::Pong:
-            return {"pong", "leitstand_msgs/msg/Pong", qos(Reliable, Volatile, 10)};
+            return {"pong", qos(Reliable, Volatile, 10)};
         case StreamRole::DriveCommand:
-            return {"cmd_vel", "geometry_msgs/msg/Twist", qos(Reliable, Volatile, 1, 0.3)};
+            return {"cmd_vel", qos(Reliable, Volatile, 1, 0.3)};
         case StreamRole::TrackCommand:
-            return {"track_cmd", "sensor_msgs/msg/JointState", qos(Reliable, Volatile, 1, 0.3)};
+            return {"track_cmd", qos(Reliable, Volatile, 1, 0.3)};
         case StreamRole::StopCommand:
-            return {"stop_cmd", "leitstand_msgs/msg/StopCommand", qos(Reliable, Stays, 1)};
+            return {"stop_cmd", qos(Reliable, Stays, 1)};
         case StreamRole::ModeCommand:
-            return {"mode_cmd", "leitstand_msgs/msg/ModeCommand", command};
+            return {"mode_cmd", command};
         case StreamRole::GoalPose:
-            return {"goal_pose", "geometry_msgs/msg/PoseStamped", command};
+            return {"goal_pose", command};
         case StreamRole::PanTiltCommand:
-            return {"ptu_cmd", "sensor_msgs/msg/JointState", command};
+            return {"ptu_cmd", command};
         case StreamRole::StreamCommand:
-            return {"stream_cmd", "leitstand_msgs/msg/StreamCommand", command};
+            return {"stream_cmd", command};
         case StreamRole::Ping:
-            return {"ping", "leitstand_msgs/msg/Ping", command};
+            return {"ping", command};
     }
     return {};
 }
+
+/// /tf, where robots do not have one of their own.
+bool isShared(StreamRole role, TfPrefix prefix) {
+    return (role == StreamRole::Transforms || role == StreamRole::StaticTransforms) &&
+           prefix != TfPrefix::Topic;
+}
+
+}  // namespace
 
 bool belongsToCamera(StreamRole role) {
     return role == StreamRole::Picture || role == StreamRole::CameraInfo || role == StreamRole::Thermal;
 }
 
-}  // namespace
-
-StreamDescription defaultStream(StreamRole role, const std::string& robot, const std::string& sensor) {
+StreamDescription defaultStream(StreamRole role, const std::string& robot, const std::string& sensor,
+                                TfPrefix prefix) {
     const Default chosen = defaultOf(role);
     StreamDescription stream;
     stream.role = role;
@@ -91,11 +102,12 @@ StreamDescription defaultStream(StreamRole role, const std::string& robot, const
     if (chosen.leaf.starts_with('/')) {
         stream.topic = chosen.leaf;
     } else {
-        stream.topic = "/" + robot + "/";
-        if (belongsToCamera(role)) stream.topic += (sensor.empty() ? std::string("camera") : sensor) + "/";
-        stream.topic += chosen.leaf;
+        const std::string space = isShared(role, prefix) ? std::string() : robot + "/";
+        const std::string camera = sensor.empty() ? std::string("camera") : sensor;
+        stream.topic =
+            fmt::format("/{}{}{}", space, belongsToCamera(role) ? camera + "/" : std::string(), chosen.leaf);
     }
-    stream.type = chosen.type;
+    stream.type = typesOf(role).front();
     stream.qos = chosen.qos;
     if (role == StreamRole::Diagnostics) stream.hardwareId = robot;
     return stream;

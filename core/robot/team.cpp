@@ -26,7 +26,8 @@ std::string remedy(StreamRole role) {
     switch (role) {
         case StreamRole::Transforms:
         case StreamRole::StaticTransforms:
-            return "give each a topic of its own, or frames that begin with its name and tf_prefix: frame";
+            return "give each a topic of its own, or frames that begin with its name and frames.prefix: "
+                   "frame";
         case StreamRole::Diagnostics:
             return "tell them apart by hardware_id";
         default:

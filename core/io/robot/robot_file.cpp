@@ -1,208 +1,176 @@
 #include "core/io/robot/robot_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
-#include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_words.h"
+#include "core/io/robot/stream_reader.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
-#include "core/robot/stream_defaults.h"
+#include "core/robot/default_body.h"
+#include "core/robot/footprint.h"
 
 namespace leitstand {
 namespace {
 
+using detail::shown;
 using detail::YamlErrors;
 using detail::YamlFields;
+using detail::YamlPlace;
 
-constexpr double LargestSize = 100.0;     ///< of robots and sensor places [m]
-constexpr double LargestAngle = 360.0;    ///< [degrees]
-constexpr double LargestSpeed = 50.0;     ///< [m/s]
-constexpr double LongestTime = 86'400.0;  ///< [s]
-constexpr int DeepestHistory = 100'000;
-
-bool isName(const std::string& text) {
-    return !text.empty() && text.size() <= 64 &&
-           std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
-           std::all_of(text.begin(), text.end(),
-                       [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-}
-
-bool isTopic(const std::string& text) {
-    return text.size() > 1 && text.size() <= 255 && text.front() == '/' && text.back() != '/' &&
-           std::all_of(text.begin(), text.end(),
-                       [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; });
-}
-
-/// "nav_msgs/msg/Odometry"
-bool isType(const std::string& text) {
-    const auto first = text.find('/'), second = text.find('/', first + 1);
-    return second != std::string::npos && isName(text.substr(0, first)) && isName(text.substr(second + 1)) &&
-           text.substr(first + 1, second - first - 1) == "msg";
-}
-
-void readQos(const YAML::Node& node, const std::string& path, Qos& qos, YamlErrors& errors) {
-    const YamlFields fields(node, path, {"reliability", "durability", "depth", "lifespan", "deadline"},
-                            errors);
-    fields.choice("reliability", qos.reliability, detail::reliabilityWords());
-    fields.choice("durability", qos.durability, detail::durabilityWords());
-    fields.count("depth", qos.depth, 0, DeepestHistory);
-    fields.number("lifespan", qos.lifespan, 0.0, LongestTime);
-    fields.number("deadline", qos.deadline, 0.0, LongestTime);
-}
-
-void readThermal(const YAML::Node& node, const std::string& path, ThermalScale& thermal, YamlErrors& errors) {
-    const YamlFields fields(node, path, {"scale", "offset", "measured"}, errors);
-    fields.number("scale", thermal.scale, 1e-6, 100.0);
-    fields.number("offset", thermal.offset, -1000.0, 1000.0);
-    fields.flag("measured", thermal.measured);
-}
-
-void readStream(const YAML::Node& node, const std::string& path, RobotDescription& robot,
-                YamlErrors& errors) {
-    const YamlFields fields(
-        node, path, {"role", "sensor", "topic", "type", "qos", "stamp", "thermal", "hardware_id", "record"},
-        errors);
-    StreamRole role = StreamRole::Points;
-    if (!fields.has("role")) return fields.fail("role", "expected what the topic carries, such as points");
-    fields.choice("role", role, detail::roleWords());
-    std::string sensor;
-    fields.text("sensor", sensor);
-    StreamDescription stream = defaultStream(role, robot.name, sensor);
-    fields.text("topic", stream.topic);
-    fields.text("type", stream.type);
-    if (!isTopic(stream.topic))
-        fields.fail("topic", "expected a ROS topic like /kurt3d/odom, found \"" + stream.topic + '"');
-    if (!isType(stream.type)) {
-        fields.fail("type", "expected a ROS type like nav_msgs/msg/Odometry, found \"" + stream.type + '"');
-    }
-    if (fields.has("qos")) readQos(node["qos"], fields.pathOf("qos"), stream.qos, errors);
-    fields.choice("stamp", stream.stamp, detail::stampWords());
-    if (fields.has("thermal")) readThermal(node["thermal"], fields.pathOf("thermal"), stream.thermal, errors);
-    fields.text("hardware_id", stream.hardwareId);
-    fields.flag("record", stream.record);
-    const bool again =
-        std::any_of(robot.streams.begin(), robot.streams.end(),
-                    [&](const StreamDescription& other) { return other.topic == stream.topic; });
-    if (again) fields.fail("topic", "topic " + stream.topic + " is listed twice");
-    robot.streams.push_back(std::move(stream));
-}
-
-void readSensor(const YAML::Node& node, const std::string& name, const std::string& path,
-                RobotDescription& robot, YamlErrors& errors) {
-    const YamlFields fields(node, path, {"frame", "position", "rotation"}, errors);
-    SensorDescription sensor;
-    sensor.frame = name;
-    fields.text("frame", sensor.frame);
-    auto position = fields.numbers("position", 3, LargestSize),
-         rotation = fields.numbers("rotation", 3, LargestAngle);
-    position.resize(3, 0.0);
-    rotation.resize(3, 0.0);
-    sensor.sensorInBase = poseFrom({position[0], position[1], position[2]}, degrees(rotation[0]),
-                                   degrees(rotation[1]), degrees(rotation[2]));
-    if (!isName(name))
-        errors.add(node, path, "expected a name of letters, digits and _, found \"" + name + '"');
-    robot.sensors.emplace(name, sensor);
-}
-
-void readFootprint(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
-    fields.each("footprint", false,
-                [&](const YAML::Node& corner, const std::string&, const std::string& path) {
-                    if (corner.IsSequence() && corner.size() == 2) {
-                        try {
-                            const Eigen::Vector2d point(corner[0].as<double>(), corner[1].as<double>());
-                            if (point.allFinite() && point.norm() <= LargestSize)
-                                return robot.footprint.push_back(point);
-                        } catch (const YAML::Exception&) {  // told below
-                        }
-                    }
-                    errors.add(corner, path, "expected [x, y] in metres");
-                });
-    if (fields.has("footprint") && robot.footprint.size() < 3)
-        fields.fail("footprint", "expected three corners or more");
-}
-
-void readLimits(const YAML::Node& node, RobotDescription& robot, YamlErrors& errors) {
-    const YamlFields fields(node, "limits", {"roll", "pitch", "speed", "turn_rate"}, errors);
-    double roll = inDegrees(robot.maxRoll), pitch = inDegrees(robot.maxPitch),
-           turn = inDegrees(robot.maxTurnRate);
-    fields.number("roll", roll, 0.0, 180.0);
-    fields.number("pitch", pitch, 0.0, 180.0);
-    fields.number("speed", robot.maxSpeed, 0.0, LargestSpeed);
-    fields.number("turn_rate", turn, 0.0, 3600.0);
-    robot.maxRoll = degrees(roll);
-    robot.maxPitch = degrees(pitch);
-    robot.maxTurnRate = degrees(turn);
-}
+constexpr double LargestSize = 10.0;  ///< of robots and sensor places [m]: more is millimetres
 
 void readIdentity(const YamlFields& fields, RobotDescription& robot) {
-    fields.text("name", robot.name);
-    fields.text("letter", robot.letter);
+    std::string name, letter;
+    if (!fields.has("name") || fields.text("name", name)) {
+        if (!detail::isName(name) || name == "leitstand") {
+            fields.fail("name", fmt::format("expected a name as in topics (letters, digits and _, not "
+                                            "leitstand), found {}",
+                                            fields.has("name") ? shown(name) : "nothing"));
+        } else {
+            robot.name = name;
+        }
+    }
+    if (!fields.has("letter") || fields.text("letter", letter)) {
+        if (letter.size() != 1 || letter.front() < 'A' || letter.front() > 'Z') {
+            fields.fail("letter", "expected one capital letter, found " +
+                                      (fields.has("letter") ? shown(letter) : std::string("nothing")));
+        } else {
+            robot.letter = letter;
+        }
+    }
     robot.title = robot.name;
     fields.text("title", robot.title);
-    if (!isName(robot.name)) {
-        fields.fail("name", "expected a name as in topics (letters, digits, _), found \"" + robot.name + '"');
-    }
-    if (robot.letter.size() != 1 || std::isupper(static_cast<unsigned char>(robot.letter.front())) == 0) {
-        fields.fail("letter", "expected one capital letter, found \"" + robot.letter + '"');
+}
+
+/// "base_link", "kurt3d/base_link"
+void readFrame(const YamlFields& fields, const char* key, std::string& frame) {
+    std::string found = frame;
+    if (!fields.text(key, found)) return;
+    if (found.front() == '/' || found.find(' ') != std::string::npos) {
+        fields.fail(key,
+                    "expected a frame such as base_link, without a slash before it and without blanks, "
+                    "found " +
+                        shown(found));
+    } else {
+        frame = found;
     }
 }
 
-void readFrames(const YAML::Node& node, RobotDescription& robot, YamlErrors& errors) {
-    const YamlFields fields(node, "frames", {"base", "odom", "prefix"}, errors);
-    fields.text("base", robot.baseFrame);
-    fields.text("odom", robot.odomFrame);
+void readFrames(const YamlPlace& place, RobotDescription& robot, YamlErrors& errors) {
+    const YamlFields fields(place, detail::FrameKeys, errors);
+    readFrame(fields, "base", robot.baseFrame);
+    readFrame(fields, "odom", robot.odomFrame);
     fields.choice("prefix", robot.tfPrefix, detail::prefixWords());
 }
 
+void readFootprint(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    if (!fields.has("footprint")) return;
+    if (!fields.at("footprint").value.IsSequence()) {
+        fields.fail("footprint", "expected a list of corners, found " + shown(fields.at("footprint").value));
+        return;
+    }
+    std::vector<Eigen::Vector2d> corners;
+    const auto places = fields.list("footprint");
+    for (const YamlPlace& place : places) {
+        Eigen::Vector2d corner;
+        const bool right = place.value.IsSequence() && place.value.size() == 2 &&
+                           detail::isNumber(place.value[0], corner.x()) &&
+                           detail::isNumber(place.value[1], corner.y()) &&
+                           corner.cwiseAbs().maxCoeff() <= LargestSize;
+        if (right) {
+            corners.push_back(corner);
+        } else {
+            errors.add(place.line, place.path,
+                       fmt::format("expected [x, y], each from {} to {} m, found {}", -LargestSize,
+                                   LargestSize, shown(place.value)));
+        }
+    }
+    if (corners.size() < places.size()) return;
+    if (const std::string problem = footprintProblem(corners); !problem.empty()) {
+        fields.fail("footprint", problem);
+        return;
+    }
+    if (signedArea(corners) < 0.0) std::reverse(corners.begin(), corners.end());
+    robot.footprint = std::move(corners);
+}
+
+void readLimits(const YamlPlace& place, RobotDescription& robot, YamlErrors& errors) {
+    const YamlFields fields(place, detail::LimitKeys, errors);
+    const auto angle = [&fields](const char* key, double& radians, double most, const char* unit) {
+        double value = inDegrees(radians);
+        if (fields.has(key) && fields.number(key, value, 1.0, most, unit)) radians = degrees(value);
+    };
+    angle("roll", robot.maxRoll, 180.0, " degrees");
+    angle("pitch", robot.maxPitch, 180.0, " degrees");
+    angle("turn_rate", robot.maxTurnRate, 720.0, " degrees/s");
+    fields.number("speed", robot.maxSpeed, 0.01, 20.0, " m/s");
+}
+
+void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    if (!fields.has("sensors")) return;
+    const YamlFields sensors(fields.at("sensors"), errors);
+    for (const auto& [name, place] : sensors.entries()) {
+        const YamlFields one(place, detail::SensorKeys, errors);
+        SensorDescription sensor;
+        sensor.frame = name;
+        readFrame(one, "frame", sensor.frame);
+        std::vector<double> position(3, 0.0), rotation(3, 0.0);
+        one.numbers("position", position, 3, LargestSize, " m");
+        one.numbers("rotation", rotation, 3, 360.0, " degrees");
+        sensor.sensorInBase = poseFrom({position[0], position[1], position[2]}, degrees(rotation[0]),
+                                       degrees(rotation[1]), degrees(rotation[2]));
+        robot.sensors.emplace(name, sensor);
+    }
+}
+
+void readBindings(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    if (!fields.has("bindings")) return;
+    const YamlFields bindings(fields.at("bindings"), errors);
+    std::map<std::string, std::string> actions;
+    for (const auto& entry : bindings.entries()) {
+        std::string control;
+        if (!bindings.text(entry.first, control)) continue;
+        const auto [other, added] = actions.emplace(control, entry.first);
+        if (!added)
+            bindings.fail(entry.first,
+                          fmt::format("expected a key or pad control of its own, found {}, which "
+                                      "is that of {}",
+                                      shown(control), other->second));
+        robot.bindings.emplace(entry.first, control);
+    }
+}
+
+void readLinkLoss(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    if (!fields.has("link_loss")) return;
+    const YamlFields rules(fields.at("link_loss"), errors);
+    for (const auto& entry : rules.entries()) {
+        LinkLossRule rule = LinkLossRule::Stop;
+        if (!rules.choice(entry.first, rule, detail::linkLossWords())) continue;
+        if (entry.first == "teleoperation" && rule != LinkLossRule::Stop)
+            rules.fail(entry.first, "expected stop, since nobody drives, found " + shown(toString(rule)));
+        robot.linkLoss.emplace(entry.first, rule);
+    }
+}
+
 RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
-    const YamlFields fields(root, "",
-                            {"letter", "name", "title", "drive", "frames", "footprint", "height", "limits",
-                             "sensors", "streams", "bindings", "link_loss"},
-                            errors);
+    const YamlFields fields({root, "", 1}, detail::RobotKeys, errors);
     RobotDescription robot;
-    robot.baseFrame = "base_link";
-    robot.odomFrame = "odom";
-    robot.height = 0.5;
-    robot.maxRoll = robot.maxPitch = degrees(25);
-    robot.maxSpeed = 0.3;
-    robot.maxTurnRate = degrees(30);
+    fillBody(robot);
     if (!root.IsMap()) return robot;
     readIdentity(fields, robot);
     fields.choice("drive", robot.drive, detail::driveWords());
-    if (fields.has("frames")) readFrames(root["frames"], robot, errors);
+    if (fields.has("frames")) readFrames(fields.at("frames"), robot, errors);
     readFootprint(fields, robot, errors);
-    if (!fields.has("footprint")) robot.footprint = {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}};
-    fields.number("height", robot.height, 0.0, LargestSize);
-    if (fields.has("limits")) readLimits(root["limits"], robot, errors);
-    fields.each("sensors", true,
-                [&](const YAML::Node& node, const std::string& name, const std::string& path) {
-                    readSensor(node, name, path, robot, errors);
-                });
-    fields.each("streams", false, [&](const YAML::Node& node, const std::string&, const std::string& path) {
-        readStream(node, path, robot, errors);
-    });
-    fields.each("bindings", true,
-                [&](const YAML::Node& node, const std::string& action, const std::string& path) {
-                    if (!node.IsScalar())
-                        return errors.add(node, path, "expected the name of a key or pad control");
-                    robot.bindings.emplace(action, node.Scalar());
-                });
-    fields.each(
-        "link_loss", true, [&](const YAML::Node& node, const std::string& mode, const std::string& path) {
-            const std::string word = node.IsScalar() ? node.Scalar() : std::string();
-            for (const auto& [name, rule] : detail::linkLossWords()) {
-                if (name == word) {
-                    robot.linkLoss.emplace(mode, rule);
-                    return;
-                }
-            }
-            errors.add(node, path, "expected stop, finish_and_wait or return_to_link, found \"" + word + '"');
-        });
+    fields.number("height", robot.height, 0.01, LargestSize, " m");
+    if (fields.has("limits")) readLimits(fields.at("limits"), robot, errors);
+    readSensors(fields, robot, errors);
+    detail::readStreams(fields, robot, errors);
+    readBindings(fields, robot, errors);
+    readLinkLoss(fields, robot, errors);
     return robot;
 }
 
@@ -211,19 +179,21 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
 Result<RobotDescription> parseRobot(std::string_view text, const std::string& name) {
     const auto root = detail::loadYaml(text, name);
     if (!root) return root.error();
-    YamlErrors errors{name, {}};
+    YamlErrors errors(name);
     try {
         RobotDescription robot = readAll(*root, errors);
-        if (errors.texts.empty()) return robot;
+        if (errors.empty()) return robot;
     } catch (const YAML::Exception& problem) {
-        errors.texts.push_back(fmt::format("{}:{}: {}", name, problem.mark.line + 1, problem.msg));
+        errors.add(std::max(0, problem.mark.line) + 1, {}, "expected YAML, found a mistake: " + problem.msg);
     }
-    return Error{fmt::format("{}", fmt::join(errors.texts, "\n"))};
+    return errors.error();
 }
 
 Result<RobotDescription> readRobot(const std::filesystem::path& file) {
+    std::error_code problem;
     std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) return Error{file.string() + ": cannot be opened"};
+    if (!in || std::filesystem::is_directory(file, problem))
+        return Error{file.string() + ": expected a robot's file, found none that can be read"};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

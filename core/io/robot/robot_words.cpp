@@ -32,8 +32,7 @@ const Words<Qos::Durability>& durabilityWords() {
 }
 
 const Words<StampSource>& stampWords() {
-    static const Words<StampSource> words = {
-        {"robot", StampSource::Robot}, {"zero", StampSource::Zero}, {"station", StampSource::Station}};
+    static const Words<StampSource> words = wordsUpTo(StampSource::Station);
     return words;
 }
 
@@ -43,8 +42,7 @@ const Words<DriveType>& driveWords() {
 }
 
 const Words<TfPrefix>& prefixWords() {
-    static const Words<TfPrefix> words = {
-        {"topic", TfPrefix::Topic}, {"frame", TfPrefix::Frame}, {"none", TfPrefix::None}};
+    static const Words<TfPrefix> words = wordsUpTo(TfPrefix::None);
     return words;
 }
 

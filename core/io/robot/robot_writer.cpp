@@ -7,6 +7,7 @@
 
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/robot_words.h"
+#include "core/robot/default_body.h"
 #include "core/robot/stream_defaults.h"
 
 namespace leitstand {
@@ -45,12 +46,12 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
     out << YAML::EndMap;
 }
 
-void writeQos(YAML::Emitter& out, const Qos& qos) {
+void writeQos(YAML::Emitter& out, const Qos& qos, const Qos& usual) {
     out << YAML::Key << "qos" << YAML::Value << YAML::Flow << YAML::BeginMap;
     entry(out, "reliability", detail::wordFor(detail::reliabilityWords(), qos.reliability));
     entry(out, "durability", detail::wordFor(detail::durabilityWords(), qos.durability));
     entry(out, "depth", std::to_string(qos.depth));
-    if (qos.lifespan > 0.0) entry(out, "lifespan", number(qos.lifespan));
+    if (qos.lifespan > 0.0 || usual.lifespan > 0.0) entry(out, "lifespan", number(qos.lifespan));
     if (qos.deadline > 0.0) entry(out, "deadline", number(qos.deadline));
     out << YAML::EndMap;
 }
@@ -62,7 +63,7 @@ void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std:
     if (!stream.sensor.empty()) entry(out, "sensor", stream.sensor);
     entry(out, "topic", stream.topic);
     entry(out, "type", stream.type);
-    writeQos(out, stream.qos);
+    writeQos(out, stream.qos, usual.qos);
     if (stream.stamp != usual.stamp) entry(out, "stamp", detail::wordFor(detail::stampWords(), stream.stamp));
     if (stream.role == StreamRole::Thermal) {
         out << YAML::Key << "thermal" << YAML::Value << YAML::Flow << YAML::BeginMap;
@@ -112,14 +113,12 @@ void writeMaps(YAML::Emitter& out, const RobotDescription& robot) {
 
 std::string writeRobot(const RobotDescription& given) {
     RobotDescription robot = given;
-    // What is only guessed has no body yet: these are the sizes and limits of a file without them.
-    if (robot.footprint.size() < 3)
-        robot.footprint = {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}};
-    if (robot.height <= 0.0) robot.height = 0.5;
-    if (robot.maxRoll <= 0.0) robot.maxRoll = degrees(25);
-    if (robot.maxPitch <= 0.0) robot.maxPitch = degrees(25);
-    if (robot.maxSpeed <= 0.0) robot.maxSpeed = 0.3;
-    if (robot.maxTurnRate <= 0.0) robot.maxTurnRate = degrees(30);
+    fillBody(robot);  // what is only guessed has none yet
+    // A camera whose place nobody told yet: here is where to write it.
+    for (const StreamDescription& stream : robot.streams) {
+        if (!stream.sensor.empty())
+            robot.sensors.try_emplace(stream.sensor, SensorDescription{.frame = stream.sensor});
+    }
     YAML::Emitter out;
     out << YAML::Comment("A robot of Leitstand; docs/robots.md tells every key.") << YAML::BeginMap;
     entry(out, "letter", robot.letter);
@@ -133,7 +132,9 @@ std::string writeRobot(const RobotDescription& given) {
     out << YAML::EndMap;
     writeBody(out, robot);
     if (!robot.sensors.empty()) {
-        out << YAML::Key << "sensors" << YAML::Value << YAML::BeginMap;
+        out << YAML::Key << "sensors"
+            << YAML::Comment("frame_id, place in the base frame [m], roll pitch yaw [degrees]") << YAML::Value
+            << YAML::BeginMap;
         for (const auto& [name, sensor] : robot.sensors) writeSensor(out, name, sensor);
         out << YAML::EndMap;
     }

@@ -12,8 +12,9 @@ namespace leitstand::detail {
 inline constexpr std::size_t LargestYaml = 256U << 10U;  ///< [B]; robot files have some 5 kB
 inline constexpr int DeepestYaml = 16;                   ///< levels
 
-/// Parses one YAML document that a stranger may have written: limited in size and depth, without anchors and
-/// aliases (which can stand for gigabytes). The error names @p name, the line and what was expected.
+/// Parses the one YAML document of a file that a stranger may have written: UTF-8, limited in size and depth,
+/// without tags, anchors and aliases (which can stand for gigabytes), indented by spaces. The error names
+/// @p name, the line and what was expected.
 [[nodiscard]] Result<YAML::Node> loadYaml(std::string_view text, const std::string& name);
 
 }  // namespace leitstand::detail

@@ -1,77 +1,96 @@
 #include "core/io/robot/yaml_fields.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 
 namespace leitstand::detail {
 namespace {
 
-constexpr std::size_t LongestQuote = 40;
+constexpr std::size_t LongestText = 128, LongestName = 64;  ///< [B]
 
-/// What stands there, for an error.
-std::string quoted(const YAML::Node& node) {
-    if (node.IsMap()) return "a map";
-    if (node.IsSequence()) return fmt::format("a list of {}", node.size());
-    if (!node.IsScalar()) return "nothing";
-    const std::string& text = node.Scalar();
-    return '"' + (text.size() > LongestQuote ? text.substr(0, LongestQuote) + "..." : text) + '"';
+bool isLetterOrDigit(char c) {
+    return c == '_' ||
+           (static_cast<unsigned char>(c) < 0x80 && std::isalnum(static_cast<unsigned char>(c)) != 0);
 }
 
-/// Levenshtein's distance.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
-        }
-    }
-    return row.back();
+bool isPrintable(std::string_view text) {
+    return std::none_of(text.begin(), text.end(), [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return code < 0x20 || code == 0x7F;
+    });
 }
 
-std::optional<double> asNumber(const YAML::Node& node) {
-    try {
-        if (node.IsScalar()) return node.as<double>();
-    } catch (const YAML::Exception&) {  // told by the caller
-    }
-    return std::nullopt;
+std::string keyOf(const YAML::Node& node) {
+    return node.IsScalar() ? node.Scalar() : std::string();
 }
 
 }  // namespace
 
-void YamlErrors::add(const YAML::Node& node, const std::string& path, const std::string& text) {
-    const int line = node.IsDefined() ? node.Mark().line : -1;
-    const std::string place = line >= 0 ? fmt::format("{}:{}", file, line + 1) : file;
-    texts.push_back(fmt::format("{}: {}{}{}", place, path, path.empty() ? "" : ": ", text));
+bool isNumber(const YAML::Node& node, double& value) {
+    if (!node.IsScalar()) return false;
+    std::string_view text = node.Scalar();
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    double found = 0.0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), found);
+    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(found)) return false;
+    value = found;
+    return true;
 }
 
-YamlFields::YamlFields(const YAML::Node& node, std::string path, std::initializer_list<std::string_view> keys,
-                       YamlErrors& errors)
-    : m_node(node), m_path(std::move(path)), m_errors(&errors) {
-    if (!node.IsMap()) {
-        errors.add(node, m_path, "expected keys and values, found " + quoted(node));
-        m_node = YAML::Node(YAML::NodeType::Map);
+bool isName(std::string_view text) {
+    return !text.empty() && text.size() <= LongestName && isLetterOrDigit(text.front()) &&
+           text.front() != '_' && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
+           std::all_of(text.begin(), text.end(), isLetterOrDigit);
+}
+
+YamlFields::YamlFields(const YamlPlace& place, std::span<const std::string_view> keys, YamlErrors& errors)
+    : m_path(place.path), m_line(place.line), m_errors(&errors) {
+    readEntries(place);
+    if (!place.value.IsMap()) return;
+    const std::vector<std::string> known(keys.begin(), keys.end());
+    for (const auto& entry : place.value) {
+        const std::string key = keyOf(entry.first);
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+        m_errors->add(lineOf(entry.first), m_path,
+                      fmt::format("expected one of the keys {}, found {}{}", anyOf(known), shown(entry.first),
+                                  likely(key, known)));
+    }
+}
+
+YamlFields::YamlFields(const YamlPlace& place, YamlErrors& errors)
+    : m_path(place.path), m_line(place.line), m_errors(&errors) {
+    readEntries(place);
+    if (!place.value.IsMap()) return;
+    for (const auto& entry : place.value) {
+        const std::string key = keyOf(entry.first);
+        if (isName(key)) continue;
+        m_errors->add(lineOf(entry.first), m_path,
+                      fmt::format("expected a name of at most {} letters, digits and _ that begins with a "
+                                  "letter, found {}",
+                                  LongestName, shown(entry.first)));
+        m_entries.erase(key);
+    }
+}
+
+void YamlFields::readEntries(const YamlPlace& place) {
+    if (!place.value.IsMap()) {
+        m_errors->add(m_line, m_path, "expected keys and values, found " + shown(place.value));
         return;
     }
-    for (const auto& entry : node) {
-        const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
-        if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-        const auto likely = std::min_element(
-            keys.begin(), keys.end(),
-            [&](std::string_view a, std::string_view b) { return distance(a, key) < distance(b, key); });
-        std::string known;
-        for (const std::string_view one : keys) known += (known.empty() ? "" : ", ") + std::string(one);
-        const bool near = likely != keys.end() && distance(*likely, key) <= 1 + key.size() / 4;
-        errors.add(entry.first, m_path,
-                   fmt::format(
-                       "unknown key {}{}", quoted(entry.first),
-                       near ? fmt::format(", did you mean \"{}\"?", *likely) : "; expected one of " + known));
+    for (const auto& entry : place.value) {
+        const int line = lineOf(entry.first);
+        const std::string key = keyOf(entry.first);
+        const auto [found, added] =
+            m_entries.try_emplace(key, YamlPlace{entry.second, pathOf(isName(key) ? key : "?"), line});
+        if (!added) {
+            m_errors->add(line, m_path,
+                          fmt::format("expected each key once, found {} of line {} again", shown(key),
+                                      found->second.line));
+        }
     }
 }
 
@@ -79,82 +98,100 @@ std::string YamlFields::pathOf(std::string_view key) const {
     return m_path.empty() ? std::string(key) : m_path + "." + std::string(key);
 }
 
-void YamlFields::fail(const char* key, const std::string& text) const {
-    const YAML::Node value = m_node[key];
-    m_errors->add(value.IsDefined() ? value : m_node, pathOf(key), text);
+YamlPlace YamlFields::at(std::string_view key) const {
+    const auto found = m_entries.find(key);
+    return found == m_entries.end() ? YamlPlace{YAML::Node(), pathOf(key), m_line} : found->second;
 }
 
-void YamlFields::text(const char* key, std::string& value) const {
-    if (!has(key)) return;
-    if (m_node[key].IsScalar()) {
-        value = m_node[key].Scalar();
-    } else {
-        fail(key, "expected a text, found " + quoted(m_node[key]));
+bool YamlFields::fail(std::string_view key, const std::string& text) const {
+    const auto found = m_entries.find(key);
+    m_errors->add(found == m_entries.end() ? m_line : found->second.line, pathOf(key), text);
+    return false;
+}
+
+bool YamlFields::text(std::string_view key, std::string& value, bool maybeEmpty) const {
+    if (!has(key)) return true;
+    const YAML::Node node = at(key).value;
+    if (!node.IsScalar() || node.Scalar().size() > LongestText || !isPrintable(node.Scalar()) ||
+        (node.Scalar().empty() && !maybeEmpty)) {
+        return fail(key, fmt::format("expected a text of {} to {} printable characters, found {}",
+                                     maybeEmpty ? 0 : 1, LongestText, shown(node)));
     }
+    value = node.Scalar();
+    return true;
 }
 
-void YamlFields::flag(const char* key, bool& value) const {
-    if (!has(key)) return;
-    try {
-        value = m_node[key].as<bool>();
-    } catch (const YAML::Exception&) {
-        fail(key, "expected true or false, found " + quoted(m_node[key]));
-    }
+bool YamlFields::flag(std::string_view key, bool& value) const {
+    if (!has(key)) return true;
+    const YAML::Node node = at(key).value;
+    const std::string word = keyOf(node);
+    if (word != "true" && word != "false") return fail(key, "expected true or false, found " + shown(node));
+    value = word == "true";
+    return true;
 }
 
-void YamlFields::number(const char* key, double& value, double least, double most) const {
-    if (!has(key)) return;
-    const auto found = asNumber(m_node[key]);
-    if (found && *found >= least && *found <= most) {
-        value = *found;
-    } else {
-        fail(key, fmt::format("expected a number from {} to {}, found {}", least, most, quoted(m_node[key])));
-    }
+bool YamlFields::number(std::string_view key, double& value, double least, double most,
+                        const char* unit) const {
+    if (!has(key)) return true;
+    const YAML::Node node = at(key).value;
+    double found = 0.0;
+    if (!isNumber(node, found) || found < least || found > most)
+        return fail(
+            key, fmt::format("expected a number from {} to {}{}, found {}", least, most, unit, shown(node)));
+    value = found;
+    return true;
 }
 
-void YamlFields::count(const char* key, int& value, int least, int most) const {
-    double number = value;
-    this->number(key, number, least, most);
-    if (number != std::floor(number))
-        return fail(key, "expected a whole number, found " + quoted(m_node[key]));
-    value = static_cast<int>(number);
-}
-
-std::vector<double> YamlFields::numbers(const char* key, std::size_t size, double most) const {
-    std::vector<double> found;
-    if (!has(key)) return found;
-    const YAML::Node node = m_node[key];
-    if (node.IsSequence() && node.size() == size) {
-        for (const YAML::Node& one : node) {
-            const auto number = asNumber(one);
-            if (number && std::abs(*number) <= most) found.push_back(*number);
-        }
-    }
-    if (found.size() == size) return found;
-    fail(key,
-         fmt::format("expected {} numbers between -{} and {}, found {}", size, most, most, quoted(node)));
-    return {};
-}
-
-void YamlFields::each(const char* key, bool map,
-                      const std::function<void(const YAML::Node&, const std::string& key,
-                                               const std::string& path)>& read) const {
-    if (!has(key)) return;
-    const YAML::Node node = m_node[key];
-    if (map ? !node.IsMap() : !node.IsSequence()) {
+bool YamlFields::count(std::string_view key, int& value, int least, int most) const {
+    if (!has(key)) return true;
+    const YAML::Node node = at(key).value;
+    double found = 0.0;
+    if (!isNumber(node, found) || found < least || found > most || found != std::floor(found))
         return fail(key,
-                    fmt::format("expected {}, found {}", map ? "keys and values" : "a list", quoted(node)));
+                    fmt::format("expected a whole number from {} to {}, found {}", least, most, shown(node)));
+    value = static_cast<int>(found);
+    return true;
+}
+
+bool YamlFields::numbers(std::string_view key, std::vector<double>& values, std::size_t size, double most,
+                         const char* unit) const {
+    if (!has(key)) return true;
+    const YAML::Node node = at(key).value;
+    std::string odd = shown(node);
+    bool right = node.IsSequence() && node.size() == size;
+    std::vector<double> found(size, 0.0);
+    for (std::size_t i = 0; right && i < size; ++i) {
+        right = isNumber(node[i], found[i]) && std::abs(found[i]) <= most;
+        if (!right) odd = shown(node[i]);
     }
-    std::size_t i = 0;
-    for (const auto& entry : node) {
-        if (map) {
-            const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
-            read(entry.second, name, pathOf(key) + "." + name);
-        } else {
-            read(entry, {}, fmt::format("{}[{}]", pathOf(key), i));
-        }
-        ++i;
+    if (!right)
+        return fail(
+            key, fmt::format("expected {} numbers from {} to {}{}, found {}", size, -most, most, unit, odd));
+    values = std::move(found);
+    return true;
+}
+
+std::size_t YamlFields::word(std::string_view key, const std::vector<std::string>& words) const {
+    if (!has(key)) return words.size();
+    const YAML::Node node = at(key).value;
+    const std::string found = keyOf(node);
+    const auto place = std::find(words.begin(), words.end(), found);
+    if (place != words.end()) return static_cast<std::size_t>(place - words.begin());
+    fail(key, fmt::format("expected {}, found {}{}", anyOf(words), shown(node), likely(found, words)));
+    return words.size() + 1;
+}
+
+std::vector<YamlPlace> YamlFields::list(std::string_view key) const {
+    std::vector<YamlPlace> places;
+    if (!has(key)) return places;
+    const YamlPlace place = at(key);
+    if (!place.value.IsSequence()) {
+        fail(key, "expected a list, found " + shown(place.value));
+        return places;
     }
+    for (const YAML::Node& node : place.value)
+        places.push_back({node, fmt::format("{}[{}]", place.path, places.size()), lineOf(node)});
+    return places;
 }
 
 }  // namespace leitstand::detail

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,60 +10,71 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/io/robot/yaml_errors.h"
+
 namespace leitstand::detail {
 
-/// What is wrong with a file, gathered.
-struct YamlErrors {
-    std::string file;
-    std::vector<std::string> texts;
-
-    /// "kurt3d.yaml:14: streams[3].qos: expected ..., found ..."
-    void add(const YAML::Node& node, const std::string& path, const std::string& text);
+/// Something in a YAML file: its value and where it stands.
+struct YamlPlace {
+    YAML::Node value;
+    std::string path;  ///< "streams[3].qos"
+    int line = 1;      ///< of its key, where it has one
 };
 
-/// A map of a YAML file, read key by key with checks; what is missing keeps the value it had.
+/// A map of a YAML file, read key by key with checks; what is missing keeps the value it had. Every reading
+/// function is false when it told an error, and true otherwise.
 class YamlFields {
 public:
-    /// Tells when @p node is no map, or has keys other than @p keys (with the likeliest of them).
-    YamlFields(const YAML::Node& node, std::string path, std::initializer_list<std::string_view> keys,
-               YamlErrors& errors);
+    /// Tells when @p place is no map, has keys other than @p keys (with the likeliest of them), or one twice.
+    YamlFields(const YamlPlace& place, std::span<const std::string_view> keys, YamlErrors& errors);
+    /// A map with keys of the user's choice, such as names of sensors: 1 to 64 letters, digits and _.
+    YamlFields(const YamlPlace& place, YamlErrors& errors);
 
-    [[nodiscard]] bool has(const char* key) const { return m_node[key].IsDefined(); }
-    void text(const char* key, std::string& value) const;
-    void flag(const char* key, bool& value) const;
-    /// A number from @p least to @p most.
-    void number(const char* key, double& value, double least, double most) const;
-    void count(const char* key, int& value, int least, int most) const;
+    [[nodiscard]] bool has(std::string_view key) const { return m_entries.contains(key); }
+    /// Where @p key stands; the map itself when it does not.
+    [[nodiscard]] YamlPlace at(std::string_view key) const;
+    /// All entries, by key.
+    [[nodiscard]] const std::map<std::string, YamlPlace, std::less<>>& entries() const { return m_entries; }
+
+    /// Printable text of 1 to 128 bytes (0 with @p maybeEmpty).
+    bool text(std::string_view key, std::string& value, bool maybeEmpty = false) const;
+    bool flag(std::string_view key, bool& value) const;
+    /// A finite number from @p least to @p most, in @p unit (" m"; may be empty).
+    bool number(std::string_view key, double& value, double least, double most, const char* unit) const;
+    bool count(std::string_view key, int& value, int least, int most) const;
     /// @p size numbers, each between -@p most and @p most.
-    [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t size, double most) const;
+    bool numbers(std::string_view key, std::vector<double>& values, std::size_t size, double most,
+                 const char* unit) const;
     /// One of the words of @p choices.
     template <class T>
-    void choice(const char* key, T& value, const std::vector<std::pair<std::string, T>>& choices) const {
-        std::string word;
-        text(key, word);
-        if (word.empty()) return;
-        std::string expected;
-        for (const auto& [name, meaning] : choices) {
-            if (name == word) {
-                value = meaning;
-                return;
-            }
-            expected += (expected.empty() ? "" : ", ") + name;
-        }
-        fail(key, "expected one of " + expected + ", found \"" + word + "\"");
+    bool choice(std::string_view key, T& value, const std::vector<std::pair<std::string, T>>& choices) const {
+        std::vector<std::string> words;
+        for (const auto& choice : choices) words.push_back(choice.first);
+        const auto chosen = word(key, words);
+        if (chosen < choices.size()) value = choices[chosen].second;
+        return chosen <= choices.size();
     }
-    /// Calls @p read for each entry of a map (its key and path) or list (empty key).
-    void each(const char* key, bool map,
-              const std::function<void(const YAML::Node&, const std::string& key, const std::string& path)>&
-                  read) const;
+    /// The entries of a list.
+    [[nodiscard]] std::vector<YamlPlace> list(std::string_view key) const;
 
-    void fail(const char* key, const std::string& text) const;
-    [[nodiscard]] std::string pathOf(std::string_view key) const;
+    /// Tells that @p key is wrong; false.
+    bool fail(std::string_view key, const std::string& text) const;
 
 private:
-    YAML::Node m_node;
+    void readEntries(const YamlPlace& place);
+    [[nodiscard]] std::string pathOf(std::string_view key) const;
+    /// Which of @p words stands there; their number when @p key is missing, and more when it is wrong.
+    [[nodiscard]] std::size_t word(std::string_view key, const std::vector<std::string>& words) const;
+
+    std::map<std::string, YamlPlace, std::less<>> m_entries;
     std::string m_path;
+    int m_line;
     YamlErrors* m_errors;
 };
+
+/// The number that @p node holds, when it is a finite one.
+[[nodiscard]] bool isNumber(const YAML::Node& node, double& value);
+/// Letters, digits and _, a letter first, 1 to 64 of them: names of robots, sensors, modes, actions.
+[[nodiscard]] bool isName(std::string_view text);
 
 }  // namespace leitstand::detail

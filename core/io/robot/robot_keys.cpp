@@ -1,0 +1,25 @@
+#include "core/io/robot/robot_keys.h"
+
+#include <span>
+
+namespace leitstand::detail {
+
+std::vector<std::string> allRobotKeys() {
+    std::vector<std::string> all;
+    const auto add = [&all](const std::string& path, std::span<const std::string_view> keys) {
+        for (const std::string_view key : keys) all.push_back(path + std::string(key));
+    };
+    add("", RobotKeys);
+    add("frames.", FrameKeys);
+    add("limits.", LimitKeys);
+    add("sensors.NAME.", SensorKeys);
+    add("streams[].", StreamKeys);
+    add("streams[].qos.", QosKeys);
+    add("streams[].thermal.", ThermalKeys);
+    all.emplace_back("sensors.NAME");
+    all.emplace_back("bindings.ACTION");
+    all.emplace_back("link_loss.MODE");
+    return all;
+}
+
+}  // namespace leitstand::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leitstand::detail {
+
+// The keys of robot files, map by map; docs/robots.md tells what they mean.
+inline constexpr std::string_view RobotKeys[] = {"letter",  "name",      "title",    "drive",
+                                                 "frames",  "footprint", "height",   "limits",
+                                                 "sensors", "streams",   "bindings", "link_loss"};
+inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
+inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate"};
+inline constexpr std::string_view SensorKeys[] = {"frame", "position", "rotation"};
+inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",  "qos",
+                                                  "stamp", "thermal", "hardware_id", "record"};
+inline constexpr std::string_view QosKeys[] = {"reliability", "durability", "depth", "lifespan", "deadline"};
+inline constexpr std::string_view ThermalKeys[] = {"scale", "offset", "measured"};
+
+/// Every key with the way to it: "name", "frames.base", "sensors.NAME.frame", "streams[].qos.depth".
+[[nodiscard]] std::vector<std::string> allRobotKeys();
+
+}  // namespace leitstand::detail

@@ -1,0 +1,188 @@
+#include "core/io/robot/stream_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/io/robot/robot_keys.h"
+#include "core/io/robot/robot_words.h"
+#include "core/robot/stream_defaults.h"
+#include "core/robot/stream_types.h"
+
+namespace leitstand::detail {
+namespace {
+
+constexpr double LongestTime = 86'400.0;  ///< [s]
+constexpr int DeepestHistory = 100'000;
+constexpr std::size_t LongestTopic = 240;  ///< [B]; DDS has 255 with its own prefix
+
+/// "/kurt3d/left/image": words of letters, digits and _ that begin with no digit.
+bool isTopic(std::string_view text) {
+    if (text.size() < 2 || text.size() > LongestTopic || text.front() != '/' || text.back() == '/')
+        return false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const char before = i == 0 ? 'x' : text[i - 1];
+        if (c >= 0x80 || (std::isalnum(c) == 0 && c != '_' && c != '/')) return false;
+        if (before == '/' && (c == '/' || std::isdigit(c) != 0)) return false;
+        if (before == '_' && c == '_') return false;  // ROS 2 keeps that to itself
+    }
+    return true;
+}
+
+/// Whether a robot has at most one stream of @p role: which one would be obeyed, or believed?
+bool isSingle(StreamRole role) {
+    switch (role) {
+        case StreamRole::Odometry:
+        case StreamRole::Mode:
+        case StreamRole::Bumps:
+        case StreamRole::Sightings:
+        case StreamRole::StopState:
+        case StreamRole::Pong:
+            return true;
+        default:
+            return isCommand(role);
+    }
+}
+
+class StreamReader {
+public:
+    StreamReader(RobotDescription& robot, YamlErrors& errors) : m_robot(robot), m_errors(errors) {
+        for (const auto& sensor : robot.sensors) m_sensors.push_back(sensor.first);
+    }
+
+    void read(const YamlPlace& place) {
+        const YamlFields fields(place, StreamKeys, m_errors);
+        if (!place.value.IsMap()) return;
+        StreamRole role = StreamRole::Points;
+        if (!fields.has("role")) {
+            fields.fail("role", "expected what the topic carries, such as points, found nothing");
+            return;
+        }
+        if (!fields.choice("role", role, roleWords())) return;
+        std::string sensor;
+        readSensor(fields, role, sensor);
+        // A robot whose name was refused has topics all the same.
+        StreamDescription stream =
+            defaultStream(role, m_robot.name.empty() ? "robot" : m_robot.name, sensor, m_robot.tfPrefix);
+        readType(fields, stream);
+        readTopic(fields, stream);
+        if (fields.has("qos")) readQos(fields.at("qos"), stream);
+        readSpecials(fields, stream);
+        fields.flag("record", stream.record);
+        if (isSingle(role)) once(fields, m_roles, toString(role), "role", "one stream of this role");
+        once(fields, m_topics, stream.topic, "topic", "a topic of its own");
+        m_robot.streams.push_back(std::move(stream));
+    }
+
+private:
+    using Lines = std::map<std::string, int>;
+
+    void once(const YamlFields& fields, Lines& lines, const std::string& what, const char* key,
+              const char* expected) {
+        const int line = fields.at(key).line;
+        const auto [first, added] = lines.emplace(what, line);
+        if (!added)
+            fields.fail(key, fmt::format("expected {}, found {} of line {} again", expected, shown(what),
+                                         first->second));
+    }
+
+    void readSensor(const YamlFields& fields, StreamRole role, std::string& sensor) {
+        if (!fields.text("sensor", sensor)) return;
+        if (!fields.has("sensor")) {
+            if (belongsToCamera(role))
+                fields.fail("sensor",
+                            "expected the camera that it belongs to, a name under sensors, found "
+                            "nothing");
+        } else if (!m_robot.sensors.contains(sensor)) {
+            fields.fail("sensor", fmt::format("expected {}, found {}{}",
+                                              m_sensors.empty() ? "a name under sensors, which has none"
+                                                                : anyOf(m_sensors) + " (under sensors)",
+                                              shown(sensor), likely(sensor, m_sensors)));
+        }
+    }
+
+    static void readType(const YamlFields& fields, StreamDescription& stream) {
+        const auto types = typesOf(stream.role);
+        std::string type = stream.type;
+        if (!fields.text("type", type)) return;
+        if (std::find(types.begin(), types.end(), type) == types.end()) {
+            const std::vector<std::string> known(types.begin(), types.end());
+            fields.fail("type", fmt::format("expected {} for {}, found {}{}", anyOf(known),
+                                            toString(stream.role), shown(type), likely(type, known)));
+            return;
+        }
+        stream.type = type;
+        // Raw pictures are not on topics called "compressed".
+        const std::string ending = "/compressed";
+        if (type == "sensor_msgs/msg/Image" && stream.topic.ends_with(ending))
+            stream.topic.resize(stream.topic.size() - ending.size());
+    }
+
+    void readTopic(const YamlFields& fields, StreamDescription& stream) const {
+        std::string topic = stream.topic;
+        if (!fields.has("topic") || !fields.text("topic", topic)) return;
+        if (!isTopic(topic)) {
+            fields.fail(
+                "topic",
+                "expected a topic such as /kurt3d/odom (words of letters, digits and _ that begin with "
+                "no digit), found " +
+                    shown(topic));
+        } else if (topic.starts_with("/leitstand/")) {
+            fields.fail("topic", "expected a topic of the robot, found one of the stations: " + shown(topic));
+        } else {
+            stream.topic = topic;
+        }
+    }
+
+    void readQos(const YamlPlace& place, StreamDescription& stream) {
+        const YamlFields fields(place, QosKeys, m_errors);
+        fields.choice("reliability", stream.qos.reliability, reliabilityWords());
+        fields.choice("durability", stream.qos.durability, durabilityWords());
+        fields.count("depth", stream.qos.depth, 0, DeepestHistory);
+        fields.number("lifespan", stream.qos.lifespan, 0.0, LongestTime, " s");
+        fields.number("deadline", stream.qos.deadline, 0.0, LongestTime, " s");
+        if (stream.role == StreamRole::StopCommand && stream.qos.lifespan > 0.0)
+            fields.fail("lifespan", fmt::format("expected 0, since a stop never grows old, found \"{}\"",
+                                                stream.qos.lifespan));
+    }
+
+    void readSpecials(const YamlFields& fields, StreamDescription& stream) {
+        const auto only = [&](const char* key, bool fits, const char* where) {
+            if (fields.has(key) && !fits)
+                fields.fail(key, fmt::format("expected it {}, found it for {} of type {}", where,
+                                             toString(stream.role), stream.type));
+            return fields.has(key) && fits;
+        };
+        if (only("stamp", isCommand(stream.role) && stream.type != "geometry_msgs/msg/Twist",
+                 "only for commands that have a stamp"))
+            fields.choice("stamp", stream.stamp, stampWords());
+        if (only("hardware_id", stream.role == StreamRole::Diagnostics, "only for diagnostics"))
+            fields.text("hardware_id", stream.hardwareId, true);
+        if (!only("thermal", stream.role == StreamRole::Thermal, "only for thermal")) return;
+        const YamlFields thermal(fields.at("thermal"), ThermalKeys, m_errors);
+        thermal.number("scale", stream.thermal.scale, 1e-6, 100.0, " K");
+        thermal.number("offset", stream.thermal.offset, -1000.0, 1000.0, " K");
+        thermal.flag("measured", stream.thermal.measured);
+    }
+
+    RobotDescription& m_robot;
+    YamlErrors& m_errors;
+    std::vector<std::string> m_sensors;
+    Lines m_topics, m_roles;
+};
+
+}  // namespace
+
+void readStreams(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    if (!fields.has("streams")) {
+        fields.fail("streams", "expected a list of topics, found nothing");
+        return;
+    }
+    StreamReader reader(robot, errors);
+    for (const YamlPlace& place : fields.list("streams")) reader.read(place);
+}
+
+}  // namespace leitstand::detail
