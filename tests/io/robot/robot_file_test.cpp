@@ -7,7 +7,6 @@
 #include "core/io/robot/robot_file.h"
 #include "core/robot/stream_defaults.h"
 #include "core/robot/stream_types.h"
-#include "core/robot/team.h"
 #include "tests/io/robot/robot_texts.h"
 #include "tests/support/temporary_folder.h"
 
@@ -107,18 +106,6 @@ TEST_P(ShippedRobot, IsReadAndWrittenWithoutALoss) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedRobot, testing::Values("kurt3d", "crawler", "turtlebot"));
-
-TEST(ShippedRobots, WorkTogether) {
-    std::vector<RobotDescription> team;
-    for (const auto& entry : std::filesystem::directory_iterator(ShippedRobots)) {
-        auto robot = readRobot(entry.path());
-        ASSERT_TRUE(robot.ok()) << robot.error().text;
-        team.push_back(std::move(robot).value());
-    }
-    ASSERT_EQ(team.size(), 3u);
-    const auto together = checkTeam(team);
-    EXPECT_TRUE(together.ok()) << together.error().text;
-}
 
 TEST(ShippedRobots, SayWhatDesignSays) {
     const auto robot = readRobot(ShippedRobots / "kurt3d.yaml");
