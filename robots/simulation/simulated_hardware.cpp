@@ -116,8 +116,8 @@ void addOmni(FitOut& fit, bool draw) {
     if (!draw) return;
     CameraSettings settings;
     settings.model = omnidirectionalCamera();
-    settings.rate = 8.0;
-    settings.quality = 60;
+    settings.rate = 6.0;
+    settings.quality = 55;
     settings.seesRobot = true;
     settings.sensor = place.key;
     settings.frame = place.frame;

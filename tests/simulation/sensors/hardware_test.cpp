@@ -72,7 +72,7 @@ TEST(Hardware, HoldsTheRatesOfTheDesign) {
     };
     const std::map<Key, double> ofCrawler = {
         {{StreamRole::Ranges, "laser"}, 10}, {{StreamRole::Odometry, ""}, 20},
-        {{StreamRole::Imu, "imu"}, 20},      {{StreamRole::Picture, "omni"}, 8},
+        {{StreamRole::Imu, "imu"}, 20},      {{StreamRole::Picture, "omni"}, 6},
         {{StreamRole::Battery, ""}, 1},      {{StreamRole::Transforms, ""}, 20},
     };
     for (const bool first : {true, false}) {
@@ -109,6 +109,30 @@ TEST(Hardware, SendsSamplesThatTheWireTakes) {
             roles.insert(sample.role);
         }
         EXPECT_GE(roles.size(), robot.description.letter == "K" ? 13U : 9U);
+    }
+}
+
+TEST(Hardware, KeepsWithinTheBudgetOfTheLink) {
+    // design, section 4: bits a second of each stream on a link of 10 Mbit/s
+    const std::map<std::string, double> budget = {
+        {"scanner", 2.25e6}, {"left", 0.7e6}, {"right", 0.7e6}, {"ir", 1.2e6}, {"omni", 0.6e6}};
+    for (const bool first : {true, false}) {
+        Robot robot = first ? kurt3d() : crawler();
+        std::map<std::string, double> bits;
+        double telemetry = 0.0;
+        for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 3s)) {
+            const StreamDescription* stream = robot.description.stream(sample.role, sample.sensor);
+            ASSERT_NE(stream, nullptr);
+            const double size = 8.0 * double((*encode(sample.sample, stream->type))->size()) / 3.0;
+            (budget.contains(sample.sensor) && sample.role != StreamRole::CameraInfo ? bits[sample.sensor]
+                                                                                     : telemetry) += size;
+        }
+        for (const auto& [sensor, rate] : bits) {
+            EXPECT_LT(rate, budget.at(sensor)) << sensor;
+            std::printf("%s %.2f Mbit/s\n", sensor.c_str(), rate / 1e6);
+        }
+        EXPECT_LT(telemetry, 0.6e6);
+        std::printf("telemetry %.2f Mbit/s\n", telemetry / 1e6);
     }
 }
 

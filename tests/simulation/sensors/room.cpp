@@ -1,14 +1,13 @@
 #include "tests/simulation/sensors/room.h"
 
 #include "robots/simulation/sensors/sensor_place.h"
-#include "robots/simulation/sensors/state/gas_sensor.h"
 
 namespace leitstand::simulation::test {
 
 RoomBuilder::RoomBuilder() {
     m_arena.name = "room";
-    m_arena.from = {-10, -10};
-    m_arena.to = {10, 10};
+    m_arena.from = {-3, -3};
+    m_arena.to = {3, 3};
 }
 
 int RoomBuilder::surface(Material material, Label label, double celsius) {
@@ -45,6 +44,8 @@ void RoomBuilder::box(int surface, const Eigen::Vector3d& from, const Eigen::Vec
 }
 
 void RoomBuilder::walls(double x, double y, double height) {
+    m_arena.from = {-x, -y};
+    m_arena.to = {x, y};
     const int floor = surface(Material::Concrete, Label::Floor);
     const int wall = surface(Material::Plaster);
     box(floor, {-x, -y, -0.1}, {x, y, 0.0});
@@ -61,7 +62,7 @@ void RoomBuilder::victim(const Eigen::Vector3d& mouth, double co2) {
     element.size = {1.7, 0.5, 0.3};
     element.victim = VictimTraits{};
     element.victim->co2 = co2;
-    element.pose.translation() = mouth - breathOf(element);
+    element.pose.translation() = mouth - mouthOf(element);
     m_arena.elements.push_back(element);
 }
 

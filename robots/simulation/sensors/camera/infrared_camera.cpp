@@ -74,7 +74,8 @@ void InfraredCamera::render(const Pose& cameraInArena, const CastRays& cast, dou
             m_behindOf[i] < 0 ? nullptr : &m_behindHits[static_cast<std::size_t>(m_behindOf[i])];
         const double kelvin = apparentTemperature(m_hits[i], behind, ambient) +
                               m_settings.noise * double{m_noise.quickNormal()};
-        const double number = std::round((kelvin - m_settings.offset) / m_settings.scale);
+        const double measured = std::round(kelvin / m_settings.step) * m_settings.step;
+        const double number = std::round((measured - m_settings.offset) / m_settings.scale);
         m_pixels[i] = static_cast<std::uint16_t>(std::clamp(number, 0.0, 65535.0));
     }
 }

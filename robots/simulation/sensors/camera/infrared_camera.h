@@ -13,6 +13,7 @@ struct InfraredSettings {
     CameraModel model;
     double rate = 9.0;    ///< own and highest [Hz]
     double noise = 0.1;   ///< deviation of a pixel [K]
+    double step = 0.04;   ///< of its converter; keeps pictures small [K]
     double scale = 0.01;  ///< of the numbers it sends [K]
     double offset = 0.0;  ///< [K]
     std::string sensor, frame;

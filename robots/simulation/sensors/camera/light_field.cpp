@@ -7,15 +7,16 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr float Cell = 0.4F;        ///< [m]
-constexpr float Margin = 1.0F;      ///< around the arena's ground [m]
-constexpr float Height = 2.8F;      ///< [m]
-constexpr int MostCells = 40;       ///< along x and y: wider arenas have wider cells at their edges clamped
-constexpr float LampPower = 0.9F;   ///< light a metre from a lamp
-constexpr float LampReach = 8.0F;   ///< [m]
-constexpr float LampSize2 = 0.15F;  ///< keeps what is very near to a lamp from being white only [m2]
-constexpr float Bounce = 0.30F;     ///< of the hall's light, what a wall gives back
-constexpr float NearBounce = 0.8F;  ///< walls nearer than this are darker [m]
+constexpr float LeastCell = 0.4F;    ///< [m]
+constexpr float Margin = 1.0F;       ///< around the arena's ground [m]
+constexpr float Height = 2.8F;       ///< [m]
+constexpr float MostCells = 40.0F;   ///< along x and y: wider arenas have wider cells
+constexpr float LampPower = 0.9F;    ///< light a metre from a lamp
+constexpr float LampReach = 8.0F;    ///< [m]
+constexpr float LampSize2 = 0.15F;   ///< keeps what is very near to a lamp from being white only [m2]
+constexpr float DirectShare = 0.4F;  ///< of the hall's light, what comes from one side
+constexpr float Bounce = 0.30F;      ///< of the hall's light, what a wall gives back
+constexpr float NearBounce = 0.8F;   ///< walls nearer than this are darker [m]
 
 /// Faces, corners and edges of a cube: where the light of the hall is looked for.
 const std::vector<Eigen::Vector3f>& lookouts() {
@@ -47,13 +48,12 @@ void addLight(Cube& cube, const Eigen::Vector3f& direction, float light) {
 
 LightField::LightField(const Scene& scene) : m_hall(static_cast<float>(scene.arena().light)) {
     const Arena& arena = scene.arena();
-    m_from << arena.from.cast<float>() - Eigen::Vector2f::Constant(Margin), Cell / 2.0F;
     const Eigen::Vector2f size =
-        (arena.to - arena.from).cast<float>() + Eigen::Vector2f::Constant(2.0F * Margin);
-    for (int axis = 0; axis < 2; ++axis) {
-        m_cells[axis] = std::clamp(static_cast<int>(std::ceil(size[axis] / Cell)) + 1, 2, MostCells);
-    }
-    m_cells.z() = static_cast<int>(Height / Cell);
+        (arena.to - arena.from).cast<float>().cwiseMax(0.0F) + Eigen::Vector2f::Constant(2.0F * Margin);
+    m_cell = std::max(LeastCell, size.maxCoeff() / MostCells);
+    m_from << arena.from.cast<float>() - Eigen::Vector2f::Constant(Margin), m_cell / 2.0F;
+    for (int axis = 0; axis < 2; ++axis) m_cells[axis] = static_cast<int>(std::ceil(size[axis] / m_cell)) + 1;
+    m_cells.z() = std::max(2, static_cast<int>(Height / m_cell));
     std::vector<Lamp> lamps;
     for (std::size_t i = 0; i < arena.elements.size(); ++i) {
         const Element& element = arena.elements[i];
@@ -72,7 +72,7 @@ LightField::LightField(const Scene& scene) : m_hall(static_cast<float>(scene.are
 }
 
 Eigen::Vector3f LightField::positionOf(const Eigen::Vector3i& cell) const {
-    return m_from + Cell * cell.cast<float>();
+    return m_from + m_cell * cell.cast<float>();
 }
 
 const LightField::Cube& LightField::cubeAt(const Eigen::Vector3i& cell) const {
@@ -92,7 +92,7 @@ LightField::Cube LightField::measure(const Scene& scene, const Eigen::Vector3f& 
         const float sky = up > -0.1F ? 0.45F + 0.75F * std::max(0.0F, up) : Bounce;
         const float light =
             hits[i].there() ? Bounce * std::min(1.0F, 0.4F + hits[i].distance / NearBounce) : sky;
-        addLight(cube, directions[i], light * m_hall);
+        addLight(cube, directions[i], (1.0F - DirectShare) * light * m_hall);
         addLight(whole, directions[i], 1.0F);
     }
     for (std::size_t face = 0; face < cube.size(); ++face) cube[face] /= whole[face];
@@ -107,9 +107,18 @@ LightField::Cube LightField::measure(const Scene& scene, const Eigen::Vector3f& 
     return cube;
 }
 
+const Eigen::Vector3f& LightField::towardsHall() {
+    static const Eigen::Vector3f direction = Eigen::Vector3f(0.45F, 0.30F, 0.84F).normalized();
+    return direction;
+}
+
+float LightField::direct(const Eigen::Vector3f& normal) const {
+    return DirectShare * 1.3F * m_hall * std::max(0.0F, normal.dot(towardsHall()));
+}
+
 float LightField::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const {
     // Cells behind the surface do not count, so that no light leaks through walls.
-    const Eigen::Vector3f place = (point + 0.15F * normal - m_from) / Cell;
+    const Eigen::Vector3f place = (point + 0.15F * normal - m_from) / m_cell;
     Eigen::Vector3i low;
     Eigen::Vector3f share;
     for (int axis = 0; axis < 3; ++axis) {

@@ -17,7 +17,11 @@ class LightField {
 public:
     explicit LightField(const Scene& scene);
 
-    /// Light that falls on a surface there; 1: a white wall in a bright hall.
+    /// Where the part of the hall's light comes from that throws shadows; unit length.
+    [[nodiscard]] static const Eigen::Vector3f& towardsHall();
+    /// How much of that falls on a surface which nothing shades.
+    [[nodiscard]] float direct(const Eigen::Vector3f& normal) const;
+    /// Other light that falls on a surface there; with direct(), 1 is a white wall in a bright hall.
     [[nodiscard]] float at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
     /// What is seen along a ray that leaves the arena: red, green, blue.
     [[nodiscard]] Eigen::Vector3f outside(const Eigen::Vector3f& direction) const;
@@ -33,6 +37,7 @@ private:
     [[nodiscard]] Cube measure(const Scene& scene, const Eigen::Vector3f& position,
                                const std::vector<Lamp>& lamps) const;
 
+    float m_cell = 0.0F;  ///< edge of a cell [m]
     Eigen::Vector3f m_from;
     Eigen::Vector3i m_cells;
     float m_hall = 1.0F;  ///< light of the hall

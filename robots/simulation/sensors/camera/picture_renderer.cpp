@@ -9,6 +9,9 @@ namespace {
 
 constexpr float Nearest = 0.02F;  ///< [m]
 constexpr double Gamma = 2.2;
+constexpr std::size_t ShadowStep = 2;  ///< one ray for so many pixels of a row
+constexpr float ShadowGap = 0.004F;    ///< above what is shaded [m]
+constexpr float ShadowReach = 6.0F;    ///< [m]
 
 /// Light of colours as they are written down, 0 to 255.
 const std::array<float, 256>& linearOf() {
@@ -59,12 +62,17 @@ Eigen::Vector3f sampled(const Texture& texture, const Eigen::Vector2f& uv) {
            down * ((1.0F - right) * pixel(0, 1) + right * pixel(1, 1));
 }
 
-Eigen::Vector3f lightOf(const Hit& hit, const Ray& ray, const LightField& light) {
+Eigen::Vector3f pointOf(const Hit& hit, const Ray& ray) {
+    return ray.origin + hit.distance * ray.direction;
+}
+
+/// @p sunny: share of the hall's direct light that arrives.
+Eigen::Vector3f lightOf(const Hit& hit, const Ray& ray, const LightField& light, float sunny) {
     if (!hit.there()) return light.outside(ray.direction);
     const bool painted = hit.texture != nullptr && hit.texture->width > 0 && hit.texture->height > 0;
     const Eigen::Vector3f paint = painted ? sampled(*hit.texture, hit.uv) : linear(hit.surface->colour);
-    const Eigen::Vector3f point = ray.origin + hit.distance * ray.direction;
-    return paint * (light.at(point, hit.normal) + hit.surface->glow);
+    const float around = light.at(pointOf(hit, ray), hit.normal) + sunny * light.direct(hit.normal);
+    return paint * (around + hit.surface->glow);
 }
 
 }  // namespace
@@ -95,6 +103,8 @@ void PictureRenderer::setCamera(const CameraModel& camera) {
     m_pixels.resize(3 * m_directions.size());
     m_rays.resize(static_cast<std::size_t>(camera.width));
     m_hits.resize(static_cast<std::size_t>(camera.width));
+    m_shadowRays.resize((m_rays.size() + ShadowStep - 1) / ShadowStep);
+    m_shadowHits.resize(m_shadowRays.size());
     m_vignette.resize(m_directions.size());
     const Eigen::Vector2f middle(static_cast<float>(camera.width - 1) / 2.0F,
                                  static_cast<float>(camera.height - 1) / 2.0F);
@@ -121,12 +131,33 @@ void PictureRenderer::castRow(const Pose& cameraInArena, int row, const CastRays
     cast(m_rays, m_hits);
 }
 
+void PictureRenderer::castShadows(const CastRays& cast) {
+    const Eigen::Vector3f& hall = LightField::towardsHall();
+    for (std::size_t i = 0; i < m_shadowRays.size(); ++i) {
+        const Hit& hit = m_hits[ShadowStep * i];
+        const bool lit = hit.there() && hit.normal.dot(hall) > 0.0F;
+        m_shadowRays[i] = {
+            lit ? Eigen::Vector3f(pointOf(hit, m_rays[ShadowStep * i]) + ShadowGap * hit.normal)
+                : Eigen::Vector3f(Eigen::Vector3f::Zero()),
+            hall, 0.0F, lit ? ShadowReach : 0.0F};
+    }
+    cast(m_shadowRays, m_shadowHits);
+}
+
+float PictureRenderer::sunnyAt(std::size_t column) const {
+    const std::size_t left = column / ShadowStep, right = std::min(left + 1, m_shadowHits.size() - 1);
+    const float here = m_shadowHits[left].there() ? 0.0F : 1.0F;
+    if (column % ShadowStep == 0) return here;
+    return 0.5F * (here + (m_shadowHits[right].there() ? 0.0F : 1.0F));
+}
+
 const std::vector<std::uint8_t>& PictureRenderer::render(const Pose& cameraInArena, const CastRays& cast,
                                                          const LightField& light) {
     double sum = 0.0;
     std::size_t seen = 0;
     for (int row = 0; row < m_camera.height; ++row) {
         castRow(cameraInArena, row, cast);
+        castShadows(cast);
         const std::size_t first = static_cast<std::size_t>(row) * m_rays.size();
         for (std::size_t i = 0; i < m_rays.size(); ++i) {
             Eigen::Vector3f& pixel = m_light[first + i];
@@ -134,7 +165,7 @@ const std::vector<std::uint8_t>& PictureRenderer::render(const Pose& cameraInAre
                 pixel.setZero();
                 continue;
             }
-            pixel = m_vignette[first + i] * lightOf(m_hits[i], m_rays[i], light);
+            pixel = m_vignette[first + i] * lightOf(m_hits[i], m_rays[i], light, sunnyAt(i));
             sum += std::min(1.0, double{pixel.y()});  // lamps do not close the iris
             ++seen;
         }
@@ -150,7 +181,7 @@ const std::vector<std::uint8_t>& PictureRenderer::render(const Pose& cameraInAre
 void PictureRenderer::develop() {
     const float noise = m_settings.noise * std::sqrt(m_gain);
     for (std::size_t i = 0; i < m_light.size(); ++i) {
-        const float grain = noise * m_noise.quickNormal();
+        const float grain = m_directions[i].isZero() ? 0.0F : noise * m_noise.quickNormal();
         for (int channel = 0; channel < 3; ++channel) {
             const float light = m_gain * m_light[i][channel];
             m_pixels[3 * i + static_cast<std::size_t>(2 - channel)] = encoded(light + grain * (0.3F + light));

@@ -24,8 +24,8 @@ struct ExposureSettings {
     float noise = 0.006F;      ///< deviation of a pixel at gain 1, of 1
 };
 
-/// Draws what a camera sees: one ray a pixel, textures, light of the hall and of lamps, gain control, darker
-/// corners and noise.
+/// Draws what a camera sees: one ray a pixel, and one for the shadow of two; textures, light of the hall and
+/// of lamps, gain control, darker corners and noise.
 class PictureRenderer {
 public:
     PictureRenderer(const CameraModel& camera, const Noise& noise, const ExposureSettings& settings = {});
@@ -41,6 +41,8 @@ public:
 
 private:
     void castRow(const Pose& cameraInArena, int row, const CastRays& cast);
+    void castShadows(const CastRays& cast);
+    [[nodiscard]] float sunnyAt(std::size_t column) const;  ///< of the row that was cast
     void develop();
 
     CameraModel m_camera;
@@ -52,6 +54,8 @@ private:
     std::vector<Eigen::Vector3f> m_light;  ///< of each pixel: red, green, blue, linear
     std::vector<Ray> m_rays;               ///< of a row
     std::vector<Hit> m_hits;
+    std::vector<Ray> m_shadowRays;
+    std::vector<Hit> m_shadowHits;
     std::vector<std::uint8_t> m_pixels;
 };
 

@@ -22,11 +22,6 @@ double plumeShare(const GasSettings& settings, double distance, bool inSight) {
     return (inSight ? 1.0 : settings.aroundCorners) / (1.0 + thinned * thinned);
 }
 
-Eigen::Vector3d breathOf(const Element& victim) {
-    // A manikin lies along x with its head at the end of x.
-    return victim.pose * Eigen::Vector3d(0.42 * victim.size.x(), 0.0, 0.6 * victim.size.z());
-}
-
 GasSensor::GasSensor(const GasSettings& settings, const Noise& noise, Time start)
     : m_settings(settings),
       m_noise(noise),
@@ -38,7 +33,7 @@ double GasSensor::concentration(const World& world, int robot, const Eigen::Vect
     double ppm = m_settings.base;
     for (const Element& element : world.arena().elements) {
         if (!element.victim || !(element.victim->co2 > 0.0)) continue;
-        const Eigen::Vector3d mouth = breathOf(element);
+        const Eigen::Vector3d mouth = mouthOf(element);
         const double distance = (mouth - position).norm();
         if (distance > m_settings.plumeReach || !(distance > 0.0)) continue;
         Ray ray;

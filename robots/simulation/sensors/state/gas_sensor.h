@@ -38,9 +38,6 @@ private:
 /// Share of a breath's concentration at @p distance from the mouth.
 [[nodiscard]] double plumeShare(const GasSettings& settings, double distance, bool inSight);
 
-/// Where a victim breathes, in the arena's frame.
-[[nodiscard]] Eigen::Vector3d breathOf(const Element& victim);
-
 /// CO2 around a robot: breath of victims on top of the air's.
 class GasSensor final : public Sensor {
 public:
