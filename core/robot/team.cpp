@@ -57,7 +57,9 @@ Result<void> checkTeam(std::span<const RobotDescription> robots) {
             if (a.name == b.name) {
                 clashes +=
                     fmt::format("two robots are named {}: expected a name of its own for each\n", a.name);
-            } else if (a.letter == b.letter) {
+                continue;  // their topics are the same for that reason
+            }
+            if (a.letter == b.letter) {
                 clashes +=
                     fmt::format("{} and {} both have the letter {}: expected one of its own for each\n",
                                 a.name, b.name, a.letter);

@@ -30,8 +30,9 @@ TEST(Team, WorksWhenNothingIsShared) {
 }
 
 TEST(Team, TellsNamesAndLettersThatAreThereTwice) {
-    EXPECT_EQ(clashesOf(robotWith("a", "A"), robotWith("a", "B")),
-              "two robots are named a: expected a name of its own for each");
+    EXPECT_EQ(clashesOf(robotWith("a", "A", {StreamRole::Points}), robotWith("a", "B", {StreamRole::Points})),
+              "two robots are named a: expected a name of its own for each")
+        << "and nothing of the topics";
     EXPECT_EQ(clashesOf(robotWith("a", "A"), robotWith("b", "A")),
               "a and b both have the letter A: expected one of its own for each");
 }
