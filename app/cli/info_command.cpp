@@ -34,6 +34,16 @@ std::string dateOf(Time time) {
     return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(seconds));
 }
 
+/// Messages in all sessions; pictures that a slow disk cost have sequences, but are none.
+std::uint64_t eventsOf(const BagReader& bag) {
+    std::uint64_t events = 0;
+    for (const BagSession& session : bag.sessions()) {
+        const auto range = session.lastSequence == 0 ? 0 : session.lastSequence - session.firstSequence + 1;
+        events += session.messages.value_or(range);
+    }
+    return events;
+}
+
 std::string infoJson(const BagReader& bag, const std::vector<RobotDescription>& robots,
                      const std::vector<std::string>& problems) {
     using Json = nlohmann::ordered_json;
@@ -54,9 +64,9 @@ std::string infoJson(const BagReader& bag, const std::vector<RobotDescription>& 
                           {"definition", !topic.info.definition.empty()}});
     }
     for (const RobotDescription& robot : robots) names.push_back(robot.name);
-    return Json{{"events", bag.lastSequence()}, {"seconds", secondsBetween(bag.first(), bag.last())},
-                {"ours", bag.ours()},           {"robots", names},
-                {"sessions", sessions},         {"topics", topics},
+    return Json{{"events", eventsOf(bag)}, {"seconds", secondsBetween(bag.first(), bag.last())},
+                {"ours", bag.ours()},      {"robots", names},
+                {"sessions", sessions},    {"topics", topics},
                 {"problems", problems}}
         .dump(2);
 }
@@ -66,7 +76,7 @@ std::string infoText(const BagReader& bag, const std::vector<RobotDescription>& 
     std::string text = bag.lastSequence() == 0
                            ? std::string("no events\n")
                            : fmt::format("{} to {}, {:.1f} s, {} events\n", dateOf(bag.first()),
-                                         dateOf(bag.last()), seconds, bag.lastSequence());
+                                         dateOf(bag.last()), seconds, eventsOf(bag));
     for (const RobotDescription& robot : robots)
         text += fmt::format("robot {} {}\n", robot.letter, robot.name);
     for (const BagSession& session : bag.sessions()) {

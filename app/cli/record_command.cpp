@@ -49,8 +49,11 @@ std::string recordJson(const RecorderStatus& status) {
                           {"reconnects", link.reconnects},
                           {"megabits_per_second", link.megabitsPerSecond}});
     }
-    return nlohmann::ordered_json{
-        {"events", status.log.events}, {"bytes", status.log.bytes}, {"robots", robots}, {"topics", topics}}
+    return nlohmann::ordered_json{{"events", status.log.events},
+                                  {"bytes", status.log.bytes},
+                                  {"lost", status.log.lost},
+                                  {"robots", robots},
+                                  {"topics", topics}}
         .dump(2);
 }
 
@@ -68,6 +71,10 @@ std::string recordTable(const RecorderStatus& status) {
 
 void showStatus(ProgressLine& line, const RecorderStatus& status) {
     const double minutes = status.log.minutesLeft;
+    if (!status.log.problem.empty()) {
+        line.show("NOTHING CAN BE WRITTEN: " + status.log.problem);
+        return;
+    }
     const std::string left = minutes < 6000.0 ? fmt::format(", disk lasts {:.0f} min", minutes) : "";
     std::string robots;
     for (const LinkStatus& link : status.links) {
@@ -121,8 +128,10 @@ int runRecord(const RecordOptions& options) {
     const std::stop_token stop = interrupt.token();
     while (
         !ended.wait_for(lock, stop, std::chrono::milliseconds(500), [&] { return stop.stop_requested(); })) {
+        const RecorderStatus now =
+            (*recorder)->status();  // not while printing: who tells may hold what it locks
         const std::lock_guard quiet(printing);
-        showStatus(line, (*recorder)->status());
+        showStatus(line, now);
     }
     RecorderStatus status = (*recorder)->status();
     const auto stopped = (*recorder)->stop();
@@ -134,7 +143,11 @@ int runRecord(const RecordOptions& options) {
                                    topic, errors.count, errors.last));
     }
     if (!stopped) complain(line, stopped.error().text);
-    return stopped ? 0 : 1;
+    if (status.log.lost > 0) {
+        complain(line, fmt::format("{} events other than pictures are lost: the disk did not keep up",
+                                   status.log.lost));
+    }
+    return stopped && status.log.lost == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -21,6 +21,11 @@ void BagHistory::events(std::uint64_t after, std::uint64_t upTo,
     BagQuery query;
     query.fromSequence = after + 1;
     query.toSequence = upTo;
+    // Pictures and clouds that nobody folds need not be read.
+    for (const BagTopic& topic : m_bag.topics()) {
+        if (m_decoder.knows(topic.info.name)) query.topics.push_back(topic.info.name);
+    }
+    if (query.topics.empty()) return;
     BagCursor cursor = m_bag.read(query);
     while (const auto raw = cursor.next()) m_decoder.decode(*raw, take);
 }

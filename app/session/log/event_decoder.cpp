@@ -16,6 +16,10 @@ EventDecoder::EventDecoder(std::vector<RobotDescription> robots) : m_robots(std:
     }
 }
 
+bool EventDecoder::knows(const std::string& topic) const {
+    return topic.starts_with(station_topic::Prefix) || m_listings.contains(topic);
+}
+
 void EventDecoder::complain(const std::string& topic, const std::string& text) {
     DecodingErrors& errors = m_errors[topic];
     ++errors.count;

@@ -26,6 +26,8 @@ public:
     /// Calls @p take for what @p event says: once, not at all when nobody knows the topic or it is broken,
     /// several times on a topic that robots share ("/tf").
     void decode(const RawEvent& event, const std::function<void(const Event&)>& take);
+    /// Whether decode() may have something to say of @p topic.
+    [[nodiscard]] bool knows(const std::string& topic) const;
     /// What was broken so far, by topic.
     [[nodiscard]] const std::map<std::string, DecodingErrors>& errors() const { return m_errors; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }

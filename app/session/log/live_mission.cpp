@@ -1,7 +1,8 @@
 #include "app/session/log/live_mission.h"
 
+#include <atomic>
+#include <map>
 #include <mutex>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,42 +25,89 @@ bool isPicture(const std::string& type) {
     return type == "sensor_msgs/msg/Image" || type == "sensor_msgs/msg/CompressedImage";
 }
 
+/// The folder's own name, also where its path ends with a slash.
+std::string nameOf(const std::filesystem::path& folder) {
+    const auto whole = std::filesystem::absolute(folder).lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+/// The key of an alarm in the mission's state.
+std::string keyOf(BagAlarm::Kind kind) {
+    switch (kind) {
+        case BagAlarm::Kind::DiskFilling:
+            return "disk_filling";
+        case BagAlarm::Kind::DiskSlow:
+            return "disk_slow";
+        case BagAlarm::Kind::DiskFull:
+            return "disk_full";
+        case BagAlarm::Kind::EventsLost:
+            return "events_lost";
+        case BagAlarm::Kind::Failed:
+            return "log_failed";
+    }
+    return {};
+}
+
 Qos stationQos() {
     return {
         .reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal, .depth = 0};
 }
 
-/// The state at the end of the earlier sessions of @p folder.
-MissionState earlierState(const std::filesystem::path& folder, EventDecoder& decoder) {
+/// The state at the end of the earlier sessions of @p folder; what of them cannot be read goes to @p tell.
+MissionState earlierState(const std::filesystem::path& folder, EventDecoder& decoder,
+                          const std::function<void(const std::string&)>& tell) {
     const auto bag = BagReader::open(folder);
     if (!bag) return {};
     BagHistory history(**bag, decoder);
-    return stateAt(history, (*bag)->lastSequence());
+    MissionState state = stateAt(history, (*bag)->lastSequence());
+    for (const std::string& problem : (*bag)->problems()) {
+        if (tell) tell(problem);
+    }
+    return state;
 }
 
 }  // namespace
+
+/// Hands the alarms of the disk to the mission, once there is one: the writer's threads begin earlier.
+struct LiveMission::AlarmRelay {
+    std::mutex mutex;
+    State* state = nullptr;
+
+    void raise(const BagAlarm& alarm);
+};
 
 struct LiveMission::State {
     LiveMissionSettings settings;
     EventDecoder decoder;  ///< used by the sequencer's thread alone
     Fold fold;             ///< likewise
+    std::shared_ptr<AlarmRelay> relay;
     std::unique_ptr<BagWriter> bag;
     mutable std::mutex mutex;                      ///< of the next three
-    std::set<std::string> announced;               ///< topics
+    std::map<std::string, bool> announced;         ///< topics; whether they carry pictures
     MissionStatePtr snapshot;                      ///< newest state
     std::map<std::string, DecodingErrors> broken;  ///< of the decoder
-    bool closed = false;
-    std::unique_ptr<Sequencer> sequencer;  ///< last: ends first
+    std::atomic<bool> ending = false;              ///< the session's end is the next that is said of it
+    std::unique_ptr<Sequencer> sequencer;          ///< last: ends first
 
-    State(LiveMissionSettings chosen, MissionState earlier, std::unique_ptr<BagWriter> writer)
+    State(LiveMissionSettings chosen, MissionState earlier, std::shared_ptr<AlarmRelay> alarms,
+          std::unique_ptr<BagWriter> writer)
         : settings(std::move(chosen)),
           decoder(settings.robots),
           fold(std::move(earlier)),
+          relay(std::move(alarms)),
           bag(std::move(writer)) {
         snapshot = fold.snapshot();
         sequencer = std::make_unique<Sequencer>(bag->earlierSequence(),
                                                 [this](const RawEvent& event) { take(event); });
+        const std::lock_guard lock(relay->mutex);
+        relay->state = this;
     }
+    ~State() {
+        const std::lock_guard lock(relay->mutex);
+        relay->state = nullptr;
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
 
     void announce(const std::string& topic, const std::string& type, const Qos& qos);
     void take(const RawEvent& event);
@@ -69,10 +117,9 @@ struct LiveMission::State {
 };
 
 void LiveMission::State::announce(const std::string& topic, const std::string& type, const Qos& qos) {
-    {
-        const std::lock_guard lock(mutex);
-        if (!announced.insert(topic).second) return;
-    }
+    // Locked to the end: who finds the topic announced may write on it at once.
+    const std::lock_guard lock(mutex);
+    if (!announced.emplace(topic, isPicture(type)).second) return;
     TopicInfo info;
     info.name = topic;
     info.type = type;
@@ -88,7 +135,8 @@ void LiveMission::State::announce(const std::string& topic, const std::string& t
 void LiveMission::State::take(const RawEvent& event) {
     bag->write(event);
     decoder.decode(event, [this](const Event& decoded) { fold.add(decoded); });
-    addCheckpoint(event.received, std::chrono::seconds(20));
+    const bool last = ending && event.topic == station_topic::Sessions;
+    addCheckpoint(event.received, std::chrono::seconds(last ? 0 : 20));
     const std::lock_guard lock(mutex);
     snapshot = fold.snapshot();
     if (!decoder.errors().empty()) broken = decoder.errors();
@@ -109,12 +157,27 @@ Result<void> LiveMission::State::say(const Sample& sample, std::string_view topi
     return {};
 }
 
+void LiveMission::AlarmRelay::raise(const BagAlarm& alarm) {
+    const std::lock_guard lock(mutex);
+    if (state == nullptr) return;
+    const bool filling = alarm.kind == BagAlarm::Kind::DiskFilling || alarm.kind == BagAlarm::Kind::DiskSlow;
+    const AlarmSample sample{
+        .stamp = stationTime(),
+        .station = state->settings.station,
+        .robot = {},
+        .key = keyOf(alarm.kind),
+        .severity = filling ? AlarmSample::Severity::Warning : AlarmSample::Severity::Critical,
+        .state = alarm.raised ? AlarmSample::State::Raised : AlarmSample::State::Cleared,
+        .text = alarm.text};
+    (void)state->say(sample, station_topic::Alarms);  // the log has room for it once the disk has
+}
+
 SessionSample LiveMission::State::session(bool start) const {
     return {.stamp = stationTime(),
             .station = settings.station,
             .title = settings.title,
             .start = start,
-            .mission = settings.folder.filename().string(),
+            .mission = nameOf(settings.folder),
             .version = settings.version};
 }
 
@@ -123,14 +186,20 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
     EventDecoder decoder(settings.robots);
     std::error_code ignored;
     MissionState earlier;
-    if (std::filesystem::exists(settings.folder, ignored)) earlier = earlierState(settings.folder, decoder);
-    auto bag =
-        BagWriter::open(settings.folder, {}, [onAlarm = std::move(listener.onAlarm)](const BagAlarm& alarm) {
-            if (onAlarm) onAlarm(alarm.text);
-        });
+    if (std::filesystem::exists(settings.folder, ignored))
+        earlier = earlierState(settings.folder, decoder, listener.onAlarm);
+    BagWriterSettings log;
+    log.alarmMinutes = settings.alarmMinutes;
+    auto relay = std::make_shared<AlarmRelay>();
+    auto bag = BagWriter::open(settings.folder, log,
+                               [relay, onAlarm = std::move(listener.onAlarm)](const BagAlarm& alarm) {
+                                   relay->raise(alarm);
+                                   if (onAlarm) onAlarm(alarm.text);
+                               });
     if (!bag) return bag.error();
     if (const auto kept = keepRobots(settings.folder, settings.robots); !kept) return kept.error();
-    auto state = std::make_unique<State>(settings, std::move(earlier), std::move(bag).value());
+    auto state =
+        std::make_unique<State>(settings, std::move(earlier), std::move(relay), std::move(bag).value());
     if (const auto said = state->say(state->session(true), station_topic::Sessions); !said)
         return said.error();
     return std::unique_ptr<LiveMission>(new LiveMission(std::move(state)));
@@ -162,20 +231,25 @@ MissionStatePtr LiveMission::state() const {
 LiveMissionStatus LiveMission::status() const {
     const BagWriterStatistics bag = m_state->bag->statistics();
     const std::lock_guard lock(m_state->mutex);
+    std::uint64_t lost = 0;
+    for (const auto& [topic, count] : bag.dropped) {
+        const auto known = m_state->announced.find(topic);
+        if (known == m_state->announced.end() || !known->second) lost += count;
+    }
     return {.events = bag.writtenEvents,
             .bytes = bag.writtenBytes,
             .bytesPerSecond = bag.bytesPerSecond,
             .minutesLeft = bag.minutesLeft,
             .dropped = bag.dropped,
             .broken = m_state->broken,
+            .lost = lost,
             .problem = bag.problem};
 }
 
 Result<void> LiveMission::close() {
-    if (std::exchange(m_state->closed, true)) return {};
+    if (m_state->ending.exchange(true)) return {};
     const auto said = m_state->say(m_state->session(false), station_topic::Sessions);
-    m_state->sequencer->drain();
-    m_state->addCheckpoint(stationTime(), std::chrono::nanoseconds(0));
+    m_state->sequencer->drain();  // the end of the session, upon which the last checkpoint is said
     m_state->sequencer->drain();
     const auto written = m_state->bag->close();
     return !said ? said : written;

@@ -21,6 +21,7 @@ struct LiveMissionSettings {
     std::string station = "leitstand";     ///< persistent identity
     std::string title = "Leitstand";       ///< of the station, for people
     std::string version;                   ///< of the program
+    double alarmMinutes = 10.0;            ///< an alarm is raised when the disk lasts shorter than this [min]
 };
 
 /// How the log of a mission is doing.
@@ -30,6 +31,7 @@ struct LiveMissionStatus {
     double minutesLeft = 0.0;             ///< until the disk is full; infinite when nothing is written
     std::map<std::string, std::uint64_t> dropped;  ///< events a topic that will never be written
     std::map<std::string, DecodingErrors> broken;  ///< samples a topic that make no sense (kept all the same)
+    std::uint64_t lost = 0;                        ///< of the dropped: events other than pictures
     std::string problem;                           ///< why nothing can be written; empty when all is well
 };
 
@@ -63,6 +65,7 @@ public:
     Result<void> close();
 
 private:
+    struct AlarmRelay;
     struct State;
     explicit LiveMission(std::unique_ptr<State> state);
     std::unique_ptr<State> m_state;

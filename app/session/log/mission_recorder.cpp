@@ -25,14 +25,19 @@ bool isHousekeeping(const std::string& topic) {
     return topic == "/rosout" || topic == "/parameter_events" || topic.find("/_action/") != std::string::npos;
 }
 
+/// Topics of stations that speak of their own log, whose sequences mean nothing in ours.
+bool isOfAnotherLog(const std::string& topic) {
+    return topic == station_topic::Checkpoints || topic == station_topic::Sessions ||
+           topic == station_topic::Undo;
+}
+
 /// What other stations say (a passive recorder has nothing to say but its own sessions).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> StationTopics = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> StationTopics = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim"},
     {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
     {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
     {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
-    {station_topic::Undo, "leitstand_msgs/msg/Undo"},
     {station_topic::Notes, "leitstand_msgs/msg/Note"},
     {station_topic::Alarms, "leitstand_msgs/msg/Alarm"},
 }};
@@ -70,6 +75,15 @@ struct MissionRecorder::State {
     void say(const std::string& text) {
         if (tell) tell(text);
     }
+    /// Says @p text unless something was said about @p key; never while locked, since who is told may ask
+    /// back.
+    void sayOnce(const std::string& key, const std::string& text) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!told.insert(key).second) return;
+        }
+        say(text);
+    }
     void subscribe(const std::string& topic, const std::string& type, const Qos& qos);
     Result<void> watchLinks();
     void subscribeListed();
@@ -89,11 +103,8 @@ void MissionRecorder::State::subscribe(const std::string& topic, const std::stri
                             for (const auto& link : links) link->onSample(sample);
                             mission->receive(std::move(sample.event));
                         });
+    if (!subscription) return sayOnce(topic, subscription.error().text);
     const std::lock_guard lock(mutex);
-    if (!subscription) {
-        if (told.insert(topic).second) say(subscription.error().text);
-        return;
-    }
     subscriptions.emplace(topic, std::pair(type, std::move(subscription).value()));
 }
 
@@ -125,7 +136,8 @@ void MissionRecorder::State::subscribeListed() {
 
 void MissionRecorder::State::subscribeHeard() {
     for (const RemoteEndpoint& endpoint : node->endpoints()) {
-        if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros || isHousekeeping(endpoint.topic))
+        if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros ||
+            isHousekeeping(endpoint.topic) || isOfAnotherLog(endpoint.topic))
             continue;
         subscribe(endpoint.topic, endpoint.type, endpoint.qos);
     }
@@ -140,8 +152,7 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
         }
         if (settings.mission.robots.empty()) subscribeHeard();
         for (const Mismatch& mismatch : node->mismatches()) {
-            const std::lock_guard lock(mutex);
-            if (told.insert(mismatch.text).second) say(mismatch.text);
+            sayOnce(mismatch.text, mismatch.text);
         }
     }
 }

@@ -19,7 +19,8 @@ namespace leitstand {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds Tick(20);  ///< how soon a pause or a cancel is noticed
+constexpr std::chrono::seconds BetweenSessions(1);  ///< the station was off for longer: nobody waits for that
+constexpr std::chrono::milliseconds Tick(20);       ///< how soon a pause or a cancel is noticed
 
 /// A reliable writer suits every reader; what stayed for late comers does so again.
 Qos offered(const TopicInfo& topic) {
@@ -30,6 +31,11 @@ Qos offered(const TopicInfo& topic) {
             .depth = 100};
     if (laneOf(topic.type) == Lane::Large) qos.depth = topic.type.ends_with("Image") ? 10 : 600;
     return qos;
+}
+
+/// Topics that robots share, so that two on it do not disturb each other.
+bool isShared(const std::string& topic) {
+    return topic == "/tf" || topic == "/tf_static" || topic == "/diagnostics";
 }
 
 /// The first live robot whose name is one of @p names; empty when there is none.
@@ -48,8 +54,9 @@ struct MissionReplay::State {
     ReplaySettings settings;
     std::unique_ptr<BagReader> bag;
     std::unique_ptr<Node> node;
-    std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic
+    std::map<std::pair<std::string, std::string>, std::unique_ptr<Publisher>> publishers;  ///< by topic, type
     std::set<std::string> robots, heldBack;
+    std::set<std::string> unnamed;  ///< topics without a robot's name: "/odom"
     ReplayOutcome outcome;
 
     bool waitUntil(Clock::time_point& due, const std::atomic<bool>& paused, const Progress& progress);
@@ -70,6 +77,8 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
             state->heldBack.insert(topic.info.name);
         } else if (const std::string robot = robotOfTopic(topic.info.name); !robot.empty()) {
             state->robots.insert(robot);
+        } else if (!isShared(topic.info.name)) {
+            state->unnamed.insert(topic.info.name);
         }
     }
     auto chosen = nodeSettings(settings.domain, "leitstandctl replay");
@@ -87,6 +96,12 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
             return Error{fmt::format("domain {}: robot {} is there live; replay on another domain (--domain)",
                                      settings.domain.domain, *robot)};
         }
+        for (const RemoteEndpoint& endpoint : state->node->endpoints()) {
+            if (endpoint.kind != RemoteEndpoint::Kind::Writer || !state->unnamed.contains(endpoint.topic))
+                continue;
+            return Error{fmt::format("domain {}: {} is there live; replay on another domain (--domain)",
+                                     settings.domain.domain, endpoint.topic)};
+        }
         std::this_thread::sleep_for(Tick);
     } while (Clock::now() < settled && !progress.cancelled());
     for (const BagTopic& topic : state->bag->topics()) {
@@ -95,8 +110,11 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
                                                  .type = topic.info.type,
                                                  .qos = offered(topic.info),
                                                  .flow = flowOf(topic.info.type)});
-        if (!publisher) return publisher.error();
-        state->publishers.emplace(topic.info.name, std::move(publisher).value());
+        if (!publisher) {  // DDS knows one type a topic
+            state->outcome.problems.push_back(publisher.error().text);
+            continue;
+        }
+        state->publishers.emplace(std::pair(topic.info.name, topic.info.type), std::move(publisher).value());
     }
     return std::unique_ptr<MissionReplay>(new MissionReplay(std::move(state)));
 }
@@ -121,7 +139,7 @@ bool MissionReplay::State::waitUntil(Clock::time_point& due, const std::atomic<b
 }
 
 void MissionReplay::State::publish(const RawEvent& event) {
-    const auto publisher = publishers.find(event.topic);
+    const auto publisher = publishers.find({event.topic, event.type});
     if (publisher == publishers.end()) {
         ++outcome.heldBack;
         return;
@@ -135,17 +153,25 @@ void MissionReplay::State::publish(const RawEvent& event) {
 
 bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progress& progress) {
     BagCursor cursor = bag->read();
-    const auto length = std::chrono::duration<double>(bag->last() - bag->first()).count();
+    const auto events = static_cast<double>(std::max<std::uint64_t>(bag->lastSequence(), 1));
     auto began = Clock::now();
+    Time zero = bag->first(), before = zero;
+    auto session = bag->sessions().begin();
     while (const auto event = cursor.next()) {
-        const double at = std::chrono::duration<double>(event->received - bag->first()).count();
+        while (session != bag->sessions().end() && event->sequence > session->lastSequence) {
+            if (event->received > before + BetweenSessions)
+                zero += event->received - before - BetweenSessions;
+            ++session;
+        }
+        before = event->received;
+        const double at = std::chrono::duration<double>(event->received - zero).count();
         const auto offset =
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(at / settings.rate));
         auto due = began + offset;
         if (!waitUntil(due, paused, progress)) return false;
         began = due - offset;  // pauses move everything on
         publish(*event);
-        progress.done(length > 0.0 ? at / length : 1.0);
+        progress.done(static_cast<double>(event->sequence) / events);
     }
     return true;
 }
@@ -153,7 +179,7 @@ bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progr
 /// What was said last must reach those that listen, as far as they still do.
 void MissionReplay::State::waitForListeners(const Progress& progress) const {
     const auto until = Clock::now() + std::chrono::seconds(30);
-    for (const auto& [topic, publisher] : publishers) {
+    for (const auto& [key, publisher] : publishers) {
         while (!publisher->waitForAcknowledgments(std::chrono::milliseconds(100))) {
             if (progress.cancelled() || Clock::now() > until) return;
         }
@@ -161,8 +187,9 @@ void MissionReplay::State::waitForListeners(const Progress& progress) const {
 }
 
 ReplayOutcome MissionReplay::play(const std::atomic<bool>& paused, const Progress& progress) {
-    m_state->outcome = {};
-    while (m_state->playOnce(paused, progress) && m_state->settings.loop) {
+    // A mission with nothing to say must not be said over and over.
+    while (m_state->playOnce(paused, progress) && m_state->settings.loop && m_state->outcome.published > 0 &&
+           !progress.cancelled()) {
     }
     m_state->waitForListeners(progress);
     ReplayOutcome& outcome = m_state->outcome;

@@ -2,13 +2,35 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand {
 namespace fs = std::filesystem;
+
+namespace {
+
+std::string contentOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// A file of an earlier session stays beside the newer one: robots/earlier/kurt3d-1.yaml.
+Result<void> keepEarlier(const fs::path& file, const std::string& content) {
+    const fs::path folder = file.parent_path() / "earlier";
+    std::error_code problem;
+    fs::create_directories(folder, problem);
+    for (int number = 1;; ++number) {
+        const fs::path kept = folder / fmt::format("{}-{}.yaml", file.stem().string(), number);
+        if (!fs::exists(kept, problem)) return detail::writeWhole(kept, content);
+    }
+}
+
+}  // namespace
 
 Result<void> keepRobots(const fs::path& folder, const std::vector<RobotDescription>& robots) {
     if (robots.empty()) return {};
@@ -16,10 +38,12 @@ Result<void> keepRobots(const fs::path& folder, const std::vector<RobotDescripti
     fs::create_directories(folder / "robots", problem);
     for (const RobotDescription& robot : robots) {
         const fs::path file = folder / "robots" / (robot.name + ".yaml");
-        std::ofstream out(file, std::ios::trunc);
-        out << writeRobot(robot);
-        out.close();
-        if (!out) return Error{file.string() + ": cannot be written"};
+        const std::string text = writeRobot(robot);
+        if (const std::string earlier = contentOf(file); !earlier.empty()) {
+            if (earlier == text) continue;
+            if (const auto kept = keepEarlier(file, earlier); !kept) return kept.error();
+        }
+        if (const auto written = detail::writeWhole(file, text); !written) return written.error();
     }
     return {};
 }
