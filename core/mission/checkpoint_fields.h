@@ -94,11 +94,11 @@ void describe(A& a, DiagnosticsSample& v) {
 }
 template <class A>
 void describe(A& a, StopStateSample& v) {
-    a(v.header, v.number, v.station, v.stopped, v.standing, v.refused);
+    a(v.header, v.number, v.station, v.stops, v.stopped, v.standing, v.refused);
 }
 template <class A>
 void describe(A& a, StopCommandSample& v) {
-    a(v.stamp, v.station, v.number, v.stop);
+    a(v.stamp, v.station, v.number, v.stop, v.releases);
 }
 template <class A>
 void describe(A& a, ClockOffsetSample& v) {

@@ -204,7 +204,7 @@ TEST(Mission, RobotsThatCannotWorkSideBySideAreToldAndNothingIsWritten) {
     const auto unknown =
         leitstandctl({"record", "--out", (folder / "mission").string(), "--robot", "kurt4d"});
     EXPECT_EQ(unknown.exitCode, 1);
-    EXPECT_THAT(unknown.err, HasSubstr("one of crawler, kurt3d, turtlebot"));
+    EXPECT_THAT(unknown.err, HasSubstr("crawler, kurt3d or turtlebot"));
     EXPECT_FALSE(fs::exists(folder / "mission"));
 }
 
