@@ -20,7 +20,8 @@ void addWheel(BodySpec& spec, double x, double y) {
 /// tracks lie between each other's.
 void addChain(BodySpec& spec, double half, double y, double shift) {
     const double flat = half - spec.wheelRadius;
-    for (double x = -flat + shift; x <= flat + 1e-9; x += 0.03) spec.contacts.emplace_back(x, y, 0.0);
+    const int count = static_cast<int>((2.0 * flat - shift) / 0.03 + 1e-9);
+    for (int i = 0; i <= count; ++i) spec.contacts.emplace_back(-flat + shift + 0.03 * i, y, 0.0);
     for (const double share : {0.0, 0.35, 0.6, 0.8, 0.93, 1.0}) {
         const double along = share * spec.wheelRadius;
         const double lift = spec.wheelRadius - std::sqrt(spec.wheelRadius * spec.wheelRadius - along * along);

@@ -26,7 +26,8 @@ std::vector<Sample> samplesOf(const std::vector<Eigen::Vector2d>& outline) {
     const double spine = std::max(0.0, half.x() - half.y());
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Eigen::Vector2d a = outline[i], b = outline[(i + 1) % outline.size()];
+        const Eigen::Vector2d& a = outline[i];
+        const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
         const int count = std::max(1, static_cast<int>(std::ceil((b - a).norm() / Spacing)));
         for (int k = 0; k < count; ++k) {
             const Eigen::Vector2d at = a + (b - a) * k / count;

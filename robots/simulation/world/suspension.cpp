@@ -81,7 +81,7 @@ void Suspension::feel(const Scene& scene, const Pose& pose) {
 Footing Suspension::step(const Scene& scene, Pose& pose, double seconds) {
     feel(scene, pose);
     Pose next = pose;
-    const Footing footing = footingOf(pose, seconds, next);
+    Footing footing = footingOf(pose, seconds, next);
     pose = next;
     return footing;
 }

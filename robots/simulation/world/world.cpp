@@ -41,7 +41,7 @@ struct World::State {
 
     int add(const BodySpec& spec, const Pose& pose, bool ghost) {
         const int body = scene.addBody(spec.shape);
-        const std::uint64_t own = mixed(seed ^ mixed(static_cast<std::uint64_t>(body + 1)));
+        const std::uint64_t own = mixed(seed ^ mixed(static_cast<std::uint64_t>(body)));
         robots.push_back({std::make_unique<Robot>(spec, body, own, pose), ghost, true});
         names.push_back(spec.name);
         return body;
