@@ -118,7 +118,8 @@ TEST(Checkpoint, DamageIsToldByTheChecksumAndOtherVersionsByTheirNumber) {
     bytes[100] ^= std::byte{1};
     EXPECT_THAT(deserialised(bytes).error().text, HasSubstr("checksum"));
     bytes[4] = std::byte{9};
-    EXPECT_THAT(deserialised(bytes).error().text, HasSubstr("expected version " + std::to_string(CheckpointVersion)));
+    EXPECT_THAT(deserialised(bytes).error().text,
+                HasSubstr("expected version " + std::to_string(CheckpointVersion)));
 }
 
 TEST(Checkpoint, IsDueWhenSomethingHappenedAndTimeHasPassed) {
