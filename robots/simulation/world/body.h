@@ -52,8 +52,8 @@ struct BodySpec {
 /// Six wheels of 16 cm, two motors of 90 W, 0.6 m/s (paper, section 2; 45 x 33 cm, 0.56 m high with the
 /// scanner). The scanner's head is a cylinder of 0.09 m about (0, 0, 0.48): rays of its own start inside.
 [[nodiscard]] BodySpec kurt3dBody();
-/// 40 x 26 cm, 7 kg, two chains, motors of 60 W (paper, section 3). Its omnidirectional camera looks up from
-/// (0, 0, 0.28) into a mirror at 0.36 m; its laser sits in a box of 5 cm about (0.14, 0, 0.17).
+/// 40 x 26 cm, 7 kg, two chains, motors of 60 W (paper, section 3). Its laser stands on a box of 5 cm below
+/// (0.14, 0, 0.195), the mirror of its omnidirectional camera above (0, 0, 0.35).
 [[nodiscard]] BodySpec crawlerBody();
 
 }  // namespace leitstand::simulation
