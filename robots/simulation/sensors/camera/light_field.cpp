@@ -123,7 +123,7 @@ float LightField::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal
     Eigen::Vector3f share;
     for (int axis = 0; axis < 3; ++axis) {
         const float most = static_cast<float>(m_cells[axis] - 1);
-        const float inside = std::clamp(place[axis], 0.0F, most);
+        const float inside = place[axis] > 0.0F ? std::min(place[axis], most) : 0.0F;
         low[axis] = std::min(static_cast<int>(inside), m_cells[axis] - 2);
         share[axis] = inside - static_cast<float>(low[axis]);
     }

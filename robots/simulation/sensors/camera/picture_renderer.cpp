@@ -35,7 +35,7 @@ std::uint8_t encoded(float light) {
         }
         return values;
     }();
-    return table[static_cast<std::size_t>(std::clamp(light, 0.0F, 1.0F) * 4096.0F)];
+    return table[light > 0.0F ? static_cast<std::size_t>(std::min(light, 1.0F) * 4096.0F) : 0];
 }
 
 Eigen::Vector3f linear(const Eigen::Vector3f& colour) {
