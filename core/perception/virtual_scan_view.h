@@ -43,6 +43,10 @@ struct VirtualScanView {
     std::vector<VirtualSector> sectors;      ///< from -pi to pi in base_link, counter-clockwise, all alike
     std::vector<VirtualObstacle> obstacles;  ///< every inner point, not thinned to sectors
 
+    /// Sectors that nothing fell into, because the robot moved, get what those beside them have, where that
+    /// is one surface; up to @p widest of them in a row.
+    void closeGaps(int widest = 4);
+
     [[nodiscard]] int sectorOf(double direction) const;  ///< [rad]
     [[nodiscard]] double directionOf(int sector) const;  ///< of its middle [rad]
 

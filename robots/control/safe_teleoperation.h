@@ -10,7 +10,7 @@ namespace leitstand {
 /// How careful safe teleoperation is.
 struct SafeTeleoperationSettings {
     BodyBox body;               ///< of the robot [m]
-    double margin = 0.06;       ///< that stays free around it [m]
+    double margin = 0.05;       ///< that stays free around it [m]
     double deceleration = 1.0;  ///< that it can count on [m/s2]
     double delay = 0.25;        ///< until it begins to brake [s]
     double lookAhead = 2.0;     ///< [m]

@@ -5,8 +5,8 @@ namespace leitstand {
 /// What a speed controller is tuned with.
 struct SpeedControllerSettings {
     double fullSpeed = 0.7;        ///< of the motor without load, at full voltage [m/s]
-    double proportional = 2.0;     ///< voltage (of 1) a m/s of error
-    double integral = 12.0;        ///< voltage a m of error
+    double proportional = 3.0;     ///< voltage (of 1) a m/s of error
+    double integral = 8.0;         ///< voltage a m of error
     double maxAcceleration = 3.0;  ///< of what is asked for [m/s2]
 };
 

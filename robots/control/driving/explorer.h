@@ -14,10 +14,12 @@ namespace leitstand {
 struct ExplorerSettings {
     FloorMemorySettings memory;
     double aimAhead = 0.7;    ///< along the way [m]
+    double goalNear = 0.5;    ///< of a goal that cannot be reached itself [m]
     double arrived = 0.25;    ///< from a goal [m]
-    double stuckAfter = 4.0;  ///< without getting on [s]
+    double stuckAfter = 6.0;  ///< without getting on [s]
     double recoverFor = 2.5;  ///< backs off or turns [s]
     double blindAfter = 3.5;  ///< without a raw scan it stands [s]
+    double lookFirst = 2.6;   ///< at the beginning: a turn of the scanner [s]
     double replan = 0.5;      ///< [s]
 };
 
@@ -61,7 +63,8 @@ private:
     std::optional<Eigen::Vector2d> m_goal;
     std::vector<Eigen::Vector2d> m_way;
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
-    Eigen::Vector3d m_progress = Eigen::Vector3d::Zero();  ///< x, y, yaw of then
+    Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
+    int m_emptyPlans = 0;
     int m_recoveries = 0;
     DriveVelocity m_recovery;
 };

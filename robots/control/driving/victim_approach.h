@@ -10,6 +10,7 @@
 #include "core/perception/heat.h"
 #include "core/perception/pixel_ray.h"
 #include "core/robot/samples/status_samples.h"
+#include "robots/control/driving/explorer.h"
 #include "robots/control/driving/fuzzy_drive.h"
 
 namespace leitstand {
@@ -17,16 +18,16 @@ namespace leitstand {
 /// A body's heat, seen from the robot.
 struct HeatCue {
     Time at{};
-    Ray ray;                    ///< through its middle; base_link at that time
+    Ray ray;                    ///< through its middle; in the odometry's frame
     double width = 0.0;         ///< of the blob [rad]
     double temperature = 33.0;  ///< mean [degrees C]
     double confidence = 0.5;    ///< 0 to 1
 };
-/// The cue of the most convincing body in a picture; empty: there is none. @p opticalInBase: of the camera
-/// (x right, y down, z forward).
+/// The cue of the most convincing body in a picture; empty: there is none. @p opticalInOdom: of the camera
+/// (x right, y down, z forward) when the picture was taken.
 [[nodiscard]] std::optional<HeatCue> cueFrom(const std::vector<HeatBlob>& blobs,
                                              const CameraInfoSample& camera, int width, int height,
-                                             const Pose& opticalInBase, Time at);
+                                             const Pose& opticalInOdom, Time at);
 
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
@@ -70,25 +71,33 @@ public:
 
 private:
     enum class Phase : std::uint8_t { Idle, Turn, Approach, Settle, Reached };
+    /// The victim's nearest surface point.
     struct Target {
-        Eigen::Vector2d inOdom = Eigen::Vector2d::Zero();  ///< nearest surface point [m]
-        double distance = 0.0;                             ///< from the front of the body now [m]
+        Eigen::Vector2d inBase = Eigen::Vector2d::Zero();  ///< [m]
+        double distance = 0.0;                             ///< from the body's front [m]
+        double age = 0.0;                                  ///< of the measurement [s]
     };
-    void take(const HeatCue& cue, const Pose& baseInOdom);
-    [[nodiscard]] std::optional<Target> target(const VirtualScanView& view, const Pose& baseInOdom) const;
-    [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Pose& baseInOdom);
-    [[nodiscard]] ApproachStep reach(const Target& target, Time now);
-    [[nodiscard]] DriveVelocity towards(const Target& target, double bearing, const VirtualScanView& view,
-                                        std::string& reason) const;
+    void take(const HeatCue& cue);
+    [[nodiscard]] std::optional<Target> target(const HeatCue& cue, const VirtualScanView& view,
+                                               const Pose& baseInOdom) const;
+    [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place);
+    [[nodiscard]] ApproachStep reach(const Target& target, const Pose& baseInOdom);
+    [[nodiscard]] bool isBehindSomething(const std::optional<Target>& target, double bearing,
+                                         const VirtualScanView& view) const;
+    [[nodiscard]] DriveVelocity towards(const std::optional<Target>& target, double bearing,
+                                        const VirtualScanView& view, std::string& reason) const;
+    [[nodiscard]] ApproachStep goAround(const Eigen::Vector2d& place, const VirtualScanView& view,
+                                        const Pose& baseInOdom, Time now);
 
     FuzzyDrive m_drive;
     VictimApproachSettings m_settings;
+    Explorer m_around;  ///< finds the way when something stands before the heat
     Phase m_phase = Phase::Idle;
     Time m_started{}, m_cueAt{}, m_since{};
-    Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();      ///< of the newest cue's ray, odom [m]
-    Eigen::Vector2d m_direction = Eigen::Vector2d::UnitX();  ///< of it, odom
-    double m_width = 0.0;
-    HeatCue m_cue;
+    int m_corrections = 0;                   ///< of the distance, so far
+    HeatCue m_cue;                           ///< newest
+    std::optional<Eigen::Vector2d> m_place;  ///< where it was measured while in sight; odom [m]
+    bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
     std::vector<Eigen::Vector2d> m_givenUp;  ///< places in odom [m]
 };

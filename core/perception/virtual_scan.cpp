@@ -1,0 +1,234 @@
+#include "core/perception/virtual_scan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace leitstand {
+namespace {
+
+constexpr double Pi = std::numbers::pi;
+constexpr double SliceGap = 0.25;          // raw scans so close in time belong together [s]
+constexpr double WidestStep = degrees(6);  // ... and in direction
+constexpr double SameLook = 0.5;           // rays of a direction so close in time are one look [s]
+
+double wrapped(double angle) {
+    return std::remainder(angle, 2.0 * Pi);
+}
+
+double secondsBetween(Time from, Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+Eigen::Vector2d flat(const Eigen::Vector3d& point) {
+    return point.head<2>();
+}
+
+/// A point of a raw scan before it is put in order.
+struct Measured {
+    Eigen::Vector3d inOdom;
+    double elevation = 0.0;  ///< from the scanner [rad]
+};
+
+}  // namespace
+
+VirtualScan::VirtualScan(const VirtualScanSettings& settings)
+    : m_settings(settings), m_rays(static_cast<std::size_t>(std::max(8, settings.sectors))) {}
+
+void VirtualScan::clear() {
+    std::fill(m_rays.begin(), m_rays.end(), Ray{});
+    m_before.reset();
+    m_newest.reset();
+}
+
+int VirtualScan::binOf(double heading) const {
+    const int count = static_cast<int>(m_rays.size());
+    const int bin = static_cast<int>(std::floor((wrapped(heading) + Pi) / (2.0 * Pi) * count));
+    return std::clamp(bin, 0, count - 1);
+}
+
+void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom) {
+    const BodyBox body = m_settings.body.grown(m_settings.bodyMargin);
+    const auto timeOf = [&cloud](std::size_t i) {
+        return cloud.times.empty() ? cloud.header.stamp
+                                   : cloud.header.stamp + std::chrono::nanoseconds(cloud.times[i]);
+    };
+    /// Brings the points of one raw scan, @p indices, into the odometry's frame and adds them.
+    const auto addRaw = [&](const std::vector<std::size_t>& indices) {
+        if (indices.empty()) return;
+        const Time at = timeOf(indices.front());
+        const auto base = baseInOdom(at);
+        if (!base || !base->matrix().allFinite()) return;
+        const Eigen::Vector3d scanner = *base * sensorInBase.translation();
+        std::vector<Measured> measured;
+        measured.reserve(indices.size());
+        for (const std::size_t i : indices) {
+            const Eigen::Vector3f& point = cloud.points[i];
+            if (!point.allFinite() || point.squaredNorm() < 1e-6F) continue;
+            const Eigen::Vector3d inBase = sensorInBase * point.cast<double>();
+            if (inBase.z() < m_settings.profile.height + m_settings.bodyMargin && body.contains(flat(inBase)))
+                continue;
+            if (point.cast<double>().norm() > m_settings.range) continue;
+            const Eigen::Vector3d inOdom = *base * inBase;
+            const Eigen::Vector3d seen = inOdom - scanner;
+            measured.push_back({inOdom, std::atan2(seen.z(), flat(seen).norm())});
+        }
+        std::stable_sort(measured.begin(), measured.end(),
+                         [](const Measured& a, const Measured& b) { return a.elevation < b.elevation; });
+        std::vector<ProfilePoint> points;
+        points.reserve(measured.size());
+        for (const Measured& one : measured) {
+            points.push_back({flat(one.inOdom - scanner).norm(), one.inOdom.z() - base->translation().z(),
+                              flat(one.inOdom)});
+        }
+        addProfile(std::move(points), flat(scanner), at);
+    };
+
+    if (cloud.organised()) {
+        const auto columns = static_cast<std::size_t>(cloud.columns);
+        for (std::size_t row = 0; row < static_cast<std::size_t>(cloud.rows); ++row) {
+            std::vector<std::size_t> indices(columns);
+            for (std::size_t k = 0; k < columns; ++k) indices[k] = row * columns + k;
+            if (indices.back() < cloud.points.size()) addRaw(indices);
+        }
+        return;
+    }
+    std::vector<std::vector<std::size_t>> raws(m_rays.size());
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        const Eigen::Vector3d point = sensorInBase.linear() * cloud.points[i].cast<double>();
+        if (!point.allFinite()) continue;
+        raws[static_cast<std::size_t>(binOf(std::atan2(point.y(), point.x())))].push_back(i);
+    }
+    for (const auto& indices : raws) addRaw(indices);
+}
+
+void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vector2d& origin, Time at) {
+    // Which way a raw scan looks is told by its farther points: near the axis directions are noise.
+    Eigen::Vector2d towards = Eigen::Vector2d::Zero();
+    for (const ProfilePoint& point : points) towards += point.where - origin;
+    if (towards.norm() < 1e-3) return;
+    const double heading = std::atan2(towards.y(), towards.x());
+    const bool follows = m_before && std::abs(secondsBetween(m_before->at, at)) < SliceGap &&
+                         std::abs(wrapped(heading - m_before->heading)) < WidestStep;
+    const std::span<const ProfilePoint> neighbour =
+        follows ? std::span<const ProfilePoint>(m_before->points) : std::span<const ProfilePoint>();
+    const ProfileContour contour = contourOf(points, neighbour, m_settings.profile);
+
+    Ray ray;
+    ray.seen = true;
+    ray.at = at;
+    ray.echo = contour.outer.has_value();
+    ray.far =
+        ray.echo ? contour.outer->where : Eigen::Vector2d(origin + towards.normalized() * m_settings.range);
+    if (contour.inner) ray.inner = contour.inner->where;
+    if (follows) clearBetween(m_before->heading, heading, at);
+    put(ray, heading);
+    m_before = Before{std::move(points), heading, at};
+}
+
+void VirtualScan::put(const Ray& ray, double heading) {
+    m_newest = m_newest ? std::max(*m_newest, ray.at) : ray.at;
+    Ray& old = m_rays[static_cast<std::size_t>(binOf(heading))];
+    if (old.seen && old.at > ray.at + std::chrono::milliseconds(500)) return;  // it comes late
+    if (!old.seen || secondsBetween(old.at, ray.at) > SameLook) {
+        old = ray;
+        return;
+    }
+    // Two of one look: the nearer obstacle and the farther wall.
+    const auto toFar = (ray.far - old.far).dot(Eigen::Vector2d(std::cos(heading), std::sin(heading)));
+    if (toFar > 0.0 || (ray.echo && !old.echo)) {
+        old.far = ray.far;
+        old.echo = ray.echo;
+    }
+    const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
+    if (ray.inner && (!old.inner || direction.dot(*ray.inner - *old.inner) < 0.0)) old.inner = ray.inner;
+    old.at = std::max(old.at, ray.at);
+}
+
+void VirtualScan::clearBetween(double from, double to, Time at) {
+    const int count = static_cast<int>(m_rays.size());
+    const int first = binOf(from), last = binOf(to);
+    const int step = wrapped(to - from) >= 0.0 ? 1 : -1;
+    for (int bin = first; bin != last; bin = (bin + step + count) % count) {
+        Ray& ray = m_rays[static_cast<std::size_t>(bin)];
+        if (bin != first && ray.seen && secondsBetween(ray.at, at) > SameLook) ray = Ray{};
+    }
+}
+
+void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom) {
+    const BodyBox body = m_settings.body.grown(m_settings.bodyMargin);
+    const double farthest =
+        std::min(ranges.rangeMax > 0.0 ? ranges.rangeMax : m_settings.range, m_settings.range);
+    double before = std::numeric_limits<double>::quiet_NaN();  // heading of the ray before
+    std::optional<Pose> base;
+    Time baseAt{};
+    for (std::size_t i = 0; i < ranges.ranges.size(); ++i) {
+        const auto number = static_cast<double>(i);
+        const Time at = ranges.header.stamp +
+                        std::chrono::nanoseconds(static_cast<std::int64_t>(number * ranges.timeStep * 1e9));
+        if (!base || at - baseAt >= std::chrono::milliseconds(5)) {
+            base = baseInOdom(at);
+            baseAt = at;
+        }
+        if (!base || !base->matrix().allFinite()) continue;
+        const double angle = ranges.angleMin + number * ranges.angleStep;
+        const Eigen::Vector3d direction =
+            sensorInBase.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+        const double range = static_cast<double>(ranges.ranges[i]);
+        const bool echo = std::isfinite(range) && range >= ranges.rangeMin && range < farthest && range > 0.0;
+        // Nearer than the sensor can measure, or swallowed: nothing is known of that direction.
+        if (!echo && (std::isnan(range) || range < ranges.rangeMin)) {
+            before = std::numeric_limits<double>::quiet_NaN();
+            continue;
+        }
+        const Eigen::Vector3d inBase = sensorInBase.translation() + (echo ? range : farthest) * direction;
+        if (echo && body.contains(flat(inBase))) continue;
+        const Eigen::Vector3d inOdom = *base * inBase;
+        const Eigen::Vector3d scanner = *base * sensorInBase.translation();
+        const double height = inOdom.z() - base->translation().z();
+        const double heading = std::atan2(inOdom.y() - scanner.y(), inOdom.x() - scanner.x());
+        Ray ray;
+        ray.seen = true;
+        ray.at = at;
+        ray.echo = echo && height < m_settings.profile.wallHeight;
+        ray.far = flat(inOdom);
+        const bool floor = height < m_settings.profile.step;
+        if (echo && !floor && height < m_settings.profile.height) ray.inner = flat(inOdom);
+        if (std::abs(wrapped(heading - before)) < WidestStep) clearBetween(before, heading, at);
+        put(ray, heading);
+        before = heading;
+    }
+}
+
+VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
+    const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
+    const double yaw = std::atan2(ahead.y(), ahead.x());
+    const Eigen::Rotation2Dd toBase(-yaw);
+    const Eigen::Vector2d here = flat(baseInOdom.translation());
+    VirtualScanView view;
+    view.at = now;
+    view.sectors.resize(m_rays.size());
+    for (const Ray& ray : m_rays) {
+        if (!ray.seen) continue;
+        const double age = std::max(0.0, secondsBetween(ray.at, now));
+        if (age > m_settings.memory) continue;
+        const Eigen::Vector2d far = toBase * (ray.far - here);
+        VirtualSector& sector =
+            view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(far.y(), far.x())))];
+        sector.age = std::min(sector.age, age);
+        if (ray.echo && (!sector.outer || far.norm() > sector.outer->norm())) sector.outer = far;
+        if (!ray.inner) continue;
+        const Eigen::Vector2d near = toBase * (*ray.inner - here);
+        view.obstacles.push_back({near, age});
+        VirtualSector& holder =
+            view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(near.y(), near.x())))];
+        holder.age = std::min(holder.age, age);
+        if (!holder.inner || near.norm() < holder.inner->norm()) holder.inner = near;
+    }
+    view.closeGaps();
+    return view;
+}
+
+}  // namespace leitstand

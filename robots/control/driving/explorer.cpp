@@ -1,0 +1,171 @@
+#include "robots/control/driving/explorer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+namespace {
+
+constexpr double Pi = std::numbers::pi;
+constexpr int EmptyPlans = 6;      // so many without a way mean that there is none
+constexpr int MostRecoveries = 2;  // at one place, before the aim is given up
+constexpr double Progress = 0.15;  // [m]
+
+double secondsBetween(Time from, Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+Time after(Time from, double seconds) {
+    return from + std::chrono::nanoseconds(std::llround(seconds * 1e9));
+}
+
+double yawOf(const Pose& pose) {
+    const Eigen::Vector3d ahead = pose.linear().col(0);
+    return std::atan2(ahead.y(), ahead.x());
+}
+
+}  // namespace
+
+Explorer::Explorer(FuzzyDrive drive, const ExplorerSettings& settings)
+    : m_drive(std::move(drive)), m_settings(settings), m_memory(settings.memory) {}
+
+void Explorer::setGoal(const std::optional<Eigen::Vector2d>& goal) {
+    if (m_goal == goal) return;
+    m_goal = goal;
+    m_way.clear();
+    m_planned.reset();
+    m_emptyPlans = 0;
+}
+
+void Explorer::resume() {
+    m_way.clear();
+    m_planned.reset();
+    m_progressAt.reset();
+    m_recoverUntil.reset();
+    m_recoveries = 0;
+    m_emptyPlans = 0;
+}
+
+void Explorer::see(const VirtualScanView& view, const Pose& baseInOdom, Time now) {
+    m_memory.see(view, baseInOdom);
+    if (!m_seen) m_seen = now;
+}
+
+void Explorer::plan(const Pose& baseInOdom, Time now) {
+    if (m_planned && secondsBetween(*m_planned, now) < m_settings.replan && now >= *m_planned) return;
+    m_planned = now;
+    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    if (m_goal) {
+        m_way = m_memory.wayTo(here, *m_goal, m_settings.goalNear);
+    } else {
+        // Keeps its aim as long as there is something to see: no dithering between two.
+        const bool keep = !m_way.empty() && (m_way.back() - here).norm() > m_settings.arrived &&
+                          m_memory.isBorderNear(m_way.back());
+        if (keep) m_way = m_memory.wayTo(here, m_way.back());
+        if (!keep || m_way.empty()) m_way = m_memory.wayToUnseen(here);
+    }
+    m_emptyPlans = m_way.empty() ? m_emptyPlans + 1 : 0;
+}
+
+std::optional<Eigen::Vector2d> Explorer::aim(const Pose& baseInOdom) const {
+    if (m_way.empty()) return std::nullopt;
+    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    Eigen::Vector2d aim = m_way.front();
+    double length = (aim - here).norm();
+    for (std::size_t i = 1; i < m_way.size(); ++i) {
+        length += (m_way[i] - m_way[i - 1]).norm();
+        if (length > m_settings.aimAhead || !m_memory.isFreeBetween(here, m_way[i])) break;
+        aim = m_way[i];
+    }
+    return aim;
+}
+
+std::optional<DriveVelocity> Explorer::recover(const VirtualScanView& view, const Pose& baseInOdom, Time now,
+                                               bool wantsToMove) {
+    const auto& safety = m_drive.settings().safety;
+    if (m_recoverUntil && now < *m_recoverUntil) {
+        return safeVelocity(m_recovery, view, safety).velocity;
+    }
+    m_recoverUntil.reset();
+    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    if (!wantsToMove || !m_progressAt || (here - m_progress).norm() > Progress) {
+        if (m_progressAt && (here - m_progress).norm() > 3.0 * Progress) m_recoveries = 0;
+        m_progress = here;
+        m_progressAt = now;
+        return std::nullopt;
+    }
+    if (secondsBetween(*m_progressAt, now) < m_settings.stuckAfter) return std::nullopt;
+    if (++m_recoveries > MostRecoveries && !m_way.empty()) {
+        if (!m_goal) m_memory.giveUp(m_way.back(), 0.5);
+        m_way.clear();
+        m_planned.reset();
+        m_recoveries = 0;
+    }
+    // Whichever motion has most space, backwards first.
+    double best = -1.0;
+    const double slow = 0.5 * m_drive.settings().speed, turn = 0.6 * m_drive.settings().turnRate;
+    for (const DriveVelocity& one : {DriveVelocity{-slow, 0.0, 0.0}, DriveVelocity{-slow, 0.0, 0.4 * turn},
+                                     DriveVelocity{-slow, 0.0, -0.4 * turn}, DriveVelocity{0.0, 0.0, turn},
+                                     DriveVelocity{0.0, 0.0, -turn}, DriveVelocity{slow, 0.0, 0.0}}) {
+        const double free = view.freeTravel(one.forward, one.turn, safety.body.grown(safety.margin), 0.6);
+        if (free <= best + 0.05) continue;
+        best = free;
+        m_recovery = one;
+    }
+    m_progressAt = now;
+    m_recoverUntil = after(now, m_settings.recoverFor);
+    return safeVelocity(m_recovery, view, safety).velocity;
+}
+
+ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
+                            const std::optional<Time>& newest, Time now) {
+    ExplorerStep step;
+    see(view, baseInOdom, now);
+    if (!newest || secondsBetween(*newest, now) > m_settings.blindAfter) {
+        step.reason = "the scanner is silent: stands";
+        return step;
+    }
+    if (secondsBetween(*m_seen, now) < m_settings.lookFirst) {
+        step.reason = "looks around first";
+        return step;
+    }
+    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    const auto isAt = [&](const Eigen::Vector2d& place) {
+        return (place - here).norm() < m_settings.arrived;
+    };
+    if (m_goal && (isAt(*m_goal) || (!m_way.empty() && isAt(m_way.back())))) {
+        step.done = true;
+        step.reason = "at the goal";
+        return step;
+    }
+    plan(baseInOdom, now);
+    step.way = m_way;
+    if (m_emptyPlans >= EmptyPlans) {
+        step.done = !m_goal;
+        step.failed = m_goal.has_value();
+        step.reason = m_goal ? "finds no way to the goal" : "nothing is left to explore";
+        return step;
+    }
+    const auto towards = aim(baseInOdom);
+    if (const auto recovery = recover(view, baseInOdom, now, towards.has_value())) {
+        step.velocity = *recovery;
+        step.reason = "stuck: makes room";
+        return step;
+    }
+    if (!towards) {
+        step.reason = "looks for a way";
+        return step;
+    }
+    const Eigen::Vector2d off = *towards - here;
+    const double bearing = std::remainder(std::atan2(off.y(), off.x()) - yawOf(baseInOdom), 2.0 * Pi);
+    const FuzzyDriveStep driven = m_drive.step(view, bearing);
+    step.velocity = driven.velocity;
+    step.reason = driven.reason;
+    return step;
+}
+
+}  // namespace leitstand

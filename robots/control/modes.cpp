@@ -1,0 +1,280 @@
+#include "robots/control/modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+namespace {
+
+constexpr std::array<std::pair<DriveMode, std::string_view>, 6> Names = {
+    {{DriveMode::Stopped, "stopped"},
+     {DriveMode::Teleoperation, "teleoperation"},
+     {DriveMode::SafeTeleoperation, "safe_teleoperation"},
+     {DriveMode::Explore, "explore"},
+     {DriveMode::VictimApproach, "victim_approach"},
+     {DriveMode::Remote, "remote"}}};
+
+bool isManual(DriveMode mode) {
+    return mode == DriveMode::Teleoperation || mode == DriveMode::SafeTeleoperation;
+}
+
+bool isFinite(const DriveVelocity& velocity) {
+    return std::isfinite(velocity.forward) && std::isfinite(velocity.left) && std::isfinite(velocity.turn);
+}
+
+}  // namespace
+
+std::string toString(DriveMode mode) {
+    for (const auto& [one, name] : Names) {
+        if (one == mode) return std::string(name);
+    }
+    return "stopped";
+}
+
+std::optional<DriveMode> driveModeFrom(std::string_view name) {
+    for (const auto& [mode, one] : Names) {
+        if (one == name) return mode;
+    }
+    return std::nullopt;
+}
+
+ModeMachine::ModeMachine(const ModeSettings& settings) : m_settings(settings) {}
+
+bool ModeMachine::isAutonomous() const {
+    return m_mode == DriveMode::Explore || m_mode == DriveMode::VictimApproach;
+}
+
+std::string ModeMachine::whyNot(DriveMode mode) const {
+    const bool offered =
+        std::find(m_settings.modes.begin(), m_settings.modes.end(), mode) != m_settings.modes.end();
+    if (mode == DriveMode::Stopped || mode == DriveMode::Remote || !offered)
+        return fmt::format("{} cannot be asked for", toString(mode));
+    if (m_mode == DriveMode::Stopped) return "the stop stands: release it first";
+    if (m_mode == DriveMode::Remote) return "the radio remote is in use";
+    if (mode == DriveMode::VictimApproach && !m_cue) return "no body heat in sight";
+    return {};
+}
+
+Result<void> ModeMachine::request(const std::string& mode, Time now) {
+    const auto wanted = driveModeFrom(mode);
+    if (!wanted) return Error{fmt::format("expected a mode, found \"{}\"", mode)};
+    return request(*wanted, now);
+}
+
+Result<void> ModeMachine::request(DriveMode mode, Time now) {
+    if (const std::string reason = whyNot(mode); !reason.empty()) return Error{reason};
+    heardStation(now);
+    const bool sameSticks = isManual(m_mode) && isManual(mode);
+    if (mode == DriveMode::VictimApproach && m_mode != mode)
+        m_before = m_mode == DriveMode::Explore ? DriveMode::Explore : m_manual;
+    if (isManual(mode)) m_manual = mode;
+    m_held = false;
+    m_link = Link::Good;
+    if (!sameSticks) needNeutral();
+    change(mode, "asked for");
+    return {};
+}
+
+void ModeMachine::command(const DriveVelocity& velocity, Time now) {
+    heardStation(now);
+    m_command = isFinite(velocity) ? velocity : DriveVelocity{};
+    m_commandAt = now;
+    if (isZero(m_command) && isManual(m_mode)) m_neutral = true;
+}
+
+void ModeMachine::heardStation(Time now) {
+    m_heard = m_heard ? std::max(*m_heard, now) : now;
+}
+
+void ModeMachine::change(DriveMode mode, const std::string& reason) {
+    if (mode != m_mode) m_changed = true;
+    m_mode = mode;
+    say(reason);
+}
+
+void ModeMachine::say(const std::string& reason) {
+    if (reason == m_reason) return;
+    m_reason = reason;
+    m_changed = true;
+}
+
+void ModeMachine::hold(const std::string& reason) {
+    m_held = true;
+    say(reason);
+}
+
+void ModeMachine::needNeutral() {
+    m_neutral = false;
+    m_command = {};
+}
+
+void ModeMachine::stepStop(const ModeInputs& inputs) {
+    if (inputs.stopped) {
+        needNeutral();
+        m_held = false;
+        m_link = Link::Good;
+        change(DriveMode::Stopped, inputs.stopReason.empty() ? "stop" : inputs.stopReason);
+    } else if (m_mode == DriveMode::Stopped) {
+        needNeutral();
+        change(m_manual, "released");
+    }
+}
+
+void ModeMachine::stepRemote(const ModeInputs& inputs, Time now) {
+    if (!m_settings.hasRemote) return;
+    if (inputs.remote) {
+        m_remoteAt = now;
+        m_remote = isFinite(*inputs.remote) ? *inputs.remote : DriveVelocity{};
+    } else {
+        m_remote = {};
+    }
+    const bool inUse = m_remoteAt && now - *m_remoteAt < m_settings.remoteIdle;
+    if (m_mode == DriveMode::Stopped) return;  // the stop is above the remote
+    if (inUse && m_mode != DriveMode::Remote) {
+        needNeutral();
+        m_held = false;
+        m_link = Link::Good;
+        change(DriveMode::Remote, "the radio remote is in use");
+    } else if (!inUse && m_mode == DriveMode::Remote) {
+        needNeutral();
+        change(m_manual, "the radio remote was let go of");
+    }
+}
+
+LinkLossRule ModeMachine::ruleOf(DriveMode mode) const {
+    const auto rule = m_settings.linkLoss.find(toString(mode));
+    if (rule == m_settings.linkLoss.end() || isManual(mode)) return LinkLossRule::Stop;
+    return rule->second;
+}
+
+void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
+    if (m_mode == DriveMode::Stopped || m_mode == DriveMode::Remote) return;
+    const bool lost = !m_heard || now - *m_heard > m_settings.lostAfter;
+    if (!lost) {
+        if (m_link == Link::Good) return;
+        // Whatever moved on, moves on; what stands, waits.
+        if (m_link == Link::Finishing) {
+            say("the link is back: goes on");
+        } else if (isAutonomous()) {
+            hold("the link is back: waits to be asked again");
+        } else {
+            say("the link is back");
+        }
+        m_link = Link::Good;
+        return;
+    }
+    if (m_link == Link::Good) {
+        m_lostAt = now;
+        needNeutral();
+        if (!m_heard) {
+            m_link = Link::Standing;
+            return;
+        }
+        switch (m_held ? LinkLossRule::Stop : ruleOf(m_mode)) {
+            case LinkLossRule::Stop:
+                m_link = Link::Standing;
+                say("link lost: stands");
+                break;
+            case LinkLossRule::FinishAndWait:
+                m_link = Link::Finishing;
+                say("link lost: finishes what it does, then waits");
+                break;
+            case LinkLossRule::ReturnToLink:
+                m_link = Link::Returning;
+                say("link lost: returns to where it was good");
+                break;
+        }
+        return;
+    }
+    const bool over = inputs.done || inputs.failed;
+    if (m_link == Link::Finishing && (over || now - m_lostAt > m_settings.finishWithin)) {
+        m_link = Link::Waiting;
+        hold(inputs.done ? "link lost: finished, waits" : "link lost: waits");
+    } else if (m_link == Link::Returning && over) {
+        m_link = Link::Waiting;
+        hold(inputs.done ? "link lost: is back where it was good, waits"
+                         : "link lost: finds no way back, waits");
+    }
+}
+
+void ModeMachine::stepDriver(const ModeInputs& inputs) {
+    m_cue = inputs.cue;
+    if (!isAutonomous() || m_held || m_link == Link::Standing || m_link == Link::Returning) return;
+    const std::string& report = inputs.report;
+    if (m_mode == DriveMode::Explore) {
+        if (inputs.cue && whyNot(DriveMode::VictimApproach).empty()) {
+            m_before = DriveMode::Explore;
+            change(DriveMode::VictimApproach, "body heat in sight");
+        } else if (inputs.done || inputs.failed) {
+            hold(report.empty() ? "nothing is left to explore" : report);
+        }
+        return;
+    }
+    if (inputs.done) {
+        hold(report.empty() ? "stands in front of a victim" : report);
+    } else if (inputs.failed) {
+        const std::string why = report.empty() ? "gave the approach up" : report;
+        if (m_before != DriveMode::Explore) needNeutral();
+        change(m_before, why);
+    }
+}
+
+ModeDecision ModeMachine::decide(Time now) const {
+    ModeDecision decision;
+    decision.mode = m_mode;
+    decision.reason = m_reason;
+    decision.linkLost = m_link != Link::Good;
+    decision.waitsForNeutral = isManual(m_mode) && !m_neutral;
+    switch (m_mode) {
+        case DriveMode::Stopped:
+            break;
+        case DriveMode::Remote:
+            decision.driver = Driver::Remote;
+            decision.velocity = m_remote;
+            break;
+        case DriveMode::Teleoperation:
+        case DriveMode::SafeTeleoperation: {
+            const bool fresh = m_commandAt && now - *m_commandAt < m_settings.watchdog;
+            if (!fresh || !m_neutral || m_link != Link::Good) break;
+            decision.driver = m_mode == DriveMode::Teleoperation ? Driver::Operator : Driver::LimitedOperator;
+            decision.velocity = m_command;
+            break;
+        }
+        case DriveMode::Explore:
+        case DriveMode::VictimApproach:
+            if (m_held || m_link == Link::Standing || m_link == Link::Waiting) break;
+            if (m_link == Link::Returning) {
+                decision.driver = Driver::Returner;
+            } else {
+                decision.driver = m_mode == DriveMode::Explore ? Driver::Explorer : Driver::Approacher;
+            }
+            break;
+    }
+    return decision;
+}
+
+ModeDecision ModeMachine::step(const ModeInputs& inputs, Time now) {
+    stepStop(inputs);
+    stepRemote(inputs, now);
+    stepLink(inputs, now);
+    stepDriver(inputs);
+    ModeDecision decision = decide(now);
+    decision.changed = std::exchange(m_changed, false);
+    return decision;
+}
+
+ModeSample ModeMachine::sample() const {
+    ModeSample sample;
+    sample.mode = toString(m_mode);
+    sample.autonomous = isAutonomous();
+    sample.reason = m_reason;
+    for (const DriveMode mode : m_settings.modes) {
+        if (whyNot(mode).empty()) sample.available.push_back(toString(mode));
+    }
+    return sample;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,154 @@
+#include "robots/control/driving/victim_approach.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/robots/control/test_ground.h"
+
+namespace leitstand::test {
+namespace {
+
+/// A room of 8 m by 6 m with a pillar and a victim, obstacle number 5.
+std::vector<Obstacle> room(const Eigen::Vector2d& victim) {
+    return {{{0, 0}, {8, 0}}, {{8, 0}, {8, 6}},          {{8, 6}, {0, 6}},
+            {{0, 6}, {0, 0}}, {{4.2, 3}, {4.2, 3}, 0.2}, {victim, victim, 0.22, 0.35}};
+}
+
+/// What the thermal camera sees: on a pan-tilt unit that looks ahead, +-@p half wide.
+std::optional<HeatCue> cueOf(const TestGround& ground, std::mt19937& random, double half) {
+    std::normal_distribution<double> noise(0.0, degrees(0.5));
+    const Pose& base = ground.baseInGround();
+    const Obstacle& victim = ground.obstacles[5];
+    const Eigen::Vector3d camera = base * Eigen::Vector3d(0.15, -0.15, 0.5);
+    const Eigen::Vector2d off = victim.a - camera.head<2>();
+    const double direction = std::atan2(off.y(), off.x());
+    const Eigen::Vector3d seen = base.linear().transpose() * Eigen::Vector3d(off.x(), off.y(), 0.0);
+    if (std::abs(std::atan2(seen.y(), seen.x())) > half) return std::nullopt;
+    if (ground.cast(camera.head<2>(), direction).second != 5) return std::nullopt;
+    const double distance = off.norm();
+    // The camera stands where it stands in odometry, and looks as much aside.
+    const Eigen::Vector3d inBase = Eigen::Vector3d(seen.x(), seen.y(), -0.35);
+    const Eigen::Vector3d inOdom =
+        ground.baseInOdom().linear() *
+        (Eigen::AngleAxisd(noise(random), Eigen::Vector3d::UnitZ()) * inBase).normalized();
+    return HeatCue{ground.now(),
+                   {ground.baseInOdom() * Eigen::Vector3d(0.15, -0.15, 0.5), inOdom},
+                   2.0 * std::asin(std::min(1.0, 0.2 / distance)),
+                   33.0,
+                   0.8};
+}
+
+TEST(VictimApproach, StopsEightyCentimetresInFrontFromTwentyStarts) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> x(0.8, 7.2), y(0.8, 5.2), yaw(-3.1, 3.1);
+    int good = 0;
+    double worst = 0.0, longest = 0.0;
+    for (int run = 0; run < 20;) {
+        const Eigen::Vector2d victim(x(random), y(random)), start(x(random), y(random));
+        TestGround ground(room(victim), static_cast<unsigned>(run + 1));
+        if ((victim - start).norm() < 1.2 || (victim - Eigen::Vector2d(4.2, 3)).norm() < 1.0) continue;
+        if ((start - Eigen::Vector2d(4.2, 3)).norm() < 0.8) continue;
+        ground.place(start.x(), start.y(), yaw(random));
+        while (ground.seconds() < 3.0) ground.step({});
+        auto cue = cueOf(ground, random, 3.2);
+        if (!cue) continue;
+        ++run;
+        VictimApproach approach(shippedDrive());
+        EXPECT_TRUE(approach.isNew(*cue, ground.view(), ground.baseInOdom()));
+        approach.start(*cue, ground.now());
+        ApproachStep step;
+        while (ground.seconds() < 120.0 && !step.done && !step.failed) {
+            // While it turns, the pan-tilt unit follows.
+            if (auto next = cueOf(ground, random, degrees(100))) cue = next;
+            step = approach.step(cue, ground.view(), ground.baseInOdom(), ground.now());
+            ground.step(step.velocity);
+        }
+        for (int i = 0; i < 20; ++i) ground.step({});
+        const double distance = ground.fromFront(5);
+        EXPECT_TRUE(step.done) << run << ": " << step.reason;
+        EXPECT_NEAR(distance, 0.80, 0.05) << run << ": " << step.reason;
+        EXPECT_EQ(ground.touches(), 0) << run;
+        worst = std::max(worst, std::abs(distance - 0.8));
+        longest = std::max(longest, ground.seconds());
+        if (step.done && std::abs(distance - 0.8) <= 0.05) ++good;
+        if (!step.done) continue;
+        ASSERT_EQ(approach.sightings().size(), 1U);
+        const Sighting& sighting = approach.sightings().front();
+        EXPECT_EQ(sighting.kind, "victim");
+        const Eigen::Vector3d offset =
+            ground.baseInGround().inverse() * Eigen::Vector3d(victim.x(), victim.y(), 0);
+        const Eigen::Vector3d found = ground.baseInOdom().inverse() * sighting.position;
+        EXPECT_LT((found - offset).head<2>().norm(), 0.4);
+        EXPECT_FALSE(approach.isNew(*cue, ground.view(), ground.baseInOdom())) << "it is reported once";
+    }
+    std::printf("%d of 20 within 5 cm, worst %.1f cm, longest %.0f s\n", good, 100.0 * worst, longest);
+    EXPECT_EQ(good, 20);
+}
+
+TEST(VictimApproach, StandsAndTellsWhenTheHeatIsLost) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.0, 1.5, 0.3);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    const auto cue = cueOf(ground, random, 3.2);
+    ASSERT_TRUE(cue);
+    VictimApproach approach(shippedDrive());
+    approach.start(*cue, ground.now());
+    ground.obstacles[5] = {{7.9, 0.1}, {7.9, 0.1}};  // it crawled away
+    ApproachStep step;
+    while (ground.seconds() < 20.0 && !step.failed) {
+        step = approach.step(std::nullopt, ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    EXPECT_TRUE(step.failed);
+    EXPECT_LT(ground.seconds(), 9.0);
+    EXPECT_EQ(step.reason, "the heat was lost");
+    EXPECT_TRUE(isZero(step.velocity));
+    EXPECT_FALSE(approach.isActive());
+    EXPECT_TRUE(approach.sightings().empty());
+    EXPECT_EQ(ground.touches(), 0);
+    EXPECT_FALSE(approach.isNew(*cue, ground.view(), ground.baseInOdom())) << "not again at once";
+}
+
+TEST(VictimApproach, WaitsInFrontOfTheVictim) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    VictimApproach approach(shippedDrive());
+    approach.start(*cueOf(ground, random, 3.2), ground.now());
+    ApproachStep step;
+    while (ground.seconds() < 60.0) {
+        step = approach.step(cueOf(ground, random, 1.0), ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    EXPECT_TRUE(step.done);
+    EXPECT_TRUE(isZero(step.velocity));
+    EXPECT_EQ(approach.sightings().size(), 1U);
+    EXPECT_NEAR(ground.fromFront(5), 0.8, 0.05);
+    approach.abort();
+    EXPECT_FALSE(approach.isActive());
+}
+
+TEST(VictimApproach, ACueIsTheMostConvincingBody) {
+    CameraInfoSample camera;
+    camera.width = 160;
+    camera.height = 120;
+    camera.intrinsics = {220, 0, 79.5, 0, 220, 59.5, 0, 0, 1};
+    HeatBlob lamp, body;
+    lamp.kind = HeatBlob::Kind::Lamp;
+    body.kind = HeatBlob::Kind::Body;
+    body.centre = {80.0, 60.0};
+    body.width = 0.1;
+    body.mean = 32.0;
+    const Pose optical = opticalFrame(poseFrom({1.0, 2.0, 0.5}, 0.0, 0.0, degrees(90)));
+    EXPECT_FALSE(cueFrom({lamp}, camera, 160, 120, optical, Time{}));
+    const auto cue = cueFrom({lamp, body}, camera, 160, 120, optical, Time{});
+    ASSERT_TRUE(cue);
+    EXPECT_TRUE(cue->ray.direction.isApprox(Eigen::Vector3d::UnitY(), 1e-9));
+    EXPECT_DOUBLE_EQ(cue->temperature, 32.0);
+}
+
+}  // namespace
+}  // namespace leitstand::test
