@@ -42,6 +42,10 @@ std::string toString(ElementKind kind) {
     return std::string(Kinds[static_cast<std::size_t>(kind)].name);
 }
 
+bool warmByItself(ElementKind kind) {
+    return kind == ElementKind::Lamp || kind == ElementKind::Heater || kind == ElementKind::Spectator;
+}
+
 Element elementOf(ElementKind kind) {
     Element element;
     element.kind = kind;
@@ -62,6 +66,9 @@ Element elementOf(ElementKind kind) {
             break;
         case ElementKind::Heater:
             element.temperature = 45.0;
+            break;
+        case ElementKind::Spectator:
+            element.temperature = 33.0;
             break;
         case ElementKind::Victim:
             element.victim.emplace();

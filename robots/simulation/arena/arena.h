@@ -84,6 +84,8 @@ struct Element {
 
 /// An element of @p kind with the size, material and the rest that are usual; arena files tell what differs.
 [[nodiscard]] Element elementOf(ElementKind kind);
+/// Whether such things have a temperature of their own, and not the arena's.
+[[nodiscard]] bool warmByItself(ElementKind kind);
 /// Where the air that a victim breathes comes from, in the arena's frame [m].
 [[nodiscard]] Eigen::Vector3d mouthOf(const Element& victim);
 

@@ -9,20 +9,48 @@ namespace {
 constexpr double LeafHeight = 2.0;  ///< of doors, at most [m]
 constexpr double LeafThickness = 0.03;
 
-/// The box of an element that stands on its frame's plane.
-void standingBox(MeshBuilder& builder, const Eigen::Vector3d& size) {
-    builder.box({-size.x() / 2, -size.y() / 2, 0.0}, {size.x() / 2, size.y() / 2, size.z()});
+/// Into how many pieces a length is cut so that none is longer than what the texture shows.
+int tilesFor(const MeshBuilder& builder, double length) {
+    const double most = builder.look().textureSize;
+    return most > 0.0 ? std::clamp(static_cast<int>(std::ceil(length / most - 0.05)), 1, 40) : 1;
 }
 
 }  // namespace
 
 void addFloor(MeshBuilder& builder, const Element& element) {
-    const Eigen::Vector3d& size = element.size;
-    builder.box({-size.x() / 2, -size.y() / 2, -size.z()}, {size.x() / 2, size.y() / 2, 0.0});
+    const Eigen::Vector3d half = element.size / 2;
+    const double low = -element.size.z();
+    const auto at = [&](double x, double y, double z) { return Eigen::Vector3d(x, y, z); };
+    // The top in tiles that its texture fills; the rest in one piece each.
+    const int columns = tilesFor(builder, element.size.x());
+    const int rows = tilesFor(builder, element.size.y());
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const double x0 = -half.x() + column * element.size.x() / columns;
+            const double x1 = -half.x() + (column + 1) * element.size.x() / columns;
+            const double y0 = -half.y() + row * element.size.y() / rows;
+            const double y1 = -half.y() + (row + 1) * element.size.y() / rows;
+            builder.face({at(x0, y0, 0), at(x1, y0, 0), at(x1, y1, 0), at(x0, y1, 0)});
+        }
+    }
+    const double x = half.x();
+    const double y = half.y();
+    builder.face({at(-x, y, low), at(x, y, low), at(x, -y, low), at(-x, -y, low)});
+    builder.face({at(-x, -y, low), at(x, -y, low), at(x, -y, 0), at(-x, -y, 0)});
+    builder.face({at(x, -y, low), at(x, y, low), at(x, y, 0), at(x, -y, 0)});
+    builder.face({at(x, y, low), at(-x, y, low), at(-x, y, 0), at(x, y, 0)});
+    builder.face({at(-x, y, low), at(-x, -y, low), at(-x, -y, 0), at(-x, y, 0)});
 }
 
 void addWall(MeshBuilder& builder, const Element& element) {
-    standingBox(builder, element.size);
+    const Eigen::Vector3d half = element.size / 2;
+    // In sheets as they are sold, side by side.
+    const int sheets = tilesFor(builder, element.size.x());
+    const double width = element.size.x() / sheets;
+    for (int i = 0; i < sheets; ++i) {
+        const double x = -half.x() + i * width;
+        builder.box({x, -half.y(), 0.0}, {x + width, half.y(), element.size.z()});
+    }
 }
 
 void addDoor(MeshBuilder& builder, const Element& element) {

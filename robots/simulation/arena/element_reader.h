@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <yaml-cpp/yaml.h>
+
+#include "core/io/robot/yaml_fields.h"
+#include "robots/simulation/arena/arena.h"
+
+namespace leitstand::simulation {
+
+inline constexpr double FarthestPlace = 1'000.0;  ///< from the arena's origin [m]
+inline constexpr double LargestGround = 100.0;    ///< edge of an arena [m]
+inline constexpr double ColdestThing = -50.0;     ///< [degrees C]
+inline constexpr double HottestThing = 500.0;     ///< [degrees C]
+
+/// "position: [x, y, z]" [m] and "turn: [roll, pitch, yaw]" [degrees] of @p fields.
+[[nodiscard]] Pose readPose(const detail::YamlFields& fields);
+/// A whole number of 64 bits.
+void readSeed(const detail::YamlFields& fields, const char* key, std::uint64_t& seed);
+/// One entry of "elements"; what is wrong goes to @p errors.
+[[nodiscard]] Element readElement(const YAML::Node& node, const std::string& path, double ambient,
+                                  detail::YamlErrors& errors);
+
+}  // namespace leitstand::simulation

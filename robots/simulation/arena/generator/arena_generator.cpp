@@ -1,0 +1,44 @@
+#include "robots/simulation/arena/arena_generator.h"
+
+#include <algorithm>
+
+#include "robots/simulation/arena/generator/plan.h"
+#include "robots/simulation/arena/reachable_floor.h"
+
+namespace leitstand::simulation {
+namespace {
+
+constexpr double RobotRadius = 0.25;  ///< robots of 0.5 m must get to victims [m]
+constexpr std::uint64_t Attempts = 50;
+
+/// Whether robots get to what they are to find: of yellow all victims that are warm and in sight; of others,
+/// which Kurt3D cannot cross, nothing is asked but room to start.
+bool good(const Arena& arena) {
+    const ReachableFloor floor = reachableFloor(arena, RobotRadius);
+    for (const auto& [name, start] : arena.starts) {
+        if (!floor.at(start.translation().head<2>())) return false;
+    }
+    if (arena.grade != Grade::Yellow) return true;
+    int victims = 0;
+    for (const Element& element : arena.elements) {
+        if (element.kind != ElementKind::Victim) continue;
+        ++victims;
+        if (!element.victim->hidden && !reaches(floor, element)) return false;
+    }
+    const double ground = (arena.to - arena.from).prod();
+    return victims >= 3 && floor.area() > 0.2 * ground;
+}
+
+}  // namespace
+
+Arena generateArena(Grade grade, std::uint64_t seed) {
+    const auto make = grade == Grade::Yellow ? yellowArena : grade == Grade::Orange ? orangeArena : redArena;
+    Arena arena;
+    for (std::uint64_t attempt = 0; attempt < Attempts; ++attempt) {
+        arena = make(seed, attempt);
+        if (good(arena)) break;
+    }
+    return arena;
+}
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "robots/simulation/arena/random.h"
+
+namespace leitstand::simulation {
+
+/// A square of a maze.
+struct Cell {
+    int column = 0, row = 0;
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Sides of a cell; the frame of a side has its y axis towards it.
+enum class Side : std::uint8_t { North, West, South, East };
+inline constexpr int SideCount = 4;
+[[nodiscard]] Cell beyond(const Cell& cell, Side side);
+[[nodiscard]] Side opposite(Side side);
+
+/// What stands between two cells.
+enum class Border : std::uint8_t { Wall, Open, Door, Curtain };
+
+/// Cells with walls between them; all closed at first.
+class Maze {
+public:
+    Maze(int columns, int rows);
+
+    [[nodiscard]] int columns() const { return m_columns; }
+    [[nodiscard]] int rows() const { return m_rows; }
+    [[nodiscard]] bool has(const Cell& cell) const;
+    [[nodiscard]] Border border(const Cell& cell, Side side) const;
+    void setBorder(const Cell& cell, Side side, Border border);
+
+    /// Opens walls between cells that @p among says yes to, until each can be reached from @p first by one
+    /// way.
+    void carve(Random& random, const Cell& first, const std::function<bool(const Cell&)>& among);
+    /// Opens each of the remaining walls between such cells with @p probability: ways become loops.
+    void loosen(Random& random, double probability, const std::function<bool(const Cell&)>& among);
+    /// Whether all cells are still connected when @p cell has a wall at @p side.
+    [[nodiscard]] bool connectedWithout(const Cell& cell, Side side) const;
+
+private:
+    [[nodiscard]] std::size_t place(const Cell& cell, Side side) const;
+
+    int m_columns, m_rows;
+    std::vector<Border> m_south, m_west;  ///< of each cell, and of one row and column more
+};
+
+}  // namespace leitstand::simulation
