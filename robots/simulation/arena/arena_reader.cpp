@@ -1,3 +1,4 @@
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -13,44 +14,68 @@ namespace {
 
 using detail::YamlErrors;
 using detail::YamlFields;
+using detail::YamlPlace;
 
 constexpr std::size_t MostElements = 2'000;
 constexpr std::size_t MostStarts = 20;
 
+constexpr std::array<std::string_view, 9> ArenaKeys = {"name",    "grade", "seed",   "from",    "to",
+                                                       "ambient", "light", "starts", "elements"};
+constexpr std::array<std::string_view, 2> StartKeys = {"position", "turn"};
+
 void readCorner(const YamlFields& fields, const char* key, Eigen::Vector2d& corner) {
-    if (!fields.has(key)) return fields.fail(key, "expected two numbers [m], found nothing");
-    const std::vector<double> found = fields.numbers(key, 2, FarthestPlace);
-    if (!found.empty()) corner = {found[0], found[1]};
+    std::vector<double> found;
+    if (!fields.has(key)) {
+        fields.fail(key, "expected 2 numbers [m], found nothing");
+    } else if (fields.numbers(key, found, 2, FarthestPlace, " m")) {
+        corner = {found[0], found[1]};
+    }
+}
+
+void readGround(const YamlFields& fields, Arena& arena) {
+    readCorner(fields, "from", arena.from);
+    readCorner(fields, "to", arena.to);
+    const Eigen::Vector2d extent = arena.to - arena.from;
+    if (fields.has("from") && fields.has("to") && !(extent.minCoeff() > 0.0)) {
+        fields.fail("to", "expected a corner beyond \"from\" in x and y");
+    }
+    if (extent.maxCoeff() > LargestGround) {
+        fields.fail("to", fmt::format("expected at most {} m from \"from\"", LargestGround));
+    }
 }
 
 void readStarts(const YamlFields& fields, Arena& arena, YamlErrors& errors) {
-    fields.each("starts", true,
-                [&](const YAML::Node& node, const std::string& robot, const std::string& path) {
-                    const YamlFields start(node, path, {"position", "turn"}, errors);
-                    if (arena.starts.size() == MostStarts) {
-                        return start.fail("position", fmt::format("expected at most {} starts", MostStarts));
-                    }
-                    arena.starts[robot] = readPose(start);
-                });
+    if (!fields.has("starts")) return;
+    const YamlFields starts(fields.at("starts"), errors);
+    if (starts.entries().size() > MostStarts) {
+        fields.fail("starts",
+                    fmt::format("expected at most {} robots, found {}", MostStarts, starts.entries().size()));
+        return;
+    }
+    for (const auto& [robot, place] : starts.entries()) {
+        arena.starts[robot] = readPose(YamlFields(place, StartKeys, errors));
+    }
 }
 
 void readElements(const YamlFields& fields, Arena& arena, YamlErrors& errors) {
     std::set<std::string> names;
-    fields.each("elements", false, [&](const YAML::Node& node, const std::string&, const std::string& path) {
-        if (arena.elements.size() > MostElements) return;
-        if (arena.elements.size() == MostElements) {
-            errors.add(node, path, fmt::format("expected at most {} elements", MostElements));
-        }
-        Element element = readElement(node, path, arena.ambient, errors);
+    const auto places = fields.list("elements");
+    if (places.size() > MostElements) {
+        fields.fail("elements",
+                    fmt::format("expected at most {} elements, found {}", MostElements, places.size()));
+        return;
+    }
+    for (const YamlPlace& place : places) {
+        Element element = readElement(place, arena.ambient, errors);
         if (element.name.empty()) {
             element.name = fmt::format("{} at {}", toString(element.kind), arena.elements.size());
         }
         if (!names.insert(element.name).second) {
-            errors.add(node, path + ".name",
-                       fmt::format("expected a name of its own, found \"{}\" again", element.name));
+            errors.add(place.line, place.path + ".name",
+                       "expected a name of its own, found " + detail::shown(element.name) + " again");
         }
         arena.elements.push_back(std::move(element));
-    });
+    }
 }
 
 }  // namespace
@@ -58,34 +83,26 @@ void readElements(const YamlFields& fields, Arena& arena, YamlErrors& errors) {
 Result<Arena> parseArena(std::string_view text, const std::string& name) {
     const auto document = detail::loadYaml(text, name);
     if (!document) return document.error();
-    YamlErrors errors{name, {}};
+    YamlErrors errors(name);
     Arena arena;
     try {
-        const YamlFields fields(
-            *document, "", {"name", "grade", "seed", "from", "to", "ambient", "light", "starts", "elements"},
-            errors);
-        fields.text("name", arena.name);
+        const YamlFields fields({*document, "", 1}, ArenaKeys, errors);
+        fields.text("name", arena.name, true);
         std::vector<std::pair<std::string, Grade>> grades;
-        for (int i = 0; i < GradeCount; ++i)
+        for (int i = 0; i < GradeCount; ++i) {
             grades.emplace_back(toString(static_cast<Grade>(i)), static_cast<Grade>(i));
+        }
         fields.choice("grade", arena.grade, grades);
         readSeed(fields, "seed", arena.seed);
-        readCorner(fields, "from", arena.from);
-        readCorner(fields, "to", arena.to);
-        if (fields.has("from") && fields.has("to") && !((arena.to - arena.from).minCoeff() > 0.0)) {
-            fields.fail("to", "expected a corner beyond \"from\" in x and y");
-        }
-        if ((arena.to - arena.from).maxCoeff() > LargestGround) {
-            fields.fail("to", fmt::format("expected at most {} m from \"from\"", LargestGround));
-        }
-        fields.number("ambient", arena.ambient, ColdestThing, HottestThing);
-        fields.number("light", arena.light, 0.0, 1.0);
+        readGround(fields, arena);
+        fields.number("ambient", arena.ambient, ColdestThing, HottestThing, " degrees C");
+        fields.number("light", arena.light, 0.0, 1.0, "");
         readStarts(fields, arena, errors);
         readElements(fields, arena, errors);
     } catch (const YAML::Exception& problem) {  // of what the checks did not foresee
         return Error{fmt::format("{}:{}: {}", name, problem.mark.line + 1, problem.msg)};
     }
-    if (!errors.texts.empty()) return Error{fmt::format("{}", fmt::join(errors.texts, "\n"))};
+    if (!errors.empty()) return errors.error();
     return arena;
 }
 

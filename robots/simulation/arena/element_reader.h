@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-
-#include <yaml-cpp/yaml.h>
 
 #include "core/io/robot/yaml_fields.h"
 #include "robots/simulation/arena/arena.h"
@@ -20,7 +17,6 @@ inline constexpr double HottestThing = 500.0;     ///< [degrees C]
 /// A whole number of 64 bits.
 void readSeed(const detail::YamlFields& fields, const char* key, std::uint64_t& seed);
 /// One entry of "elements"; what is wrong goes to @p errors.
-[[nodiscard]] Element readElement(const YAML::Node& node, const std::string& path, double ambient,
-                                  detail::YamlErrors& errors);
+[[nodiscard]] Element readElement(const detail::YamlPlace& place, double ambient, detail::YamlErrors& errors);
 
 }  // namespace leitstand::simulation
