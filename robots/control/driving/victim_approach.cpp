@@ -200,7 +200,7 @@ DriveVelocity VictimApproach::towards(const std::optional<Target>& target, doubl
     if (std::abs(bearing) < 0.35) {
         const double share = std::clamp(std::abs(error) / m_settings.slowFrom, 0.12, 1.0);
         forward = std::copysign(m_settings.speed * share, error);
-        if (std::abs(error) < 0.5 * m_settings.tolerance) forward = 0.0;
+        if (std::abs(error) < 0.2 * m_settings.tolerance) forward = 0.0;
     }
     const SafeVelocity safe = safeVelocity({forward, 0.0, turn}, view, drive.safety);
     reason = target ? fmt::format("heat {:.2f} m ahead", target->distance) : "drives towards the heat";
@@ -260,7 +260,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             if (isZero(step.velocity)) m_phase = Phase::Approach;
             break;
         case Phase::Approach:
-            if (surface && std::abs(error) < m_settings.tolerance && std::abs(bearing) < 0.3) {
+            if (surface && std::abs(error) < 0.3 * m_settings.tolerance && std::abs(bearing) < 0.3) {
                 m_phase = Phase::Settle;
                 m_since = now;
                 step.reason = "measures again";
