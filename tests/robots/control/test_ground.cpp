@@ -164,7 +164,7 @@ std::vector<Obstacle> maze(const std::vector<std::string>& lines, double cell) {
 }
 
 FuzzyDrive shippedDrive() {
-    auto system = readFuzzySystem(LEITSTAND_SOURCE_DIR "/resources/robots/fuzzy_drive.yaml");
+    auto system = readFuzzySystem(LEITSTAND_SOURCE_DIR "/resources/control/fuzzy_drive.yaml");
     if (!system) throw std::runtime_error(system.error().text);
     FuzzyDriveSettings settings;
     settings.safety.body = TestGround::body();
