@@ -33,7 +33,7 @@ const std::vector<Rule>& rules() {
         {"transport", with(core, {"transport"}), {"Eigen", "fmt", "fastdds", "openssl"}},
         {"robots",
          with(core, {"core/io", "transport", "robots/hardware", "robots/kurt3d", "robots/crawler",
-                     "robots/control", "robots/wire"}),
+                     "robots/control", "robots/agent", "robots/wire"}),
          {"Eigen", "fmt", "yaml-cpp"}},
         {"robots/simulation",
          with(core, {"core/io", "transport", "robots"}),

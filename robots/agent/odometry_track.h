@@ -1,0 +1,24 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Where a robot was lately, by its odometry: of the last 3 s, interpolated.
+class OdometryTrack {
+public:
+    void add(Time at, const Pose& baseInOdom);
+    /// Empty before the first and when nothing came for 0.3 s up to @p at.
+    [[nodiscard]] std::optional<Pose> at(Time at) const;
+    [[nodiscard]] std::optional<Pose> newest() const;
+
+private:
+    std::deque<std::pair<Time, Pose>> m_places;
+};
+
+}  // namespace leitstand

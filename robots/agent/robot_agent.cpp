@@ -1,0 +1,225 @@
+#include "robots/agent/robot_agent.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <variant>
+
+namespace leitstand {
+namespace {
+
+constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
+
+RobotRuleSettings rulesOf(const RobotDescription& robot, Time now) {
+    return {.limits = limitsOf(robot),
+            .firstStop = static_cast<std::uint64_t>(now.time_since_epoch().count())};
+}
+
+ModeSettings modesOf(const RobotDescription& robot, const AgentSettings& settings) {
+    ModeSettings modes;
+    modes.linkLoss = robot.linkLoss;
+    modes.hasRemote = settings.hasRemote;
+    modes.modes = settings.modes;
+    return modes;
+}
+
+DriveVelocity velocityOf(const TwistSample& twist) {
+    return {twist.linear.x(), twist.linear.y(), twist.angular.z()};
+}
+
+bool sameState(const StopStateSample& a, const StopStateSample& b) {
+    const auto told = [](const StopStateSample& state) {
+        return std::tie(state.number, state.station, state.stopped, state.standing, state.refused,
+                        state.stops);
+    };
+    return told(a) == told(b);
+}
+
+}  // namespace
+
+RobotAgent::RobotAgent(RobotHardware& hardware, const RobotDescription& robot, const AgentSettings& settings)
+    : m_hardware(hardware),
+      m_robot(robot),
+      m_settings(settings),
+      m_rules(robot.name, rulesOf(robot, hardware.now())),
+      m_cameras({GrantSample::Kind::Camera, robot.name}),
+      m_machine(modesOf(robot, settings)),
+      m_left(settings.motors),
+      m_right(settings.motors) {
+    m_hardware.setMotors(0.0, 0.0);
+    m_hardware.setBrake(true);
+}
+
+void RobotAgent::sense(HardwareSample& sample) {
+    static_cast<void>(sample);
+}
+
+RobotAgent::Report RobotAgent::report(Time now) {
+    static_cast<void>(now);
+    return {};
+}
+
+void RobotAgent::goTo(const PoseSample& goal) {
+    static_cast<void>(goal);
+}
+
+DriveVelocity RobotAgent::steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) {
+    static_cast<void>(now);
+    return decision.driver == Driver::Nobody ? DriveVelocity{} : wish;
+}
+
+SteadyTime RobotAgent::steady() const {
+    return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(m_hardware.now().time_since_epoch()));
+}
+
+void RobotAgent::hear(const GrantSample& grant, const Sender& from) {
+    m_rules.hear(grant, from, steady());
+    m_cameras.hear(grant, from, steady());
+    if (m_rules.grant().obeys(from, steady())) m_machine.heardStation(m_hardware.now());
+}
+
+void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from) {
+    const bool holder = m_rules.grant().obeys(from, steady());
+    if (holder) m_machine.heardStation(m_hardware.now());
+    if (const auto* twist = std::get_if<TwistSample>(&command)) {
+        m_twist = m_hardware.now();
+        drive(velocityOf(*twist), from);
+    } else if (const auto* stop = std::get_if<StopCommandSample>(&command)) {
+        static_cast<void>(m_rules.hear(*stop, from, steady()));
+        m_stopSaid.reset();  // every command is answered
+        sayStopState();
+    } else if (const auto* mode = std::get_if<ModeCommandSample>(&command)) {
+        if (holder) askForMode(*mode);
+    } else if (const auto* goal = std::get_if<PoseSample>(&command)) {
+        if (holder) goTo(*goal);
+    } else if (const auto* joints = std::get_if<JointSample>(&command)) {
+        const bool mayLook = m_cameras.holder(steady()).empty() ? holder : m_cameras.obeys(from, steady());
+        if (role == StreamRole::TrackCommand) driveTracks(*joints, from);
+        if (role == StreamRole::PanTiltCommand && mayLook) turnCameras(*joints);
+    } else if (const auto* stream = std::get_if<StreamCommandSample>(&command)) {
+        if (holder || m_rules.grant().holder(steady()).empty()) setStream(*stream);
+    } else if (const auto* ping = std::get_if<PingSample>(&command)) {
+        const Time now = m_hardware.now();
+        say(StreamRole::Pong, PongSample{ping->number, ping->station, ping->sent, now, now});
+    }
+}
+
+void RobotAgent::drive(const DriveVelocity& wish, const Sender& from) {
+    const DriveVerdict verdict = m_rules.drive(wish, from, steady());
+    if (verdict == DriveVerdict::Taken) m_machine.command(m_rules.commanded(steady()), m_hardware.now());
+    if (verdict == DriveVerdict::NoNumber) m_machine.command({}, m_hardware.now());
+}
+
+void RobotAgent::driveTracks(const JointSample& tracks, const Sender& from) {
+    // Twists go before: two stations' habits, or two widgets of one, do not alternate.
+    if (m_twist && m_hardware.now() - *m_twist < std::chrono::milliseconds(300)) return;
+    SideSpeeds sides{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    for (std::size_t i = 0; i < std::min(tracks.names.size(), tracks.velocities.size()); ++i) {
+        if (tracks.names[i] == "left_track") sides.left = tracks.velocities[i];
+        if (tracks.names[i] == "right_track") sides.right = tracks.velocities[i];
+    }
+    drive(leitstand::velocityOf(sides, m_settings.geometry), from);
+}
+
+void RobotAgent::askForMode(const ModeCommandSample& command) {
+    const auto asked = m_machine.request(command.mode, m_hardware.now());
+    if (asked) return;
+    ModeSample mode = m_machine.sample();
+    mode.header = header();
+    mode.reason = asked.error().text;
+    say(StreamRole::Mode, mode);
+}
+
+void RobotAgent::turnCameras(const PanTiltCommand& command) {
+    for (std::size_t i = 0; i < std::min(command.names.size(), command.positions.size()); ++i) {
+        const std::string& joint = command.names[i];
+        const auto cut = joint.rfind('_');
+        if (cut == std::string::npos || !std::isfinite(command.positions[i])) continue;
+        auto& [pan, tilt] = m_panTilt[joint.substr(0, cut)];
+        if (joint.substr(cut) == "_pan") pan = command.positions[i];
+        if (joint.substr(cut) == "_tilt") tilt = command.positions[i];
+    }
+    for (const auto& [unit, angles] : m_panTilt) m_hardware.setPanTilt(unit, angles.first, angles.second);
+}
+
+void RobotAgent::setStream(const StreamCommandSample& command) {
+    for (const StreamDescription& stream : m_robot.streams) {
+        if (stream.topic != command.topic || isCommand(stream.role)) continue;
+        m_hardware.setStream(stream.role, stream.sensor,
+                             {command.enabled, command.rate, command.quality, command.maxWidth});
+    }
+}
+
+void RobotAgent::press() {
+    m_rules.press();
+    m_stopSaid.reset();
+}
+
+void RobotAgent::sayStopState() {
+    StopStateSample state = m_rules.stopState(steady());
+    if (m_stopSaid && sameState(*m_stopSaid, state)) return;
+    state.header = header();
+    m_stopSaid = state;
+    say(StreamRole::StopState, state);
+}
+
+void RobotAgent::move(const DriveVelocity& velocity, bool hold, Time now) {
+    const double seconds = m_moved ? std::chrono::duration<double>(now - *m_moved).count() : 0.005;
+    m_moved = now;
+    const TrackState tracks = m_hardware.tracks();
+    const bool atRest = std::abs(tracks.left) < AtRest && std::abs(tracks.right) < AtRest;
+    if (hold || (isZero(velocity) && atRest)) {
+        m_left.reset();
+        m_right.reset();
+        m_hardware.setMotors(0.0, 0.0);
+        m_hardware.setBrake(true);
+        return;
+    }
+    const SideSpeeds sides = sidesFor(velocity, m_settings.geometry);
+    m_hardware.setBrake(false);
+    m_hardware.setMotors(m_left.step(sides.left, tracks.left, seconds),
+                         m_right.step(sides.right, tracks.right, seconds));
+}
+
+std::vector<HardwareSample> RobotAgent::step() {
+    const Time now = m_hardware.now();
+    std::vector<HardwareSample> sensed = m_hardware.take();
+    for (HardwareSample& sample : sensed) {
+        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
+            m_rules.moved(odometry->linear.head<2>().norm(), odometry->angular.z(), steady());
+        sense(sample);
+    }
+    Report report = this->report(now);
+    ModeInputs inputs;
+    inputs.stopped = m_rules.isStopped();
+    if (inputs.stopped) {
+        const std::string by = m_rules.stopState(steady()).station;
+        inputs.stopReason = by.empty() ? "its own button" : "stopped by " + by;
+    }
+    if (const auto remote = m_hardware.remote()) inputs.remote = velocityOf(*remote);
+    inputs.cue = report.cue;
+    inputs.done = report.done;
+    inputs.failed = report.failed;
+    inputs.report = std::move(report.text);
+    const ModeDecision decision = m_machine.step(inputs, now);
+    if (decision.changed) {
+        ModeSample mode = m_machine.sample();
+        mode.header = header();
+        say(StreamRole::Mode, mode);
+    }
+    DriveVelocity wish = decision.velocity;
+    const bool operated = decision.driver == Driver::Operator || decision.driver == Driver::LimitedOperator;
+    if (operated && isZero(m_rules.commanded(steady()))) wish = {};
+    const DriveVelocity velocity = limited(steer(decision, wish, now), limitsOf(m_robot));
+    move(velocity, inputs.stopped || decision.driver == Driver::Nobody, now);
+    sayStopState();
+    sensed.insert(sensed.end(), std::make_move_iterator(m_said.begin()),
+                  std::make_move_iterator(m_said.end()));
+    m_said.clear();
+    return sensed;
+}
+
+}  // namespace leitstand

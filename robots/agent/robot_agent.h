@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/robot/control/grant_arbiter.h"
+#include "core/robot/control/robot_rules.h"
+#include "core/robot/robot_description.h"
+#include "robots/control/drive_kinematics.h"
+#include "robots/control/modes.h"
+#include "robots/control/speed_controller.h"
+#include "robots/hardware/robot_hardware.h"
+
+namespace leitstand {
+
+/// What agents of all robots need to know of theirs.
+struct AgentSettings {
+    DriveGeometry geometry;
+    SpeedControllerSettings motors;
+    std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be asked for
+    bool hasRemote = false;
+};
+
+/// What all robots do alike: rules of commands (RobotRules), modes, speed controllers, brake, answers.
+/// Without network and without a clock of its own: it lives by its hardware's. One thread.
+class RobotAgent {
+public:
+    RobotAgent(RobotHardware& hardware, const RobotDescription& robot, const AgentSettings& settings);
+    virtual ~RobotAgent() = default;
+    RobotAgent(const RobotAgent&) = delete;
+    RobotAgent& operator=(const RobotAgent&) = delete;
+
+    void hear(const GrantSample& grant, const Sender& from);
+    /// What the process @p from said on a command stream of @p role.
+    void hear(StreamRole role, const Sample& command, const Sender& from);
+    /// One turn of the control loop, every 5 to 10 ms of robot's time. Returns all that is to be said.
+    [[nodiscard]] std::vector<HardwareSample> step();
+
+    void press();  ///< its own stop button
+    [[nodiscard]] DriveMode mode() const { return m_machine.mode(); }
+
+protected:
+    /// What the robot's own drivers and eyes report to the modes.
+    struct Report {
+        bool cue = false, done = false, failed = false;
+        std::string text;
+    };
+    virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is said
+    virtual Report report(Time now);             ///< once a step, before the modes
+    virtual void goTo(const PoseSample& goal);   ///< of the holder
+    virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now);
+
+    void say(StreamRole role, Sample sample) { m_said.push_back({role, {}, std::move(sample)}); }
+    [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
+    [[nodiscard]] const RobotDescription& robot() const { return m_robot; }
+
+private:
+    [[nodiscard]] SteadyTime steady() const;
+    void drive(const DriveVelocity& wish, const Sender& from);
+    void driveTracks(const JointSample& tracks, const Sender& from);
+    void askForMode(const ModeCommandSample& command);
+    void turnCameras(const PanTiltCommand& command);
+    void setStream(const StreamCommandSample& command);
+    void move(const DriveVelocity& velocity, bool hold, Time now);
+    void sayStopState();
+
+    RobotHardware& m_hardware;
+    const RobotDescription m_robot;
+    const AgentSettings m_settings;
+    RobotRules m_rules;
+    GrantArbiter m_cameras;
+    ModeMachine m_machine;
+    SpeedController m_left, m_right;
+    std::optional<Time> m_moved, m_twist;
+    std::optional<StopStateSample> m_stopSaid;
+    std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
+    std::vector<HardwareSample> m_said;
+};
+
+}  // namespace leitstand

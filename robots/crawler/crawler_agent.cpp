@@ -1,0 +1,60 @@
+#include "robots/crawler/crawler_agent.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+
+CrawlerAgent::CrawlerAgent(RobotHardware& hardware, const RobotDescription& robot,
+                           const CrawlerSettings& settings)
+    : RobotAgent(hardware, robot, settings.agent), m_settings(settings) {}
+
+void CrawlerAgent::sense(HardwareSample& sample) {
+    if (const auto* imu = std::get_if<ImuSample>(&sample.sample)) feel(*imu);
+    if (auto* diagnostics = std::get_if<DiagnosticsSample>(&sample.sample))
+        diagnostics->statuses.push_back(warning());
+}
+
+void CrawlerAgent::feel(const ImuSample& imu) {
+    const Eigen::Vector3d rate = imu.angularVelocity.value_or(Eigen::Vector3d::Zero());
+    if (imu.orientation) {
+        const Eigen::Matrix3d level = imu.orientation->toRotationMatrix();
+        m_roll = std::atan2(level(2, 1), level(2, 2));
+        m_pitch = std::asin(std::clamp(-level(2, 0), -1.0, 1.0));
+    } else if (m_felt) {
+        const double seconds = std::chrono::duration<double>(imu.header.stamp - *m_felt).count();
+        m_roll += rate.x() * seconds;
+        m_pitch += rate.y() * seconds;
+    }
+    m_felt = imu.header.stamp;
+    const auto share = [this](double angle, double turning, double limit) {
+        if (limit <= 0.0) return 0.0;
+        return std::max(std::abs(angle), std::abs(angle + m_settings.lookAhead * turning)) / limit;
+    };
+    const double nearest =
+        std::max(share(m_roll, rate.x(), robot().maxRoll), share(m_pitch, rate.y(), robot().maxPitch));
+    // Let go of later than it begins, so that it does not flicker.
+    const bool warns = nearest > (m_warns ? 0.85 : 1.0) * m_settings.warnFrom;
+    if (warns == m_warns) return;
+    m_warns = warns;
+    say(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
+}
+
+DiagnosticStatus CrawlerAgent::warning() const {
+    const StreamDescription* stream = robot().stream(StreamRole::Diagnostics);
+    const auto inDegrees = [](double angle) { return fmt::format("{:.0f}", angle * 180 / std::numbers::pi); };
+    DiagnosticStatus status;
+    status.level = m_warns ? DiagnosticStatus::Level::Warning : DiagnosticStatus::Level::Ok;
+    status.name = "roll-over";
+    status.message = m_warns ? "about to roll over" : "upright";
+    status.hardwareId = stream != nullptr && !stream->hardwareId.empty() ? stream->hardwareId : robot().name;
+    status.values = {{"roll", inDegrees(m_roll)}, {"pitch", inDegrees(m_pitch)}};
+    return status;
+}
+
+}  // namespace leitstand

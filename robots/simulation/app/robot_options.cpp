@@ -1,0 +1,68 @@
+#include "robots/simulation/app/robot_options.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "robots/simulation/app/choose_arena.h"
+#include "robots/simulation/app/robot_process.h"
+#include "robots/simulation/arena/arena_file.h"
+
+namespace leitstand::simulation {
+namespace {
+
+int told(const Result<void>& outcome) {
+    if (outcome) return 0;
+    std::fprintf(stderr, "%s\n", outcome.error().text.c_str());
+    return 1;
+}
+
+Result<void> writeTo(const std::string& file, const std::string& grade, std::uint64_t seed) {
+    if (!gradeFrom(grade)) return Error{grade + ": expected yellow, orange or red"};
+    const auto arena = chooseArena(grade, seed);
+    if (!arena) return arena.error();
+    std::ofstream out(file);
+    out << writeArena(*arena);
+    out.close();
+    if (!out) return Error{file + ": cannot be written"};
+    return {};
+}
+
+}  // namespace
+
+void addRobots(CLI::App& app, int& exitCode) {
+    for (const std::string kind : {"kurt3d", "crawler"}) {
+        auto options = std::make_shared<RobotOptions>();
+        options->kind = kind;
+        CLI::App* command = app.add_subcommand(kind, "Drives a simulated " + kind + " in real time");
+        command->add_option("--arena", options->arena, "yellow, orange, red, or an arena file (yellow)");
+        command->add_option("--seed", options->seed, "Of the arena and of all noise (1)");
+        command->add_option("--name", options->name, "Of the robot and its topics (" + kind + ")");
+        command->add_option("--domain", options->domain, "DDS domain (0); the truth is on the one 100 above")
+            ->check(CLI::Range(0, 132));
+        command->add_option("--interface", options->interfaces, "Network interfaces to use (all)");
+        command->add_option("--peer", options->peers, "Addresses of stations where multicast does not pass");
+        command->add_option("--keys", options->keys, "Identity in a secured domain, KEYS/enclaves/NAME");
+        if (kind == "kurt3d")
+            command->add_flag("--tilting", options->tilting, "Carries the tilting scanner of 2004");
+        else
+            command->add_flag("--turning-laser", options->turningLaser, "Its laser turns: 3D slices");
+        command->callback([options, &exitCode] { exitCode = told(runRobot(*options)); });
+    }
+}
+
+void addArena(CLI::App& app, int& exitCode) {
+    auto options = std::make_shared<RobotOptions>();
+    auto file = std::make_shared<std::string>();
+    CLI::App* command = app.add_subcommand("arena", "Writes a generated arena into a file");
+    command->add_option("GRADE", options->arena, "yellow, orange or red")->required();
+    command->add_option("--seed", options->seed, "Another seed rearranges everything (1)");
+    command->add_option("--out", *file, "Arena file (YAML)")->required();
+    command->callback(
+        [options, file, &exitCode] { exitCode = told(writeTo(*file, options->arena, options->seed)); });
+}
+
+}  // namespace leitstand::simulation

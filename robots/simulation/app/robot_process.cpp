@@ -1,0 +1,154 @@
+#include "robots/simulation/app/robot_process.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
+#include "robots/control/fuzzy/fuzzy_file.h"
+#include "robots/crawler/crawler_agent.h"
+#include "robots/kurt3d/kurt3d_agent.h"
+#include "robots/simulation/app/choose_arena.h"
+#include "robots/simulation/app/truth_exchange.h"
+#include "robots/simulation/simulated_hardware.h"
+#include "robots/wire/robot_wire.h"
+#include "transport/security/enclave.h"
+
+namespace leitstand::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto Step = std::chrono::milliseconds(5);
+constexpr auto MostBehind = std::chrono::milliseconds(200);  ///< what is more is never caught up
+
+volatile std::sig_atomic_t stopped = 0;
+
+Result<RobotDescription> describe(const RobotOptions& options) {
+    const auto file = findRobotFile(options.kind);
+    if (!file) return file.error();
+    auto robot = readRobot(*file);
+    if (!robot || options.name.empty()) return robot;
+    RobotDescription named = std::move(robot).value();
+    const std::string before = "/" + named.name + "/";
+    for (StreamDescription& stream : named.streams) {
+        if (stream.topic.starts_with(before))
+            stream.topic = "/" + options.name + "/" + stream.topic.substr(before.size());
+        if (stream.hardwareId == named.name) stream.hardwareId = options.name;
+    }
+    named.name = named.title = options.name;
+    return named;
+}
+
+Result<FuzzySystem> fuzzyRules() {
+    for (const auto& robots : robotFolders()) {
+        const auto file = robots.parent_path() / "control" / "fuzzy_drive.yaml";
+        std::error_code problem;
+        if (std::filesystem::exists(file, problem)) return readFuzzySystem(file);
+    }
+    return Error{"control/fuzzy_drive.yaml: not found beside the robots' files"};
+}
+
+Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotHardware& hardware,
+                                             const RobotDescription& robot) {
+    if (options.kind == "crawler")
+        return std::unique_ptr<RobotAgent>(std::make_unique<CrawlerAgent>(hardware, robot));
+    const auto rules = fuzzyRules();
+    if (!rules) return rules.error();
+    auto agent = Kurt3dAgent::create(hardware, robot, *rules);
+    if (!agent) return agent.error();
+    return std::unique_ptr<RobotAgent>(std::move(agent).value());
+}
+
+Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::string& name, int domain,
+                                   bool secured) {
+    NodeSettings network;
+    network.domain = domain;
+    network.name = name;
+    network.interfaces = options.interfaces;
+    network.initialPeers = options.peers;
+    if (secured) {
+        auto files = securityFiles(options.keys);
+        if (!files) return files.error();
+        network.security = std::move(files).value();
+    }
+    return Node::create(network);
+}
+
+void turn(RobotAgent& agent, RobotWire& wire) {
+    for (const HeardCommand& heard : wire.take()) {
+        if (const auto* grant = std::get_if<GrantSample>(&heard.sample)) {
+            agent.hear(*grant, heard.from);
+        } else {
+            agent.hear(heard.role, heard.sample, heard.from);
+        }
+    }
+    for (const HardwareSample& sample : agent.step()) wire.say(sample);
+}
+
+/// Keeps the world's time with the computer's; after a hiccup it catches up, after a long one it leaves out.
+void live(World& world, RobotAgent& agent, RobotWire& wire, TruthExchange& truth) {
+    auto lived = Clock::now();
+    while (stopped == 0) {
+        lived = std::max(lived, Clock::now() - MostBehind);
+        while (Clock::now() - lived >= Step && stopped == 0) {
+            lived += Step;
+            truth.take(world);
+            world.advance(Step);
+            turn(agent, wire);
+            truth.say(world);
+            lived = std::max(lived, Clock::now() - MostBehind);
+        }
+        std::this_thread::sleep_until(lived + Step);
+    }
+}
+
+}  // namespace
+
+Result<void> runRobot(const RobotOptions& options) {
+    const auto arena = chooseArena(options.arena, options.seed);
+    if (!arena) return arena.error();
+    const auto robot = describe(options);
+    if (!robot) return robot.error();
+    const auto start = arena->starts.find(options.kind);
+    if (start == arena->starts.end())
+        return Error{fmt::format("{}: expected a start of {}, found none", arena->name, options.kind)};
+    World world(*arena, options.seed, std::chrono::system_clock::now());
+    BodySpec body = options.kind == "kurt3d" ? kurt3dBody() : crawlerBody();
+    body.name = robot->name;
+    const int number = world.addRobot(body, start->second);
+    HardwareSettings fitting;
+    fitting.seed = options.seed;
+    fitting.scanner = options.tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
+    fitting.turningLaser = options.turningLaser;
+    const auto hardware = options.kind == "kurt3d" ? makeKurt3dHardware(world, number, *robot, fitting)
+                                                   : makeCrawlerHardware(world, number, *robot, fitting);
+    const auto agent = agentFor(options, *hardware, *robot);
+    if (!agent) return agent.error();
+    const auto node = join(options, robot->name, options.domain, !options.keys.empty());
+    if (!node) return node.error();
+    for (const std::string& warning : (*node)->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    const auto truths = join(options, robot->name + " truth", options.domain + 100, false);
+    if (!truths) return truths.error();
+    const auto wire = RobotWire::create(**node, *robot);
+    if (!wire) return wire.error();
+    const auto truth = TruthExchange::create(**truths, *arena, options.kind, robot->name, number);
+    if (!truth) return truth.error();
+    std::signal(SIGINT, [](int) { stopped = 1; });
+    std::signal(SIGTERM, [](int) { stopped = 1; });
+    std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
+    std::fflush(stdout);
+    live(world, **agent, **wire, **truth);
+    return {};
+}
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,148 @@
+#include "robots/wire/robot_wire.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "core/mission/station_topics.h"
+#include "transport/convert/decode.h"
+#include "transport/convert/encode.h"
+#include "transport/link/grant_keeper.h"
+#include "transport/link/grant_sender.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t MostWaiting = 1000;
+
+Flow flowOf(StreamRole role) {
+    switch (role) {
+        case StreamRole::Points:
+            return Flow::Scans;
+        case StreamRole::Picture:
+        case StreamRole::Thermal:
+            return Flow::Pictures;
+        case StreamRole::StopState:
+        case StreamRole::Mode:
+        case StreamRole::Pong:
+            return Flow::Immediate;
+        default:
+            return Flow::Telemetry;
+    }
+}
+
+TwistSample noNumber() {
+    TwistSample twist;
+    twist.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return twist;
+}
+
+bool drives(StreamRole role) {
+    return role == StreamRole::DriveCommand || role == StreamRole::TrackCommand;
+}
+
+}  // namespace
+
+struct RobotWire::State {
+    explicit State(const RobotDescription& description) : robot(description) {}
+
+    Result<void> open(Node& node);
+    void hear(const StreamDescription& stream, const ReceivedSample& sample);
+    void hearGrant(const ReceivedSample& sample);
+    void put(HeardCommand command);
+    void countBroken();
+
+    const RobotDescription robot;
+    std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic; not changed after open()
+    mutable std::mutex mutex;                                      ///< of the two that follow
+    std::vector<HeardCommand> waiting;
+    RobotWireCounts counts;
+    std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: they call back
+};
+
+void RobotWire::State::put(HeardCommand command) {
+    const std::lock_guard lock(mutex);
+    ++counts.heard;
+    if (waiting.size() >= MostWaiting && !std::holds_alternative<StopCommandSample>(command.sample)) {
+        ++counts.dropped;
+        return;
+    }
+    waiting.push_back(std::move(command));
+}
+
+void RobotWire::State::countBroken() {
+    const std::lock_guard lock(mutex);
+    ++counts.broken;
+}
+
+void RobotWire::State::hear(const StreamDescription& stream, const ReceivedSample& sample) {
+    auto decoded = decode(sample.event, stream);
+    if (!decoded) countBroken();
+    if (!decoded && !drives(stream.role)) return;
+    put({stream.role, false, decoded ? std::move(decoded).value() : Sample(noNumber()),
+         senderOf(sample.writer), sample.event.received});
+}
+
+void RobotWire::State::hearGrant(const ReceivedSample& sample) {
+    const auto event = decodeStationEvent(sample.event);
+    if (!event || !std::holds_alternative<GrantSample>(event->sample)) return countBroken();
+    put({{}, true, event->sample, senderOf(sample.writer), sample.event.received});
+}
+
+Result<void> RobotWire::State::open(Node& node) {
+    for (const StreamDescription& stream : robot.streams) {
+        if (isCommand(stream.role)) {
+            auto made =
+                node.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
+                               [this, stream](const ReceivedSample& sample) { hear(stream, sample); });
+            if (!made) return made.error();
+            subscriptions.push_back(std::move(made).value());
+        } else if (!publishers.contains(stream.topic)) {
+            auto made = node.publisher({stream.topic, stream.type, stream.qos, flowOf(stream.role)});
+            if (!made) return made.error();
+            publishers.emplace(stream.topic, std::move(made).value());
+        }
+    }
+    auto made = node.subscribe(
+        {std::string(station_topic::Grants), "leitstand_msgs/msg/Grant", grantQos(), Lane::Small},
+        [this](const ReceivedSample& sample) { hearGrant(sample); });
+    if (!made) return made.error();
+    subscriptions.push_back(std::move(made).value());
+    return {};
+}
+
+RobotWire::RobotWire(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+
+RobotWire::~RobotWire() {
+    m_state->subscriptions.clear();
+}
+
+Result<std::unique_ptr<RobotWire>> RobotWire::create(Node& node, const RobotDescription& robot) {
+    std::unique_ptr<RobotWire> made(new RobotWire(std::make_unique<State>(robot)));
+    if (auto opened = made->m_state->open(node); !opened) return opened.error();
+    return made;
+}
+
+std::vector<HeardCommand> RobotWire::take() {
+    const std::lock_guard lock(m_state->mutex);
+    return std::exchange(m_state->waiting, {});
+}
+
+void RobotWire::say(const HardwareSample& sample) {
+    const StreamDescription* stream = m_state->robot.stream(sample.role, sample.sensor);
+    if (stream == nullptr) return;
+    const auto cdr = encode(sample.sample, stream->type);
+    const bool said = cdr && m_state->publishers.at(stream->topic)->write(*cdr).ok();
+    const std::lock_guard lock(m_state->mutex);
+    ++(said ? m_state->counts.said : m_state->counts.unsaid);
+}
+
+RobotWireCounts RobotWire::counts() const {
+    const std::lock_guard lock(m_state->mutex);
+    return m_state->counts;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/robot/control/grants.h"
+#include "core/robot/robot_description.h"
+#include "robots/hardware/robot_hardware.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// What came over the wire for a robot.
+struct HeardCommand {
+    StreamRole role = StreamRole::DriveCommand;  ///< of the command stream; nothing to grants
+    bool grant = false;                          ///< sample is a GrantSample
+    Sample sample;
+    Sender from;    ///< the process that said it
+    Time received;  ///< when it was complete here, this computer's clock
+};
+
+struct RobotWireCounts {
+    std::uint64_t heard = 0;
+    std::uint64_t broken = 0;   ///< could not be read
+    std::uint64_t dropped = 0;  ///< nobody took them in time; never stops
+    std::uint64_t said = 0;
+    std::uint64_t unsaid = 0;  ///< could not be encoded or written
+};
+
+/// A robot's end of the wire: hears commands and grants, says samples by the topics, types and QoS of its
+/// description. Any thread.
+class RobotWire {
+public:
+    /// Errors name the topic.
+    [[nodiscard]] static Result<std::unique_ptr<RobotWire>> create(Node& node, const RobotDescription& robot);
+    ~RobotWire();
+    RobotWire(const RobotWire&) = delete;
+    RobotWire& operator=(const RobotWire&) = delete;
+
+    /// What came since the last call, in order. A drive command that cannot be read is one that is no number,
+    /// which stops.
+    [[nodiscard]] std::vector<HeardCommand> take();
+    /// Says it on the stream of its role and sensor; nothing when the robot has none. Never waits.
+    void say(const HardwareSample& sample);
+    [[nodiscard]] RobotWireCounts counts() const;
+
+private:
+    struct State;
+    explicit RobotWire(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,153 @@
+#include "robots/kurt3d/kurt3d_agent.h"
+
+#include <gtest/gtest.h>
+
+#include "core/io/robot/robot_file.h"
+#include "robots/control/fuzzy/fuzzy_file.h"
+#include "tests/support/fake_robot.h"
+
+namespace leitstand::test {
+namespace {
+
+struct Kurt3d : testing::Test {
+    Kurt3d() {
+        const std::string resources = LEITSTAND_SOURCE_DIR "/resources/";
+        const auto rules = readFuzzySystem(resources + "control/fuzzy_drive.yaml");
+        const auto description = readRobot(resources + "robots/kurt3d.yaml");
+        agent = Kurt3dAgent::create(robot, *description, *rules).value();
+        station.emplace(robot, *agent, "kurt3d");
+        other.emplace(robot, *agent, "kurt3d", std::uint8_t{2});
+    }
+    FakeRobot robot;
+    std::unique_ptr<Kurt3dAgent> agent;
+    std::optional<FakeStation<Kurt3dAgent>> station, other;
+};
+
+TEST_F(Kurt3d, BeginsStandingWithItsBrakeOn) {
+    station->pass(0.1);
+    EXPECT_TRUE(robot.brake);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
+    EXPECT_EQ(station->all<ModeSample>().size(), 1u);
+    EXPECT_EQ(station->all<StopStateSample>().front().stopped, false);
+}
+
+TEST_F(Kurt3d, ObeysTheHolderOnly) {
+    station->drive(0.0);
+    station->drive(0.3);
+    station->pass(0.1);
+    EXPECT_EQ(robot.left, 0.0) << "no grant";
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.3, 0.5);
+    EXPECT_NEAR(robot.tracks().left, 0.3, 0.03);
+    other->drive(0.0);
+    station->pass(0.05);
+    EXPECT_GT(robot.left, 0.2) << "a stranger's zero does not count either";
+}
+
+TEST_F(Kurt3d, StandsWithin300MillisecondsOfTheLastCommand) {
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.3, 0.5);
+    station->pass(0.2);
+    EXPECT_GT(robot.left, 0.2);
+    station->pass(0.6);
+    EXPECT_EQ(robot.left, 0.0);
+    EXPECT_TRUE(robot.brake);
+}
+
+TEST_F(Kurt3d, AStopStandsUntilTheHolderReleasesIt) {
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.3, 0.5);
+    other->stop(1);
+    station->pass(0.02);
+    EXPECT_TRUE(robot.brake);
+    EXPECT_EQ(robot.left, 0.0);
+    station->keepDriving(0.3, 1.0);
+    EXPECT_TRUE(robot.brake) << "commands do not lift it";
+    EXPECT_EQ(agent->mode(), DriveMode::Stopped);
+    const auto state = station->all<StopStateSample>().back();
+    EXPECT_TRUE(state.stopped && state.standing);
+    other->stop(2, false, state.stops);
+    station->pass(0.05);
+    EXPECT_FALSE(station->all<StopStateSample>().back().refused.empty()) << "not of the holder";
+    station->stop(3, false, state.stops);
+    station->pass(0.05);
+    EXPECT_FALSE(station->all<StopStateSample>().back().stopped);
+    station->keepDriving(0.3, 0.3);
+    EXPECT_EQ(robot.left, 0.0) << "sticks must be neutral first";
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.3, 0.5);
+    EXPECT_GT(robot.left, 0.2);
+}
+
+TEST_F(Kurt3d, EveryStopIsAnsweredAlsoARepeatedOne) {
+    station->stop(7);
+    station->pass(0.02);
+    const auto before = station->all<StopStateSample>().size();
+    station->stop(7);
+    station->pass(0.02);
+    EXPECT_EQ(station->all<StopStateSample>().size(), before + 1);
+    EXPECT_EQ(station->all<StopStateSample>().back().number, 7u);
+}
+
+TEST_F(Kurt3d, ModesAreTheHoldersToAskFor) {
+    station->keepDriving(0.0, 0.1);
+    other->mode("safe_teleoperation");
+    station->pass(0.02);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
+    station->mode("safe_teleoperation");
+    station->pass(0.02);
+    EXPECT_EQ(agent->mode(), DriveMode::SafeTeleoperation);
+    EXPECT_EQ(station->all<ModeSample>().back().mode, "safe_teleoperation");
+    station->mode("victim_approach");
+    station->pass(0.02);
+    EXPECT_EQ(agent->mode(), DriveMode::SafeTeleoperation) << "nothing warm is in sight";
+    EXPECT_NE(station->all<ModeSample>().back().reason, "");
+}
+
+TEST_F(Kurt3d, WhatWasNeverSeenIsCreptIntoUnderSafeTeleoperation) {
+    station->keepDriving(0.0, 0.1);
+    station->mode("safe_teleoperation");
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.5, 1.0);
+    EXPECT_GT(robot.tracks().left, 0.02);
+    EXPECT_LT(robot.tracks().left, 0.15);
+}
+
+TEST_F(Kurt3d, ALostLinkStopsTeleoperationAndNothingBeginsByItself) {
+    station->keepDriving(0.0, 0.1);
+    station->mode("explore");
+    station->pass(4.0);
+    EXPECT_EQ(robot.left, 0.0);
+    station->mode("teleoperation");
+    station->pass(4.0);
+    EXPECT_TRUE(robot.brake);
+    station->keepDriving(0.3, 0.3);
+    EXPECT_EQ(robot.left, 0.0) << "sticks must be neutral first";
+}
+
+TEST_F(Kurt3d, PingsComeBackWithItsClock) {
+    station->say(StreamRole::Ping, PingSample{42, "station 1", Time(std::chrono::seconds(5))});
+    station->pass(0.01);
+    const auto pongs = station->all<PongSample>();
+    ASSERT_EQ(pongs.size(), 1u);
+    EXPECT_EQ(pongs[0].number, 42u);
+    EXPECT_EQ(pongs[0].sent, Time(std::chrono::seconds(5)));
+    EXPECT_EQ(pongs[0].received, Time(std::chrono::seconds(1'000)));
+}
+
+TEST_F(Kurt3d, CamerasTurnAndStreamsAreSet) {
+    station->hold();
+    PanTiltCommand look;
+    look.names = {"left_pan", "left_tilt"};
+    look.positions = {0.5, -0.2};
+    station->say(StreamRole::PanTiltCommand, look);
+    EXPECT_EQ(robot.cameras["left"], std::make_pair(0.5, -0.2));
+    StreamCommandSample slow;
+    slow.topic = "/kurt3d/left/image/compressed";
+    slow.rate = 2.0;
+    station->say(StreamRole::StreamCommand, slow);
+    EXPECT_EQ((robot.streams[{StreamRole::Picture, "left"}].rate), 2.0);
+}
+
+}  // namespace
+}  // namespace leitstand::test
