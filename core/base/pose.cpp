@@ -25,6 +25,14 @@ double distanceBetween(const Pose& a, const Pose& b) {
     return (a.translation() - b.translation()).norm();
 }
 
+Pose interpolated(const Pose& a, const Pose& b, double share) {
+    Pose pose = Pose::Identity();
+    pose.translation() = (1.0 - share) * a.translation() + share * b.translation();
+    pose.linear() =
+        Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear())).toRotationMatrix();
+    return pose;
+}
+
 Pose orthonormalised(const Pose& pose) {
     Pose result = pose;
     result.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();

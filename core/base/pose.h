@@ -27,6 +27,9 @@ constexpr double inDegrees(double radians) {
 /// Distance of the origins of two poses [m].
 [[nodiscard]] double distanceBetween(const Pose& a, const Pose& b);
 
+/// The pose at @p share (0 to 1) of the way from @p a to @p b: straight line, shortest turn.
+[[nodiscard]] Pose interpolated(const Pose& a, const Pose& b, double share);
+
 /// The nearest rigid motion: numerical drift removed from the rotation.
 [[nodiscard]] Pose orthonormalised(const Pose& pose);
 

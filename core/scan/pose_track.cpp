@@ -3,17 +3,6 @@
 #include <iterator>
 
 namespace leitstand {
-namespace {
-
-Pose between(const Pose& a, const Pose& b, double share) {
-    Pose pose = Pose::Identity();
-    pose.translation() = a.translation() + share * (b.translation() - a.translation());
-    pose.linear() = Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear())).matrix();
-    return pose;
-}
-
-}  // namespace
-
 void PoseTrack::add(Time stamp, const Pose& pose) {
     if (pose.matrix().allFinite()) m_poses.insert_or_assign(stamp, pose);
 }
@@ -24,7 +13,7 @@ std::optional<Pose> PoseTrack::at(Time stamp, std::chrono::nanoseconds gap) cons
     if (after != m_poses.end() && before != m_poses.end() && after->first - before->first <= gap) {
         const double share = std::chrono::duration<double>(stamp - before->first) /
                              std::chrono::duration<double>(after->first - before->first);
-        return between(before->second, after->second, share);
+        return interpolated(before->second, after->second, share);
     }
     const bool afterFits = after != m_poses.end() && after->first - stamp <= gap;
     const bool beforeFits = before != m_poses.end() && stamp - before->first <= gap;

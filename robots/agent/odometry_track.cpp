@@ -31,12 +31,7 @@ std::optional<Pose> OdometryTrack::at(Time at) const {
     }
     const auto before = std::prev(after);
     const double share = std::chrono::duration<double>(at - before->first) / (after->first - before->first);
-    Pose pose = Pose::Identity();
-    pose.translation() = (1.0 - share) * before->second.translation() + share * after->second.translation();
-    pose.linear() = Eigen::Quaterniond(before->second.linear())
-                        .slerp(share, Eigen::Quaterniond(after->second.linear()))
-                        .toRotationMatrix();
-    return pose;
+    return interpolated(before->second, after->second, share);
 }
 
 std::optional<Pose> OdometryTrack::newest() const {

@@ -79,15 +79,16 @@ void Kurt3dAgent::look(const HardwareSample& sample, const PictureSample& pictur
     const auto camera = m_cameras.find(sample.sensor);
     const auto place = inBase(picture.header.frame, sample.sensor);
     const StreamDescription* stream = robot().stream(StreamRole::Thermal, sample.sensor);
-    if (camera == m_cameras.end() || !place || stream == nullptr) return;
+    const auto robotThen = m_odometry.at(picture.header.stamp);
+    if (camera == m_cameras.end() || !place || !robotThen || stream == nullptr) return;
     const auto decoded = decodePicture(picture);
     if (!decoded) return;
     const auto heat = temperatures(*decoded, stream->thermal);
     if (!heat) return;
     const auto blobs = findHeat(*heat, camera->second);
-    if (const auto cue =
-            cueFrom(blobs, camera->second, heat->width, heat->height, *place, picture.header.stamp))
-        m_cue = cue;
+    const auto cue =
+        cueFrom(blobs, camera->second, heat->width, heat->height, *robotThen * *place, picture.header.stamp);
+    if (cue) m_cue = cue;
 }
 
 RobotAgent::Report Kurt3dAgent::report(Time now) {

@@ -46,6 +46,10 @@ Result<RobotDescription> describe(const RobotOptions& options) {
         if (stream.hardwareId == named.name) stream.hardwareId = options.name;
     }
     named.name = named.title = options.name;
+    // What no file may have as its name is refused; the name is the first complaint, all topics follow.
+    if (const auto checked = parseRobot(writeRobot(named), "--name"); !checked) {
+        return Error{checked.error().text.substr(0, checked.error().text.find('\n'))};
+    }
     return named;
 }
 

@@ -23,11 +23,7 @@ Pose PoseHistory::at(Time at) const {
     const Entry& before = *std::prev(later);
     const double share =
         static_cast<double>((at - before.at).count()) / static_cast<double>((later->at - before.at).count());
-    const Eigen::Quaterniond from(before.pose.linear()), to(later->pose.linear());
-    Pose pose = Pose::Identity();
-    pose.linear() = from.slerp(share, to).toRotationMatrix();
-    pose.translation() = (1.0 - share) * before.pose.translation() + share * later->pose.translation();
-    return pose;
+    return interpolated(before.pose, later->pose, share);
 }
 
 }  // namespace leitstand::simulation

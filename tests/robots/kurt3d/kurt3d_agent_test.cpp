@@ -116,6 +116,8 @@ TEST_F(Kurt3d, WhatWasNeverSeenIsCreptIntoUnderSafeTeleoperation) {
 TEST_F(Kurt3d, ALostLinkStopsTeleoperationAndNothingBeginsByItself) {
     station->keepDriving(0.0, 0.1);
     station->mode("explore");
+    station->pass(0.05);
+    ASSERT_EQ(agent->mode(), DriveMode::Explore);
     station->pass(4.0);
     EXPECT_EQ(robot.left, 0.0);
     station->mode("teleoperation");
