@@ -155,6 +155,12 @@ RobotGuess named(const std::string& name, bool prefixed, std::set<std::string>& 
     return guess;
 }
 
+/// Whether @p robot says on a topic of its own what all say on @p topic.
+bool hasOwn(const std::string& robot, const std::string& topic, const std::vector<SeenTopic>& topics) {
+    return std::any_of(topics.begin(), topics.end(),
+                       [own = "/" + robot + topic](const SeenTopic& one) { return one.name == own; });
+}
+
 }  // namespace
 
 std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
@@ -226,7 +232,11 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
             addTopic(guesses.at(rest), topic);
         } else if (topic.name == "/tf" || topic.name == "/tf_static" || topic.name == "/diagnostics") {
             for (auto& [name, guess] : guesses) {
-                guess.robot.tfPrefix = TfPrefix::Frame;
+                // Of a tree that all share, a robot has the frames with its name; where it has a tree of its
+                // own, that.
+                const bool tree = topic.name != "/diagnostics";
+                if (tree && hasOwn(name, topic.name, topics)) continue;
+                if (tree) guess.robot.tfPrefix = TfPrefix::Frame;
                 addTopic(guess, topic);
             }
         }

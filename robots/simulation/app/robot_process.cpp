@@ -48,7 +48,9 @@ Result<RobotDescription> describe(const RobotOptions& options) {
     named.name = named.title = options.name;
     // What no file may have as its name is refused; the name is the first complaint, all topics follow.
     if (const auto checked = parseRobot(writeRobot(named), "--name"); !checked) {
-        return Error{checked.error().text.substr(0, checked.error().text.find('\n'))};
+        const std::string& text = checked.error().text;
+        const std::size_t begin = std::min(text.find("expected"), text.size());
+        return Error{"--name: " + text.substr(begin, text.find('\n', begin) - begin)};
     }
     return named;
 }

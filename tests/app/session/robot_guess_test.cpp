@@ -46,6 +46,31 @@ TEST(RobotGuess, RobotsAreToldByTheirNamespaces) {
     EXPECT_EQ(kurt.stream(StreamRole::Points)->qos.depth, 600) << "DDS does not tell it: a radio gap of 60 s";
 }
 
+TEST(RobotGuess, ATreeOfItsOwnIsTakenBeforeTheOneThatAllShare) {
+    const auto guesses = guessRobots(
+        {topic("/tf", "tf2_msgs/msg/TFMessage"), topic("/tf_static", "tf2_msgs/msg/TFMessage"),
+         topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"),
+         topic("/kurt3d/odom", "nav_msgs/msg/Odometry"), topic("/kurt3d/tf", "tf2_msgs/msg/TFMessage"),
+         topic("/kurt3d/tf_static", "tf2_msgs/msg/TFMessage"),
+         topic("/crawler/odom", "nav_msgs/msg/Odometry")});
+    ASSERT_EQ(guesses.size(), 2u);
+    const RobotDescription &crawler = guesses[0].robot, &kurt = guesses[1].robot;
+    EXPECT_EQ(kurt.tfPrefix, TfPrefix::Topic);
+    EXPECT_EQ(kurt.stream(StreamRole::StaticTransforms)->topic, "/kurt3d/tf_static");
+    EXPECT_EQ(crawler.tfPrefix, TfPrefix::Frame);
+    EXPECT_EQ(crawler.stream(StreamRole::StaticTransforms)->topic, "/tf_static");
+    EXPECT_NE(kurt.stream(StreamRole::Diagnostics), nullptr);
+}
+
+TEST(RobotGuess, SharedDiagnosticsSayNothingOfFrames) {
+    const auto guesses = guessRobots({topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"),
+                                      topic("/kurt3d/odom", "nav_msgs/msg/Odometry"),
+                                      topic("/crawler/odom", "nav_msgs/msg/Odometry")});
+    ASSERT_EQ(guesses.size(), 2u);
+    EXPECT_EQ(guesses[0].robot.tfPrefix, TfPrefix::Topic);
+    EXPECT_EQ(guesses[1].robot.tfPrefix, TfPrefix::Topic);
+}
+
 TEST(RobotGuess, AStockRobotWithoutANamespaceIsOneRobot) {
     const auto guesses =
         guessRobots({topic("/odom", "nav_msgs/msg/Odometry"), topic("/scan", "sensor_msgs/msg/LaserScan"),
