@@ -26,6 +26,33 @@ Eigen::Vector2d flat(const Eigen::Vector3d& point) {
     return point.head<2>();
 }
 
+/// Whether the points of a row look one way, as those of a vertical raw scan do: in base_link's axes.
+bool isUpright(const CloudSample& cloud, std::size_t row, const Eigen::Matrix3d& toBase) {
+    constexpr double Widest = 0.2;  // mean offset to the side, of the distance
+    const auto columns = static_cast<std::size_t>(cloud.columns);
+    std::vector<Eigen::Vector2d> ways;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
+        if (!cloud.points[i].allFinite() || cloud.points[i].squaredNorm() < 1e-6F) continue;
+        ways.push_back(flat(toBase * cloud.points[i].cast<double>().normalized()));
+        sum += ways.back();
+    }
+    if (ways.empty() || sum.norm() < 1e-9) return true;
+    const Eigen::Vector2d middle = sum.normalized();
+    double aside = 0.0;
+    for (const Eigen::Vector2d& way : ways) aside += std::abs(middle.x() * way.y() - middle.y() * way.x());
+    return aside / static_cast<double>(ways.size()) < Widest;
+}
+
+/// Whether rows are vertical raw scans: most of them, as far as they have echoes.
+bool hasUprightRows(const CloudSample& cloud, const Eigen::Matrix3d& toBase) {
+    const auto rows = static_cast<std::size_t>(cloud.rows);
+    if (cloud.points.size() < rows * static_cast<std::size_t>(cloud.columns)) return true;
+    std::size_t upright = 0;
+    for (std::size_t row = 0; row < rows; ++row) upright += isUpright(cloud, row, toBase) ? 1 : 0;
+    return 2 * upright > rows;
+}
+
 /// A point of a raw scan before it is put in order.
 struct Measured {
     Eigen::Vector3d inOdom;
@@ -39,6 +66,7 @@ VirtualScan::VirtualScan(const VirtualScanSettings& settings)
 
 void VirtualScan::clear() {
     std::fill(m_rays.begin(), m_rays.end(), Ray{});
+    m_ownBody.clear();
     m_before.reset();
     m_newest.reset();
 }
@@ -55,10 +83,8 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         return cloud.times.empty() ? cloud.header.stamp
                                    : cloud.header.stamp + std::chrono::nanoseconds(cloud.times[i]);
     };
-    /// Brings the points of one raw scan, @p indices, into the odometry's frame and adds them.
-    const auto addRaw = [&](const std::vector<std::size_t>& indices) {
-        if (indices.empty()) return;
-        const Time at = timeOf(indices.front());
+    /// Brings the points of one raw scan, @p indices, into the odometry's frame and adds them as of @p at.
+    const auto addRaw = [&](const std::vector<std::size_t>& indices, Time at) {
         const auto base = baseInOdom(at);
         if (!base || !base->matrix().allFinite()) return;
         const Eigen::Vector3d scanner = *base * sensorInBase.translation();
@@ -68,9 +94,14 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
             const Eigen::Vector3f& point = cloud.points[i];
             if (!point.allFinite() || point.squaredNorm() < 1e-6F) continue;
             const Eigen::Vector3d inBase = sensorInBase * point.cast<double>();
-            if (inBase.z() < m_settings.profile.height + m_settings.bodyMargin && body.contains(flat(inBase)))
+            const Eigen::Vector3d shot = inBase - sensorInBase.translation();
+            if (inBase.z() < m_settings.profile.height + m_settings.bodyMargin &&
+                body.contains(flat(inBase))) {
+                if (inBase.z() > m_settings.profile.step) m_ownBody.add(shot, at);  // else floor beside it
                 continue;
-            if (point.cast<double>().norm() > m_settings.range) continue;
+            }
+            if (shot.norm() > m_settings.range) continue;
+            if (shot.norm() < m_settings.mixedWithin && m_ownBody.isNear(shot, at)) continue;
             const Eigen::Vector3d inOdom = *base * inBase;
             const Eigen::Vector3d seen = inOdom - scanner;
             measured.push_back({inOdom, std::atan2(seen.z(), flat(seen).norm())});
@@ -86,12 +117,12 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         addProfile(std::move(points), flat(scanner), at);
     };
 
-    if (cloud.organised()) {
+    if (cloud.organised() && hasUprightRows(cloud, sensorInBase.linear())) {
         const auto columns = static_cast<std::size_t>(cloud.columns);
         for (std::size_t row = 0; row < static_cast<std::size_t>(cloud.rows); ++row) {
             std::vector<std::size_t> indices(columns);
             for (std::size_t k = 0; k < columns; ++k) indices[k] = row * columns + k;
-            if (indices.back() < cloud.points.size()) addRaw(indices);
+            if (indices.back() < cloud.points.size()) addRaw(indices, timeOf(indices.front()));
         }
         return;
     }
@@ -101,7 +132,10 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         if (!point.allFinite()) continue;
         raws[static_cast<std::size_t>(binOf(std::atan2(point.y(), point.x())))].push_back(i);
     }
-    for (const auto& indices : raws) addRaw(indices);
+    // A sweep that tilts sees a direction again and again: the last look counts.
+    for (const auto& indices : raws) {
+        if (!indices.empty()) addRaw(indices, timeOf(indices.back()));
+    }
 }
 
 void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vector2d& origin, Time at) {

@@ -7,6 +7,7 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/perception/own_body_mask.h"
 #include "core/perception/scan_profile.h"
 #include "core/perception/virtual_scan_view.h"
 #include "core/robot/samples/cloud_sample.h"
@@ -20,6 +21,7 @@ struct VirtualScanSettings {
     double range = 30.0;       ///< farther points are left out [m]
     BodyBox body;              ///< points within are the robot's own
     double bodyMargin = 0.03;  ///< added to it all around [m]
+    double mixedWithin = 1.0;  ///< points so near beside those on the own body are mixed with it [m]
     ProfileSettings profile;
 };
 
@@ -34,9 +36,9 @@ class VirtualScan {
 public:
     explicit VirtualScan(const VirtualScanSettings& settings = {});
 
-    /// Takes what a 3D scanner measured; @p sensorInBase: where the cloud's frame is. Organised clouds have
-    /// a vertical raw scan in each row; others are cut by direction. Raw scans at times without odometry are
-    /// left out.
+    /// Takes what a 3D scanner measured; @p sensorInBase: where the cloud's frame is. Rows that look one way
+    /// are vertical raw scans; other clouds, and those whose rows fan out to the sides (a tilting scanner's,
+    /// for which robots stand), are cut by direction. Raw scans at times without odometry are left out.
     void add(const CloudSample& cloud, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom);
     /// Takes a turn of a scanner in a plane. What it sees of the floor, being tilted, is no obstacle.
     void add(const RangesSample& ranges, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom);
@@ -70,6 +72,7 @@ private:
 
     VirtualScanSettings m_settings;
     std::vector<Ray> m_rays;  ///< by heading in odom
+    OwnBodyMask m_ownBody;
     std::optional<Before> m_before;
     std::optional<Time> m_newest;
 };

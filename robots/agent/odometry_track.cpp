@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-constexpr auto Kept = std::chrono::seconds(3);
+constexpr auto Kept = std::chrono::seconds(6);
 constexpr auto Bridged = std::chrono::milliseconds(300);
 
 }  // namespace

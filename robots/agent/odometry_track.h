@@ -9,7 +9,8 @@
 
 namespace leitstand {
 
-/// Where a robot was lately, by its odometry: of the last 3 s, interpolated.
+/// Where a robot was lately, by its odometry: of the last 6 s (longer than a sweep of any scanner),
+/// interpolated.
 class OdometryTrack {
 public:
     void add(Time at, const Pose& baseInOdom);

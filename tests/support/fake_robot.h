@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/robot/control/grants.h"
 #include "robots/hardware/robot_hardware.h"
+#include "tests/support/test_station.h"
 
 namespace leitstand::test {
 
@@ -49,32 +49,10 @@ public:
 
 /// Operates an agent on a FakeRobot as a station would, in virtual time.
 template <class Agent>
-class FakeStation {
+class FakeStation : public TestStation {
 public:
-    FakeStation(FakeRobot& robot, Agent& agent, std::string name, std::uint8_t process = 1)
-        : m_robot(robot), m_agent(agent), m_name(std::move(name)) {
-        m_me.bytes[0] = process;
-    }
-    void hold() {
-        GrantSample grant;
-        grant.station = "station " + std::to_string(m_me.bytes[0]);
-        grant.robot = m_name;
-        m_agent.hear(grant, m_me);
-    }
-    void drive(double forward, double turn = 0.0) {
-        TwistSample twist;
-        twist.linear.x() = forward;
-        twist.angular.z() = turn;
-        say(StreamRole::DriveCommand, twist);
-    }
-    void stop(std::uint64_t number, bool stop = true, std::uint64_t releases = 0) {
-        say(StreamRole::StopCommand,
-            StopCommandSample{{}, "station " + std::to_string(m_me.bytes[0]), number, stop, releases});
-    }
-    void mode(const std::string& wanted) {
-        say(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", wanted});
-    }
-    void say(StreamRole role, const Sample& sample) { m_agent.hear(role, sample, m_me); }
+    FakeStation(FakeRobot& robot, Agent& agent, const std::string& name, std::uint8_t process = 1)
+        : TestStation(agent, name, process), m_robot(robot), m_agent(agent) {}
 
     /// Passes time in steps of 10 ms with odometry at rest; what the agent says is kept.
     void pass(double seconds) {
@@ -86,7 +64,7 @@ public:
             odometry.childFrame = "base_link";
             odometry.linear.x() = m_robot.tracks().left;
             m_robot.samples.push_back({StreamRole::Odometry, {}, odometry});
-            for (HardwareSample& sample : m_agent.step()) said.push_back(std::move(sample));
+            for (HardwareSample& sample : m_agent.step()) heard(std::move(sample));
         }
     }
     /// Drives for a while, renewing the grant and the command as a station does.
@@ -97,21 +75,10 @@ public:
             pass(0.05);
         }
     }
-    template <class Kind>
-    [[nodiscard]] std::vector<Kind> all() const {
-        std::vector<Kind> found;
-        for (const HardwareSample& sample : said) {
-            if (const auto* one = std::get_if<Kind>(&sample.sample)) found.push_back(*one);
-        }
-        return found;
-    }
-    std::vector<HardwareSample> said;
 
 private:
     FakeRobot& m_robot;
     Agent& m_agent;
-    std::string m_name;
-    Sender m_me;
 };
 
 }  // namespace leitstand::test

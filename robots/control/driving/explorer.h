@@ -19,7 +19,7 @@ struct ExplorerSettings {
     double stuckAfter = 6.0;  ///< without getting on [s]
     double recoverFor = 2.5;  ///< backs off or turns [s]
     double blindAfter = 3.5;  ///< without a raw scan it stands [s]
-    double lookFirst = 2.6;   ///< at the beginning: a turn of the scanner [s]
+    double lookFirst = 5.0;   ///< at the beginning: two turns of the scanner [s]
     double replan = 0.5;      ///< [s]
 };
 
