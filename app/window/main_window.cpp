@@ -188,7 +188,10 @@ void MainWindow::restore(const WindowState& state) {
     if (state.geometry.isEmpty() || !restoreGeometry(state.geometry)) resize(state.firstSize);
     const int side = std::clamp(width() * 3 / 10, SideWidth, WidestSide);
     resizeDocks({m_scansDock, m_settingsDock}, {side, side}, Qt::Horizontal);
-    resizeDocks({m_scansDock, m_settingsDock}, {ScansHeight, SettingsHeight}, Qt::Vertical);
+    // The settings take what they need, the list of scans grows with the window.
+    const int settings = std::max(SettingsHeight, m_settingsDock->sizeHint().height());
+    resizeDocks({m_scansDock, m_settingsDock}, {std::max(ScansHeight, height() - settings), settings},
+                Qt::Vertical);
     resizeDocks({m_messagesDock}, {MessagesHeight}, Qt::Vertical);
     if (!state.layout.isEmpty()) restoreState(state.layout);
     m_messagesDock->hide();

@@ -77,10 +77,10 @@ QWidget* MapPane::header(ViewState& state) {
 }
 
 QLabel* MapPane::help() {
-    auto* label =
-        new QLabel(tr("Drop scans or a folder of scans here,\nor choose File ▸ Open scans (Ctrl+O) or Open "
-                      "folder (Ctrl+Shift+O)\n\nF1 lists all keys"),
-                   this);
+    auto* label = new QLabel(
+        tr("Drop scans, a folder of scans or a mission here,\nor choose File ▸ Open scans (Ctrl+O) or Open "
+           "folder (Ctrl+Shift+O)\n\nF1 lists all keys"),
+        this);
     label->setObjectName(QStringLiteral("help"));
     label->setAlignment(Qt::AlignCenter);
     label->setProperty("muted", true);
