@@ -32,6 +32,15 @@ void CrawlerAgent::feel(const ImuSample& imu) {
         m_pitch += rate.y() * seconds;
     }
     m_felt = imu.header.stamp;
+    const DiagnosticStatus::Level now = danger(rate);
+    if (now == m_danger) return;
+    m_danger = now;
+    say(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
+}
+
+DiagnosticStatus::Level CrawlerAgent::danger(const Eigen::Vector3d& rate) const {
+    if (std::cos(m_roll) * std::cos(m_pitch) < std::cos(m_settings.lies))
+        return DiagnosticStatus::Level::Error;
     const auto share = [this](double angle, double turning, double limit) {
         if (limit <= 0.0) return 0.0;
         return std::max(std::abs(angle), std::abs(angle + m_settings.lookAhead * turning)) / limit;
@@ -39,19 +48,19 @@ void CrawlerAgent::feel(const ImuSample& imu) {
     const double nearest =
         std::max(share(m_roll, rate.x(), robot().maxRoll), share(m_pitch, rate.y(), robot().maxPitch));
     // Let go of later than it begins, so that it does not flicker.
-    const bool warns = nearest > (m_warns ? 0.85 : 1.0) * m_settings.warnFrom;
-    if (warns == m_warns) return;
-    m_warns = warns;
-    say(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
+    const double from = (m_danger == DiagnosticStatus::Level::Ok ? 1.0 : 0.85) * m_settings.warnFrom;
+    return nearest > from ? DiagnosticStatus::Level::Warning : DiagnosticStatus::Level::Ok;
 }
 
 DiagnosticStatus CrawlerAgent::warning() const {
     const StreamDescription* stream = robot().stream(StreamRole::Diagnostics);
     const auto inDegrees = [](double angle) { return fmt::format("{:.0f}", angle * 180 / std::numbers::pi); };
     DiagnosticStatus status;
-    status.level = m_warns ? DiagnosticStatus::Level::Warning : DiagnosticStatus::Level::Ok;
+    status.level = m_danger;
     status.name = "roll-over";
-    status.message = m_warns ? "about to roll over" : "upright";
+    status.message = m_danger == DiagnosticStatus::Level::Ok        ? "upright"
+                     : m_danger == DiagnosticStatus::Level::Warning ? "about to roll over"
+                                                                    : "rolled over";
     status.hardwareId = stream != nullptr && !stream->hardwareId.empty() ? stream->hardwareId : robot().name;
     status.values = {{"roll", inDegrees(m_roll)}, {"pitch", inDegrees(m_pitch)}};
     return status;

@@ -58,7 +58,7 @@ BodySpec kurt3dBody() {
                     {-0.225, 0.15}, {-0.225, -0.15}, {-0.08, -0.165}, {0.08, -0.165}};
     spec.bumpFrom = 0.03;
     spec.bumpTo = 0.56;
-    spec.maxClimb = 0.055;
+    spec.maxClimb = 0.035;
     spec.maxTilt = 0.96;
     spec.grip = 0.9;
     spec.skidTorque = 9.0;  // front and rear wheels have no tread pattern, to turn more easily
