@@ -1,5 +1,8 @@
 #include "robots/simulation/app/choose_arena.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/arena/arena_generator.h"
 
@@ -14,6 +17,9 @@ std::optional<Grade> gradeFrom(const std::string& name) {
 
 Result<Arena> chooseArena(const std::string& gradeOrFile, std::uint64_t seed) {
     if (const auto grade = gradeFrom(gradeOrFile)) return generateArena(*grade, seed);
+    std::error_code problem;
+    if (!std::filesystem::exists(gradeOrFile, problem))
+        return Error{gradeOrFile + ": cannot be opened; expected yellow, orange, red or an arena file"};
     return readArena(gradeOrFile);
 }
 

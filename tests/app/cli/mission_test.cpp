@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/bag/bag_reader.h"
+#include "tests/app/recording.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
-#include "tests/support/process.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -28,39 +28,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-ProcessOutcome leitstandctl(const std::vector<std::string>& arguments) {
-    return runProcess(LEITSTANDCTL, arguments);
-}
-
 Eigen::Vector3d positionOf(const json& scan) {
     const auto pose = scan["pose"].get<std::vector<double>>();
     return {pose[3], pose[7], pose[11]};
 }
-
-/// A recording that runs beside the test.
-class Recording {
-public:
-    Recording(const TestDomain& domain, const fs::path& mission, std::vector<std::string> more = {})
-        : m_process(LEITSTANDCTL, arguments(domain, mission, std::move(more))) {
-        EXPECT_TRUE(waitUntil([this] {
-            return m_process.out().find("recording domain") != std::string::npos;
-        })) << m_process.out();
-    }
-    int stop() {
-        m_process.signal(SIGINT);
-        return m_process.wait();
-    }
-    [[nodiscard]] std::string out() const { return m_process.out(); }
-
-private:
-    static std::vector<std::string> arguments(const TestDomain& domain, const fs::path& mission,
-                                              std::vector<std::string> more) {
-        more.insert(more.begin(),
-                    {"record", "--out", mission.string(), "--domain", std::to_string(domain.number())});
-        return more;
-    }
-    ChildProcess m_process;
-};
 
 /// A robot that has said all its scans to the recorder.
 class Robot {
@@ -99,13 +70,8 @@ std::size_t messagesOn(const json& info, const std::string& topic) {
 }
 
 std::vector<std::vector<std::byte>> payloadsOn(const fs::path& mission, const std::string& topic) {
-    const auto bag = BagReader::open(mission);
-    EXPECT_TRUE(bag) << bag.error().text;
-    BagQuery query;
-    query.topics = {topic};
-    BagCursor cursor = (*bag)->read(query);
     std::vector<std::vector<std::byte>> payloads;
-    while (const auto event = cursor.next()) payloads.push_back(*event->cdr);
+    for (const Payload& payload : recordedOn(mission, topic)) payloads.push_back(*payload);
     return payloads;
 }
 
