@@ -11,7 +11,7 @@ namespace leitstand {
 /// What floor and obstacles are to a robot.
 struct ProfileSettings {
     double climb = 0.3665;      ///< steepest ramp that it climbs [rad] (21 degrees)
-    double step = 0.05;         ///< highest step that it climbs; less stands out of the floor unseen [m]
+    double step = 0.05;         ///< highest step that it takes; less stands out of the floor unseen [m]
     double height = 0.75;       ///< of the robot: what is higher over the floor does not stop it [m]
     double drop = 0.12;         ///< deepest step down that it takes; deeper ones are obstacles [m]
     double wallHeight = 2.2;    ///< points higher over the robot's ground are no walls [m]

@@ -34,6 +34,28 @@ double gap(const VirtualScanView& view, const BodyBox& body, double from, double
     return nearest;
 }
 
+/// Where a corner of the body stands in the way of a turn on the spot: the same turn while it drives on or
+/// back, whichever is free for longer, as drivers do in narrow streets; or at least straight.
+DriveVelocity turnInTheNarrow(const DriveVelocity& wish, const VirtualScanView& view,
+                              const FuzzyDriveSettings& settings, double share) {
+    const BodyBox body = settings.safety.body.grown(settings.safety.margin);
+    const double slow = 0.35 * share * settings.speed;
+    const double turn = std::copysign(0.4 * share * settings.turnRate, wish.turn);
+    constexpr double Useful = 0.06;  // [m]
+    DriveVelocity best;
+    for (const double bend : {turn, 0.0}) {
+        double longest = Useful;
+        for (const double forward : {slow, -slow}) {
+            const double free = view.freeTravel(forward, bend, body, 0.5);
+            if (free <= longest) continue;
+            longest = free;
+            best = {forward, 0.0, bend};
+        }
+        if (longest > Useful) break;
+    }
+    return best;
+}
+
 }  // namespace
 
 FuzzyDrive::FuzzyDrive(FuzzySystem system, const FuzzyDriveSettings& settings)
@@ -101,6 +123,11 @@ FuzzyDriveStep FuzzyDrive::step(const VirtualScanView& view, std::optional<doubl
         const DriveVelocity turn{0.0, 0.0, std::copysign(0.5 * bounded * m_settings.turnRate, towards)};
         const SafeVelocity turning = safeVelocity(turn, view, m_settings.safety);
         if (turning.share > safe.share) safe = turning;
+    }
+    if (safe.share < 0.15 && std::abs(wish.turn) > 0.05) {
+        const DriveVelocity bent = turnInTheNarrow(wish, view, m_settings, bounded);
+        const SafeVelocity moving = safeVelocity(bent, view, m_settings.safety);
+        if (!isZero(bent) && moving.share > safe.share) safe = moving;
     }
     step.velocity = safe.velocity;
     if (!safe.reason.empty()) step.reason += "; " + safe.reason;

@@ -40,10 +40,11 @@ TEST(SafeTeleoperation, SlowsDownOnTheSameCurveTheNearerSomethingIs) {
         EXPECT_NEAR(safe.velocity.turn * 0.6, safe.velocity.forward * 0.3, 1e-9);
         before = safe.share;
     }
-    const SafeVelocity near = safeVelocity({0.6, 0.0, 0.0}, viewOf(0.5, {{{0.35, 0.0}, 0.5}}), settings());
+    const SafeVelocity near = safeVelocity({0.6, 0.0, 0.0}, viewOf(0.5, {{{0.305, 0.0}, 0.5}}), settings());
     EXPECT_LT(near.velocity.forward, 0.12);
     EXPECT_EQ(near.reason.substr(0, 11), "obstacle in");
-    EXPECT_DOUBLE_EQ(safeVelocity({-0.6, 0.0, 0.0}, viewOf(0.5, {{{0.35, 0.0}, 0.5}}), settings()).share, 1.0)
+    EXPECT_DOUBLE_EQ(safeVelocity({-0.6, 0.0, 0.0}, viewOf(0.5, {{{0.305, 0.0}, 0.5}}), settings()).share,
+                     1.0)
         << "away from it";
 }
 

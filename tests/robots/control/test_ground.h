@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::pair<double, int> cast(const Eigen::Vector2d& from, double direction) const;
     /// From the front edge of the robot to obstacle @p number [m].
     [[nodiscard]] double fromFront(int number) const;
-    [[nodiscard]] static BodyBox body() { return {0.27, 0.27, 0.22, 0.22}; }
+    [[nodiscard]] static BodyBox body() { return {0.225, 0.225, 0.165, 0.165}; }
 
     std::vector<Obstacle> obstacles;
     bool scannerRuns = true;
