@@ -164,6 +164,36 @@ TEST(Inertial, HoldsTheLevelAndDriftsInHeadingOnly) {
     EXPECT_LT(std::abs(std::remainder(turned - truly, 2 * std::numbers::pi)), 0.02 * turned + degrees(4));
 }
 
+TEST(Inertial, ItsHeadingDriftsAsFarAsItsGyroSays) {
+    // docs/simulation.md, "Sensors": 0.02 degrees/s at the start, walks by 0.002 degrees/s each root second.
+    RoomBuilder room;
+    room.walls(9, 9, 1);
+    const auto world = room.world();
+    const int robot = addBareRobot(*world);
+    std::vector<InertialUnit> units;
+    constexpr int Units = 60;
+    for (std::uint64_t i = 0; i < Units; ++i)
+        units.emplace_back(InertialSettings{}, Noise(i, "imu"), world->now());
+    std::vector<HardwareSample> samples;
+    constexpr double Seconds = 60.0;
+    while (world->seconds() < Seconds) {
+        world->advance(500ms);
+        samples.clear();
+        for (InertialUnit& unit : units) unit.run(*world, robot, samples);
+    }
+    const double expected = std::hypot(0.02 * Seconds, 0.002 * std::sqrt(std::pow(Seconds, 3) / 3.0));
+    double squares = 0.0, worst = 0.0;
+    for (const InertialUnit& unit : units) {
+        const double drift = inDegrees(unit.attitudes().back().heading);
+        squares += drift * drift / Units;
+        worst = std::max(worst, std::abs(drift));
+    }
+    std::printf("a gyro that stands drifts by %.2f degrees in a minute (rms), %.2f at worst; %.2f expected\n",
+                std::sqrt(squares), worst, expected);
+    EXPECT_NEAR(std::sqrt(squares), expected, 0.3 * expected);
+    EXPECT_LT(worst, 4.0 * expected);
+}
+
 TEST(Inertial, MeasuresTheSameHoweverItIsAsked) {
     std::vector<double> headings;
     for (const auto step : {5ms, 50ms}) {

@@ -57,26 +57,33 @@ TEST(TurningScanner, LosesAndDoublesNoRawScanInTenTurns) {
         TurningScanner scanner(mountedScanDrive(), Noise(1, "scanner"), start);
         const auto slices = clouds(*world, robot, scanner, 23s + 130ms, step);
         ASSERT_GE(slices.size(), 230U);
-        std::int64_t next = 0;
+        std::int64_t next = 0;  // of raw scans, 181 a turn
         for (std::size_t i = 0; i < 230; ++i) {
             const CloudSample& slice = slices[i];
             ASSERT_EQ(slice.columns, 161);
-            EXPECT_TRUE(slice.rows == 7 || slice.rows == 8) << slice.rows;
+            EXPECT_TRUE(slice.rows >= 7 && slice.rows <= 9) << slice.rows;
             ASSERT_EQ(slice.points.size(), std::size_t(slice.rows) * 161U);
             ASSERT_EQ(slice.times.size(), slice.points.size());
             ASSERT_EQ(slice.rings.size(), slice.points.size());
             EXPECT_EQ(slice.header.frame, "kurt3d/laser");
+            EXPECT_EQ((slice.header.stamp - start).count() / 100'000'000, std::int64_t(i));
             for (int row = 0; row < slice.rows; ++row, ++next) {
                 const std::size_t first = std::size_t(row) * 161U;
-                EXPECT_EQ(slice.rings[first], next % 180);
+                const std::int64_t turn = next / 181, ring = next % 181;
+                EXPECT_EQ(slice.rings[first], ring);
                 const auto shot = slice.header.stamp + std::chrono::nanoseconds(slice.times[first]);
-                EXPECT_EQ((shot - start).count(), next * 2'300'000'000 / 180);
+                EXPECT_EQ((shot - start).count(), (180 * turn + ring) * 2'300'000'000 / 180);
                 const Eigen::Vector3f& level = slice.points[first + 70];
                 const double heading = std::atan2(double{level.y()}, double{level.x()});
-                EXPECT_NEAR(std::remainder(heading - degrees(2.0 * double(next)), 2 * M_PI), 0.0, 1e-5);
+                EXPECT_NEAR(std::remainder(heading - degrees(2.0 * double(ring)), 2 * M_PI), 0.0, 1e-5);
             }
         }
-        EXPECT_EQ(next, 1800);
+        EXPECT_EQ(next, 1810);
+        // The 181st of a turn and the first of the next are one measurement.
+        const CloudSample &ends = slices[22], &begins = slices[23];
+        ASSERT_EQ(ends.rings.back(), 180);
+        ASSERT_EQ(begins.rings.front(), 0);
+        EXPECT_EQ(ends.points[ends.points.size() - 161 + 70], begins.points[70]);
     }
 }
 
@@ -94,7 +101,10 @@ TEST(TurningScanner, GivesATurnToTheAssembler) {
         ++scans;
         EXPECT_EQ(scan->sweep, Sweep::Yawing);
         EXPECT_EQ(scan->columns, 161);
-        EXPECT_NEAR(scan->rows, 180, 1);
+        EXPECT_EQ(scan->rows, 181);
+        EXPECT_EQ(scan->points.size(), 29'141U) << "paper, section 2";
+        const Eigen::Vector3f &first = scan->points[70], &last = scan->points[180 * 161 + 70];
+        EXPECT_NEAR(std::atan2(first.y(), first.x()), std::atan2(last.y(), last.x()), 1e-5F);
     }
     EXPECT_EQ(scans, 3);
 }
@@ -178,9 +188,18 @@ TEST(TurningScanner, CanBeSwitchedOffAndGoesOnWithItsTurn) {
     EXPECT_FALSE(scanner.configure(StreamRole::Ranges, "laser", {}));
     EXPECT_TRUE(clouds(*world, robot, scanner, 1s, 20ms).empty());
     EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {}));
-    const auto slices = clouds(*world, robot, scanner, 1s, 20ms);
+    auto slices = clouds(*world, robot, scanner, 1s, 20ms);
     ASSERT_FALSE(slices.empty());
     EXPECT_NEAR(slices[0].rings[0], 78, 2);
+    // Off over the end of a turn: the next one begins with its first raw scan, and nothing closes it alone.
+    EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {.enabled = false}));
+    slices = clouds(*world, robot, scanner, 400ms, 20ms);
+    EXPECT_LE(slices.size(), 1U) << "what was begun";
+    EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {}));
+    slices = clouds(*world, robot, scanner, 200ms, 20ms);
+    ASSERT_FALSE(slices.empty());
+    EXPECT_EQ(slices[0].rings[0], slices[0].rings.back() + 1 - slices[0].rows);
+    EXPECT_LT(slices[0].rings.back(), 20);
 }
 
 TEST(TurningScanner, OfTheCrawlerGivesPointsAndItsFan) {

@@ -11,9 +11,9 @@ namespace leitstand::simulation {
 
 /// When and where to a plane scanner shoots that stands upright and is turned about the vertical axis without
 /// end, always to the left. Raw scans are numbered from 0 at the start; the one that closes a turn (paper,
-/// section 2: 181 x 161 points) is the first of the next.
+/// section 2: 181 x 161 points) is the first of the next and belongs to both.
 struct TurningPattern {
-    int rawScans = 180;            ///< of different headings a turn
+    int rawScans = 180;            ///< of different headings a turn; one more repeats the first
     int points = 161;              ///< a raw scan
     double lowest = degrees(-70);  ///< elevation of a raw scan's first point [rad]
     double step = degrees(1);      ///< from point to point, upwards [rad]

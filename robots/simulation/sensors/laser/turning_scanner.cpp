@@ -47,7 +47,7 @@ void TurningScanner::aim(const World& world, int robot) {
     }
 }
 
-void TurningScanner::append(std::span<const LaserEcho> echoes) {
+void TurningScanner::append(std::span<const LaserEcho> echoes, int ring) {
     const TurningPattern& pattern = m_settings.pattern;
     const Time start = startOf(m_rawScan);
     if (m_slice.rows == 0) m_slice.header = {start, m_settings.frame};
@@ -58,7 +58,7 @@ void TurningScanner::append(std::span<const LaserEcho> echoes) {
         m_slice.points.emplace_back(pattern.direction(m_rawScan, point).cast<float>() * echo.range);
         m_slice.intensities.push_back(echo.intensity);
         m_slice.times.push_back((start + pattern.shotAfter(point) - m_slice.header.stamp).count());
-        m_slice.rings.push_back(pattern.row(m_rawScan));
+        m_slice.rings.push_back(ring);
     }
 }
 
@@ -100,13 +100,19 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
     const CastRays cast = castInto(world.scene(), RayKind::Laser);
     for (; startOf(m_rawScan) + rawScanTime <= world.now(); ++m_rawScan) {
         const bool ranges = m_rangesEnabled && !m_settings.fanFrame.empty();
+        const bool begins = pattern.row(m_rawScan) == 0;
+        std::span<const LaserEcho> echoes;
         if (m_enabled || ranges) {
             aim(world, robot);
-            const auto echoes = m_head.measure(m_rays, cast);
-            if (ranges) tellFan(echoes, samples);
-            if (m_enabled) append(echoes);
+            echoes = m_head.measure(m_rays, cast);
         }
-        if (pattern.sliceOf(m_rawScan + 1) != pattern.sliceOf(m_rawScan)) emitSlice(samples);
+        if (ranges) tellFan(echoes, samples);
+        // What begins a turn has closed the one before: its last slice waits for it.
+        if (begins && m_enabled && m_slice.rows > 0) append(echoes, pattern.rawScans);
+        if (begins) emitSlice(samples);
+        if (m_enabled) append(echoes, pattern.row(m_rawScan));
+        const bool ends = pattern.row(m_rawScan + 1) == 0;
+        if (!ends && pattern.sliceOf(m_rawScan + 1) != pattern.sliceOf(m_rawScan)) emitSlice(samples);
     }
 }
 

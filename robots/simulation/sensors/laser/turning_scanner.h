@@ -26,7 +26,8 @@ struct TurningScannerSettings {
 [[nodiscard]] TurningScannerSettings turningUrg();
 
 /// A plane laser that turns about the vertical axis without end, and sends slices of its turn in the frame of
-/// its mount, in which each shot is measured from where the robot is at that moment.
+/// its mount, in which each shot is measured from where the robot is at that moment. The raw scan with which
+/// a turn begins closes the turn before as well: one measurement that is sent in both.
 class TurningScanner final : public Sensor {
 public:
     TurningScanner(const TurningScannerSettings& settings, const Noise& noise, Time start);
@@ -36,7 +37,7 @@ public:
 
 private:
     void aim(const World& world, int robot);
-    void append(std::span<const LaserEcho> echoes);
+    void append(std::span<const LaserEcho> echoes, int ring);
     void tellFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples);
     void emitSlice(std::vector<HardwareSample>& samples);
     [[nodiscard]] Time startOf(std::int64_t rawScan) const {
