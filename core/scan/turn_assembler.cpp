@@ -67,13 +67,6 @@ std::vector<double> headingsOfSlice(const CloudSample& cloud) {
     return *middle < RawScanWidth && turned < SliceTurn ? headings : std::vector<double>();
 }
 
-/// Stamp of the last shot.
-Time endOf(const CloudSample& cloud) {
-    const auto last = std::max_element(cloud.times.begin(), cloud.times.end());
-    const auto after = last == cloud.times.end() ? 0 : std::max<std::int64_t>(*last, 0);
-    return cloud.header.stamp + std::chrono::nanoseconds(after);
-}
-
 void append(Scan& scan, const CloudSample& cloud, const Pose& cloudInScan) {
     const Eigen::Isometry3f motion = cloudInScan.cast<float>();
     scan.points.reserve(scan.points.size() + cloud.points.size());
@@ -96,13 +89,15 @@ Scan wholeSweep(const CloudSample& cloud, const std::optional<Pose>& sensorInOdo
 
 }  // namespace
 
-std::optional<Scan> TurnAssembler::add(const CloudSample& cloud, const std::optional<Pose>& sensorInOdom) {
+std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& track) {
     const std::vector<double> headings = headingsOfSlice(cloud);
+    const std::optional<Pose> sensorInOdom = takeMotionOut(cloud, track);
     if (headings.empty()) {
         if (cloud.organised() && !m_slices.empty() && cloud.columns == m_slices.front().cloud.columns &&
             std::none_of(cloud.points.begin(), cloud.points.end(),
                          [](const Eigen::Vector3f& point) { return point.allFinite(); })) {
-            m_slices.push_back({cloud, sensorInOdom});  // a slice that saw nothing belongs to its turn
+            m_slices.push_back(
+                {std::move(cloud), sensorInOdom});  // a slice that saw nothing belongs to its turn
             return std::nullopt;
         }
         return wholeSweep(cloud, sensorInOdom);
@@ -120,7 +115,7 @@ std::optional<Scan> TurnAssembler::add(const CloudSample& cloud, const std::opti
         m_lastHeading = heading;
         ++m_rows;
     }
-    m_slices.push_back({cloud, sensorInOdom});
+    m_slices.push_back({std::move(cloud), sensorInOdom});
     // Whether the last raw scan repeats the first one's direction is the scanner's affair: a step short of a
     // turn is a turn.
     const double step = m_turned / std::max(1, m_rows - 1);

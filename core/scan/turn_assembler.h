@@ -1,29 +1,35 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/robot/samples/cloud_sample.h"
+#include "core/scan/motion_compensation.h"
 #include "core/scan/scan.h"
 
 namespace leitstand {
 
 /// Puts what a 3D scanner sends together to scans. A cloud that is a whole sweep is a scan by itself. Slices
 /// of a yawing scanner (organised, rows are vertical raw scans, design section 4) are gathered until they
-/// make a turn of 360 degrees; each slice is moved by its own pose, so that the robot's motion from slice to
-/// slice is taken out. One thread at a time.
+/// make a turn of 360 degrees. The robot's motion is taken out: every point is moved by the sensor's motion
+/// from its own shot to the scan's last one. One thread at a time.
 class TurnAssembler {
 public:
-    /// Adds @p cloud, taken when the sensor was at @p sensorInOdom (empty: unknown, it then counts as at
-    /// rest). Returns a scan when one is complete: without name and robot.
-    [[nodiscard]] std::optional<Scan> add(const CloudSample& cloud, const std::optional<Pose>& sensorInOdom);
+    /// Adds @p cloud; @p track tells where the sensor was (unknown: it counts as at rest). Returns a scan
+    /// when one is complete: without name and robot.
+    [[nodiscard]] std::optional<Scan> add(CloudSample cloud, const SensorTrack& track);
+    /// The same of a sensor that did not move during @p cloud.
+    [[nodiscard]] std::optional<Scan> add(CloudSample cloud, const std::optional<Pose>& sensorInOdom) {
+        return add(std::move(cloud), [&](Time) { return sensorInOdom; });
+    }
     /// What is gathered of a turn that has not ended, when it is half a turn at least.
     [[nodiscard]] std::optional<Scan> finish();
 
 private:
     struct Slice {
-        CloudSample cloud;
-        std::optional<Pose> sensorInOdom;
+        CloudSample cloud;                 ///< as seen from the pose at its last shot
+        std::optional<Pose> sensorInOdom;  ///< at its last shot
     };
     [[nodiscard]] std::optional<Scan> take();
     void forget();

@@ -114,8 +114,11 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         if (cloud == nullptr) return;
         RobotScans& robot = m_robots.at(event.robot);
         const Time stamp = cloud->header.stamp == Time{} ? event.received : cloud->header.stamp;
-        keep(robot.assemblers[event.topic].add(*cloud, robot.poses.sensorInOdom(event, cloud->header, stamp)),
-             event.robot, result);
+        // A robot that does not stamp its clouds: they count as taken when they came.
+        const auto track = [&, late = stamp - cloud->header.stamp](Time at) {
+            return robot.poses.sensorInOdom(event, cloud->header, at + late);
+        };
+        keep(robot.assemblers[event.topic].add(*cloud, track), event.robot, result);
     });
     for (auto& [name, robot] : m_robots) {
         for (auto& [topic, assembler] : robot.assemblers) keep(assembler.finish(), name, result);
