@@ -63,8 +63,10 @@ void addBattery(FitOut& fit, BatterySettings settings) {
 }
 
 std::unique_ptr<Camera> camera(FitOut& fit, const SensorPlace& place, const MountAt& mount,
-                               const std::shared_ptr<SharedLight>& light) {
+                               const std::shared_ptr<SharedLight>& light,
+                               const std::function<bool()>& mayDraw) {
     CameraSettings settings;
+    settings.mayDraw = mayDraw;
     settings.model = pinholeCamera();
     settings.sensor = place.key;
     settings.frame = place.frame;
@@ -73,7 +75,8 @@ std::unique_ptr<Camera> camera(FitOut& fit, const SensorPlace& place, const Moun
 }
 
 /// Left camera on its unit; right and infrared camera on the other one.
-void addKurt3dCameras(FitOut& fit, const RobotDescription& description, bool draw) {
+void addKurt3dCameras(FitOut& fit, const RobotDescription& description, const HardwareSettings& hardware) {
+    const bool draw = hardware.cameras;
     const auto light = std::make_shared<SharedLight>();
     const auto placed = [&](StreamRole role, const char* key, const Pose& usual) {
         auto place = fit.place(role, key, key, looking(usual, opticalAxes()));
@@ -84,7 +87,7 @@ void addKurt3dCameras(FitOut& fit, const RobotDescription& description, bool dra
     if (const auto left = placed(StreamRole::Picture, "left", at(0.19, 0.08, 0.33))) {
         unit = fit.addPanTilt("left", *left);
         const MountAt mount = fit.mountOn(unit, *left);
-        if (draw) fit.add(camera(fit, *left, mount, light));
+        if (draw) fit.add(camera(fit, *left, mount, light, hardware.mayDraw));
     }
     const auto right = placed(StreamRole::Picture, "right", at(0.19, -0.08, 0.33));
     const auto infrared = placed(StreamRole::Thermal, "ir", at(0.19, -0.08, 0.36));
@@ -92,10 +95,11 @@ void addKurt3dCameras(FitOut& fit, const RobotDescription& description, bool dra
     unit = fit.addPanTilt("right", right ? *right : *infrared);
     if (right) {
         const MountAt mount = fit.mountOn(unit, *right);
-        if (draw) fit.add(camera(fit, *right, mount, light));
+        if (draw) fit.add(camera(fit, *right, mount, light, hardware.mayDraw));
     }
     if (!infrared) return;
     InfraredSettings settings;
+    settings.mayDraw = hardware.mayDraw;
     settings.model = infraredOptics();
     settings.sensor = infrared->key;
     settings.frame = infrared->frame;
@@ -107,14 +111,15 @@ void addKurt3dCameras(FitOut& fit, const RobotDescription& description, bool dra
     if (draw) fit.add(std::make_unique<InfraredCamera>(settings, fit.noise("ir"), fit.start()));
 }
 
-void addOmni(FitOut& fit, bool draw) {
+void addOmni(FitOut& fit, const HardwareSettings& hardware) {
     const auto described =
         fit.place(StreamRole::Picture, "omni", "omni", looking(at(0.0, 0.0, 0.34), mirrorAxes()));
     if (!described) return;
     const SensorPlace place = opticalPlace(*described, mirrorAxes());
     fit.fix(place.frame, place.inBase);
-    if (!draw) return;
+    if (!hardware.cameras) return;
     CameraSettings settings;
+    settings.mayDraw = hardware.mayDraw;
     settings.model = omnidirectionalCamera();
     settings.rate = 6.0;
     settings.quality = 55;
@@ -157,7 +162,7 @@ std::unique_ptr<RobotHardware> makeKurt3dHardware(World& world, int robot,
     FitOut fit(world, robot, description, settings.seed);
     fit.addReckoning();
     addScanner(fit, settings.scanner);
-    addKurt3dCameras(fit, description, settings.cameras);
+    addKurt3dCameras(fit, description, settings);
     addGas(fit, at(0.22, 0.0, 0.25));
     addBattery(fit, kurt3dBattery());
     return fit.finish();
@@ -169,7 +174,7 @@ std::unique_ptr<RobotHardware> makeCrawlerHardware(World& world, int robot,
     FitOut fit(world, robot, description, settings.seed);
     fit.addReckoning();
     addPlaneLaser(fit, settings.turningLaser);
-    addOmni(fit, settings.cameras);
+    addOmni(fit, settings);
     // CO2 is Kurt3D's, unless the description gives the Crawler one.
     if (description.stream(StreamRole::Gas) != nullptr) addGas(fit, at(0.18, 0.0, 0.15));
     addBattery(fit, crawlerBattery());

@@ -57,7 +57,8 @@ ProcessOutcome run(const std::filesystem::path& program, const std::vector<std::
     return outcome;
 }
 
-/// Processor time that @p child has used [s]; infinite once it has ended.
+}  // namespace
+
 double secondsUsedBy(pid_t child) {
     clockid_t clock{};
     timespec used{};
@@ -69,8 +70,6 @@ double secondsUsedBy(pid_t child) {
     }
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
-
-}  // namespace
 
 ProcessOutcome runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
     return run(program, arguments, {});

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace leitstand::test {
 
 /// What a finished process left.
@@ -21,5 +23,8 @@ struct ProcessOutcome {
 [[nodiscard]] ProcessOutcome runAndInterrupt(const std::filesystem::path& program,
                                              const std::vector<std::string>& arguments,
                                              double processorSeconds);
+
+/// Processor time that @p child, a process of this one's, has used [s]; infinite once it has ended.
+[[nodiscard]] double secondsUsedBy(pid_t child);
 
 }  // namespace leitstand::test

@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
 
-#include "robots/simulation/app/robot_options.h"
+#include "robots/simulation/process/robot_options.h"
 
 int main(int argc, char** argv) {
     CLI::App app("Simulated robots that speak as real ones do.", "leitstand-robot");

@@ -1,4 +1,4 @@
-#include "robots/simulation/app/truth_exchange.h"
+#include "robots/simulation/process/truth_exchange.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "robots/simulation/process/point_labels.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -23,6 +24,7 @@ constexpr std::size_t MostGhosts = 8;
 const std::string Frame = "arena";
 const Qos Poses{.reliability = Qos::Reliability::BestEffort, .depth = 1};
 const Qos Lasting{.durability = Qos::Durability::TransientLocal, .depth = 10};
+const Qos AllLabels{.depth = 100};
 
 StreamDescription odometryOn(const std::string& topic) {
     StreamDescription stream;
@@ -51,6 +53,10 @@ SightingSample victimsOf(const Arena& arena, Time now) {
     return victims;
 }
 
+void write(Publisher& publisher, const Sample& sample) {
+    if (const auto cdr = encode(sample, typeOf(sample))) static_cast<void>(publisher.write(*cdr));
+}
+
 }  // namespace
 
 std::string topicPart(const Arena& arena) {
@@ -62,6 +68,8 @@ std::string topicPart(const Arena& arena) {
 }
 
 struct TruthExchange::State {
+    State(const RobotDescription& description, int its)
+        : name(description.name), robot(its), pointLabels(description, its) {}
     struct Heard {
         std::string kind;
         Pose baseInArena = Pose::Identity();
@@ -76,9 +84,11 @@ struct TruthExchange::State {
     Result<void> open(Node& node, const Arena& arena);
     void hear(const std::string& kind, const StreamDescription& stream, const ReceivedSample& sample);
 
-    std::string kind, name;
-    int robot = 0;
-    std::unique_ptr<Publisher> poses, victims, contacts;
+    std::string kind;
+    const std::string name;
+    const int robot;
+    const PointLabels pointLabels;
+    std::unique_ptr<Publisher> poses, victims, contacts, labels;
     std::map<std::string, Ghost> ghosts;
     BumpSample bumps;
     std::size_t bumpsSeen = 0;
@@ -93,8 +103,8 @@ struct TruthExchange::State {
 Result<void> TruthExchange::State::open(Node& node, const Arena& arena) {
     const std::string root = "/truth/" + topicPart(arena) + "/";
     const auto publish = [&](std::unique_ptr<Publisher>& to, const std::string& leaf, const std::string& type,
-                             const Qos& qos) -> Result<void> {
-        auto made = node.publisher({root + leaf, type, qos, Flow::Telemetry});
+                             const Qos& qos, Flow flow = Flow::Telemetry) -> Result<void> {
+        auto made = node.publisher({root + leaf, type, qos, flow});
         if (!made) return made.error();
         to = std::move(made).value();
         return {};
@@ -104,6 +114,8 @@ Result<void> TruthExchange::State::open(Node& node, const Arena& arena) {
     if (auto made = publish(victims, "victims", std::string(typeOf(Sample(allVictims))), Lasting); !made)
         return made;
     if (auto made = publish(contacts, "contacts", std::string(typeOf(Sample(bumps))), Lasting); !made)
+        return made;
+    if (auto made = publish(labels, name + "/labels", "sensor_msgs/msg/Image", AllLabels, Flow::Scans); !made)
         return made;
     for (const std::string one : {"kurt3d", "crawler"}) {
         const StreamDescription stream = odometryOn(root + one);
@@ -134,12 +146,10 @@ TruthExchange::~TruthExchange() {
 }
 
 Result<std::unique_ptr<TruthExchange>> TruthExchange::create(Node& node, const Arena& arena,
-                                                             const std::string& kind, const std::string& name,
-                                                             int robot) {
-    auto state = std::make_unique<State>();
+                                                             const std::string& kind,
+                                                             const RobotDescription& robot, int number) {
+    auto state = std::make_unique<State>(robot, number);
     state->kind = kind;
-    state->name = name;
-    state->robot = robot;
     if (auto opened = state->open(node, arena); !opened) return opened.error();
     return std::unique_ptr<TruthExchange>(new TruthExchange(std::move(state)));
 }
@@ -168,10 +178,11 @@ void TruthExchange::take(World& world) {
     }
 }
 
+void TruthExchange::sayLabels(const World& world, const CloudSample& cloud) {
+    if (m_state->labels->matched() > 0) write(*m_state->labels, m_state->pointLabels.of(cloud, world));
+}
+
 void TruthExchange::say(const World& world) {
-    const auto write = [](Publisher& publisher, const Sample& sample) {
-        if (const auto cdr = encode(sample, typeOf(sample))) static_cast<void>(publisher.write(*cdr));
-    };
     if (!m_state->victimsSaid) {
         m_state->victimsSaid = true;
         m_state->allVictims.header.stamp = world.now();

@@ -1,4 +1,4 @@
-#include "robots/simulation/app/choose_arena.h"
+#include "robots/simulation/process/choose_arena.h"
 
 #include <filesystem>
 #include <system_error>

@@ -1,6 +1,5 @@
-#include "robots/simulation/app/robot_process.h"
+#include "robots/simulation/process/robot_process.h"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -18,18 +17,15 @@
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
-#include "robots/simulation/app/choose_arena.h"
-#include "robots/simulation/app/truth_exchange.h"
+#include "robots/simulation/process/choose_arena.h"
+#include "robots/simulation/process/pace.h"
+#include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "robots/wire/robot_wire.h"
 #include "transport/security/enclave.h"
 
 namespace leitstand::simulation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-constexpr auto Step = std::chrono::milliseconds(5);
-constexpr auto MostBehind = std::chrono::milliseconds(200);  ///< what is more is never caught up
 
 volatile std::sig_atomic_t stopped = 0;
 
@@ -90,7 +86,18 @@ Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::strin
     return Node::create(network);
 }
 
-void turn(RobotAgent& agent, RobotWire& wire) {
+/// A robot's world, its mind, and its two ends of the network.
+struct Life {
+    World& world;
+    RobotAgent& agent;
+    RobotWire& wire;
+    TruthExchange& truth;
+};
+
+void turn(const Life& life) {
+    auto& [world, agent, wire, truth] = life;
+    truth.take(world);
+    world.advance(Pace::Step);
     for (const HeardCommand& heard : wire.take()) {
         if (const auto* grant = std::get_if<GrantSample>(&heard.sample)) {
             agent.hear(*grant, heard.from);
@@ -98,23 +105,18 @@ void turn(RobotAgent& agent, RobotWire& wire) {
             agent.hear(heard.role, heard.sample, heard.from);
         }
     }
-    for (const HardwareSample& sample : agent.step()) wire.say(sample);
+    for (const HardwareSample& sample : agent.step()) {
+        wire.say(sample);
+        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) truth.sayLabels(world, *cloud);
+    }
+    truth.say(world);
 }
 
-/// Keeps the world's time with the computer's; after a hiccup it catches up, after a long one it leaves out.
-void live(World& world, RobotAgent& agent, RobotWire& wire, TruthExchange& truth) {
-    auto lived = Clock::now();
+void live(const Life& life, Pace& pace) {
+    pace.begin(Pace::Clock::now());
     while (stopped == 0) {
-        lived = std::max(lived, Clock::now() - MostBehind);
-        while (Clock::now() - lived >= Step && stopped == 0) {
-            lived += Step;
-            truth.take(world);
-            world.advance(Step);
-            turn(agent, wire);
-            truth.say(world);
-            lived = std::max(lived, Clock::now() - MostBehind);
-        }
-        std::this_thread::sleep_until(lived + Step);
+        while (stopped == 0 && pace.step(Pace::Clock::now())) turn(life);
+        std::this_thread::sleep_until(pace.next());
     }
 }
 
@@ -125,14 +127,17 @@ Result<void> runRobot(const RobotOptions& options) {
     if (!arena) return arena.error();
     const auto robot = describe(options);
     if (!robot) return robot.error();
-    const auto start = arena->starts.find(options.kind);
+    auto start = arena->starts.find(robot->name);
+    if (start == arena->starts.end()) start = arena->starts.find(options.kind);
     if (start == arena->starts.end())
         return Error{fmt::format("{}: expected a start of {}, found none", arena->name, options.kind)};
     World world(*arena, options.seed, std::chrono::system_clock::now());
     BodySpec body = options.kind == "kurt3d" ? kurt3dBody() : crawlerBody();
     body.name = robot->name;
     const int number = world.addRobot(body, start->second);
+    Pace pace;
     HardwareSettings fitting;
+    fitting.mayDraw = [&pace] { return pace.mayDraw(Pace::Clock::now()); };
     fitting.seed = options.seed;
     fitting.scanner = options.tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
     fitting.turningLaser = options.turningLaser;
@@ -147,13 +152,13 @@ Result<void> runRobot(const RobotOptions& options) {
     if (!truths) return truths.error();
     const auto wire = RobotWire::create(**node, *robot);
     if (!wire) return wire.error();
-    const auto truth = TruthExchange::create(**truths, *arena, options.kind, robot->name, number);
+    const auto truth = TruthExchange::create(**truths, *arena, options.kind, *robot, number);
     if (!truth) return truth.error();
     std::signal(SIGINT, [](int) { stopped = 1; });
     std::signal(SIGTERM, [](int) { stopped = 1; });
     std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
     std::fflush(stdout);
-    live(world, **agent, **wire, **truth);
+    live({world, **agent, **wire, **truth}, pace);
     return {};
 }
 

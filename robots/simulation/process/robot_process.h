@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "robots/simulation/app/robot_options.h"
+#include "robots/simulation/process/robot_options.h"
 
 namespace leitstand::simulation {
 

@@ -1,4 +1,4 @@
-#include "robots/simulation/app/robot_options.h"
+#include "robots/simulation/process/robot_options.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "robots/simulation/app/choose_arena.h"
-#include "robots/simulation/app/robot_process.h"
 #include "robots/simulation/arena/arena_file.h"
+#include "robots/simulation/process/choose_arena.h"
+#include "robots/simulation/process/robot_process.h"
 
 namespace leitstand::simulation {
 namespace {
