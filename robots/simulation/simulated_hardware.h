@@ -20,7 +20,7 @@ struct HardwareSettings {
     ScannerMount scanner = ScannerMount::ScanDrive;  ///< of Kurt3D
     bool turningLaser = false;                       ///< of the Crawler: its laser gives 3D slices too
     bool cameras = true;                             ///< off: nothing is drawn (quicker tests)
-    std::function<bool()> mayDraw;                   ///< asked before each picture; none: always
+    std::function<bool()> mayDraw = {};              ///< asked before each picture; none: always
 };
 
 /// The sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings as in the

@@ -184,5 +184,26 @@ TEST(ReachableFloor, EndsAtWallsAndBeforeSteps) {
     EXPECT_TRUE(reachableFloor(arena, 0.25, 0.12).at({3.0, 1.0}));
 }
 
+TEST(Generator, NoSignHidesAnother) {
+    for (const Grade grade : {Grade::Yellow, Grade::Orange, Grade::Red}) {
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+            const Arena arena = generateArena(grade, seed);
+            std::vector<Element> signs;
+            for (const Element& element : arena.elements) {
+                if (element.kind == ElementKind::Sign) signs.push_back(element);
+            }
+            for (std::size_t i = 0; i < signs.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    const Eigen::Vector3d apart = signs[i].pose.inverse() * signs[j].pose.translation();
+                    const bool sameWall = signs[i].pose.linear().isApprox(signs[j].pose.linear(), 1e-6) &&
+                                          std::abs(apart.y()) < 0.02;
+                    EXPECT_FALSE(sameWall && std::abs(apart.x()) < 0.25 && std::abs(apart.z()) < 0.25)
+                        << arena.name << ": " << signs[i].name << ", " << signs[j].name;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace leitstand::simulation

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -141,11 +143,13 @@ void addSoftThings(Plan& plan, int count) {
 }
 
 void addSigns(Plan& plan, int count) {
+    std::set<std::tuple<int, int, Side>> hung;  // one a side, so that none hides another
     for (int i = 0, tries = 0; i < count && tries < 500; ++tries) {
         // Signs hang above what stands before a wall.
         const Cell cell{plan.random.below(MazeEdge), plan.random.below(MazeEdge)};
         const Side side = static_cast<Side>(plan.random.below(SideCount));
         if (plan.maze.border(cell, side) != Border::Wall) continue;
+        if (!hung.emplace(cell.column, cell.row, side).second) continue;
         Element sign = elementOf(ElementKind::Sign);
         const bool code = plan.random.chance(0.4);
         const auto& hazards = hazardNames();

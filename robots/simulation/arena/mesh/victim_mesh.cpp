@@ -51,13 +51,13 @@ double lengthOf(const Element& victim) {
     return victim.size.x();
 }
 
-/// A plate with the QR code, leaning against the hip on the side robots come to.
+/// A plate with the QR code, on the side robots come to: it stands before the arm, so that nothing hides it.
 void addTag(MeshBuilder& builder, const ElementPlace& place, double length) {
     const std::string& tag = place.element.victim->tag;
     if (tag.empty()) return;
     const Pose frame = builder.frame();
     Pose lean = Pose::Identity();
-    lean.translate(Eigen::Vector3d(0.12 * length, -0.13 * length, 0.03));
+    lean.translate(Eigen::Vector3d(0.16 * length, -0.205 * length, 0.005));
     lean.rotate(Eigen::AngleAxisd(degrees(-15), Eigen::Vector3d::UnitX()));
     builder.setFrame(frame * lean);
     Look look = lookOf(place, Material::Plaster, builder);
