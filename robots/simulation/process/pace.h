@@ -12,7 +12,7 @@ public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds Step{5};
     static constexpr std::chrono::milliseconds MostBehind{200};
-    static constexpr std::chrono::milliseconds DrawsBehind{50};  ///< further behind, few pictures are drawn
+    static constexpr std::chrono::milliseconds DrawsBehind{100};  ///< further behind, few pictures are drawn
     static constexpr int Few = 5;                                ///< one of so many
 
     void begin(Clock::time_point now) { m_lived = now; }

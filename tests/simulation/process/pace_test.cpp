@@ -36,9 +36,9 @@ TEST(Pace, LeavesOutWhatIsMoreThanAFifthOfASecond) {
 TEST(Pace, DrawsFewPicturesWhileItIsBehind) {
     Pace pace;
     pace.begin(Begin);
-    for (int i = 0; i < 10; ++i) EXPECT_TRUE(pace.mayDraw(Begin + 50ms)) << "in time";
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(pace.mayDraw(Begin + 100ms)) << "in time";
     int drawn = 0;
-    for (int i = 0; i < 50; ++i) drawn += pace.mayDraw(Begin + 60ms) ? 1 : 0;
+    for (int i = 0; i < 50; ++i) drawn += pace.mayDraw(Begin + 110ms) ? 1 : 0;
     EXPECT_EQ(drawn, 10) << "one of five: never none";
     EXPECT_TRUE(pace.mayDraw(Begin));
 }

@@ -33,8 +33,8 @@ struct CameraSettings {
     int quality = 70;                     ///< of JPEG
     bool seesRobot = false;               ///< whether its own robot is in the picture
     std::string sensor, frame;
-    MountAt cameraInBase;           ///< optical frame
-    std::function<bool()> mayDraw;  ///< asked before each picture; none: always
+    MountAt cameraInBase;                ///< optical frame
+    std::function<bool()> mayDraw = {};  ///< asked before each picture; none: always
 };
 
 /// A camera that sends JPEG pictures and its calibration.
