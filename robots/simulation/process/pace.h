@@ -13,7 +13,7 @@ public:
     static constexpr std::chrono::milliseconds Step{5};
     static constexpr std::chrono::milliseconds MostBehind{200};
     static constexpr std::chrono::milliseconds DrawsBehind{100};  ///< further behind, few pictures are drawn
-    static constexpr int Few = 5;                                ///< one of so many
+    static constexpr int Few = 5;                                 ///< one of so many
 
     void begin(Clock::time_point now) { m_lived = now; }
     /// Whether the world has to move on by a step, which then counts as done.
