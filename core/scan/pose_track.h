@@ -19,6 +19,7 @@ public:
     /// linearly, rotation by slerp), else the nearest that is at most @p gap away; empty when there is none.
     [[nodiscard]] std::optional<Pose> at(Time stamp,
                                          std::chrono::nanoseconds gap = std::chrono::milliseconds(500)) const;
+    void forgetBefore(Time stamp) { m_poses.erase(m_poses.begin(), m_poses.lower_bound(stamp)); }
     [[nodiscard]] bool empty() const { return m_poses.empty(); }
 
 private:

@@ -78,6 +78,7 @@ struct LiveMission::AlarmRelay {
 
 struct LiveMission::State {
     LiveMissionSettings settings;
+    const std::function<void(const Event&)> onEvent;
     EventDecoder decoder;  ///< used by the sequencer's thread alone
     Fold fold;             ///< likewise
     std::shared_ptr<AlarmRelay> relay;
@@ -90,8 +91,9 @@ struct LiveMission::State {
     std::unique_ptr<Sequencer> sequencer;          ///< last: ends first
 
     State(LiveMissionSettings chosen, MissionState earlier, std::shared_ptr<AlarmRelay> alarms,
-          std::unique_ptr<BagWriter> writer)
+          std::unique_ptr<BagWriter> writer, std::function<void(const Event&)> told)
         : settings(std::move(chosen)),
+          onEvent(std::move(told)),
           decoder(settings.robots),
           fold(std::move(earlier)),
           relay(std::move(alarms)),
@@ -134,12 +136,19 @@ void LiveMission::State::announce(const std::string& topic, const std::string& t
 
 void LiveMission::State::take(const RawEvent& event) {
     bag->write(event);
-    decoder.decode(event, [this](const Event& decoded) { fold.add(decoded); });
+    std::vector<Event> understood;
+    decoder.decode(event, [&](const Event& decoded) {
+        fold.add(decoded);
+        if (onEvent) understood.push_back(decoded);
+    });
     const bool last = ending && event.topic == station_topic::Sessions;
     addCheckpoint(event.received, std::chrono::seconds(last ? 0 : 20));
-    const std::lock_guard lock(mutex);
-    snapshot = fold.snapshot();
-    if (!decoder.errors().empty()) broken = decoder.errors();
+    {
+        const std::lock_guard lock(mutex);
+        snapshot = fold.snapshot();
+        if (!decoder.errors().empty()) broken = decoder.errors();
+    }
+    for (const Event& one : understood) onEvent(one);
 }
 
 void LiveMission::State::addCheckpoint(Time now, std::chrono::nanoseconds interval) {
@@ -198,8 +207,8 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
                                });
     if (!bag) return bag.error();
     if (const auto kept = keepRobots(settings.folder, settings.robots); !kept) return kept.error();
-    auto state =
-        std::make_unique<State>(settings, std::move(earlier), std::move(relay), std::move(bag).value());
+    auto state = std::make_unique<State>(settings, std::move(earlier), std::move(relay),
+                                         std::move(bag).value(), std::move(listener.onEvent));
     if (const auto said = state->say(state->session(true), station_topic::Sessions); !said)
         return said.error();
     return std::unique_ptr<LiveMission>(new LiveMission(std::move(state)));

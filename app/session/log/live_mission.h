@@ -10,6 +10,7 @@
 
 #include "app/session/log/event_decoder.h"
 #include "core/base/result.h"
+#include "core/mission/event.h"
 #include "core/mission/mission_state.h"
 
 namespace leitstand {
@@ -35,14 +36,18 @@ struct LiveMissionStatus {
     std::string problem;                           ///< why nothing can be written; empty when all is well
 };
 
+/// Called on threads of the mission's, which they must not hold up.
+struct LiveMissionListener {
+    std::function<void(const std::string&)> onAlarm = {};  ///< the disk, in words
+    /// Everything that could be decoded, in the mission's order, once it is in the log and in state().
+    std::function<void(const Event&)> onEvent = {};
+};
+
 /// The one ordered stream of events of a mission (design, section 1): what is received or said is numbered,
 /// logged and folded, in that order. Any thread.
 class LiveMission {
 public:
-    /// Called on a thread of the mission's, which they must not hold up.
-    struct Listener {
-        std::function<void(const std::string&)> onAlarm;  ///< the disk, in words
-    };
+    using Listener = LiveMissionListener;
 
     /// Opens a new session of the mission. Errors name the folder.
     [[nodiscard]] static Result<std::unique_ptr<LiveMission>> open(const LiveMissionSettings& settings,

@@ -1,18 +1,14 @@
 #include "app/session/log/mission_recorder.h"
 
-#include <algorithm>
-#include <array>
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <set>
-#include <string_view>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "app/session/domain/topic_lane.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
 #include "transport/link/link_client.h"
@@ -31,25 +27,6 @@ bool isOfAnotherLog(const std::string& topic) {
            topic == station_topic::Undo;
 }
 
-/// What other stations say (a passive recorder has nothing to say but its own sessions).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> StationTopics = {{
-    {station_topic::Grants, "leitstand_msgs/msg/Grant"},
-    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
-    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
-    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
-    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
-    {station_topic::Notes, "leitstand_msgs/msg/Note"},
-    {station_topic::Alarms, "leitstand_msgs/msg/Alarm"},
-}};
-
-/// Deep enough that a burst is not lost between the network and the queue.
-Qos recording(Qos qos) {
-    qos.depth = std::max(qos.depth, 100);
-    qos.lifespan = 0.0;
-    qos.deadline = 0.0;
-    return qos;
-}
-
 /// "kurt3d: degraded: odometry 1.4 s old"
 std::string linkLine(const LinkStatus& link) {
     const std::string reasons = toString(link.reasons);
@@ -64,9 +41,8 @@ struct MissionRecorder::State {
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<Node> node;
     std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
-    mutable std::mutex mutex;                        ///< of the next three
-    std::map<std::string, std::pair<std::string, std::unique_ptr<Subscription>>>
-        subscriptions;  ///< type; by topic
+    std::unique_ptr<MissionFeed> feed;
+    std::mutex mutex;  ///< of the next two
     bool discovered = false;
     std::set<std::string> told;
     std::condition_variable_any changed;
@@ -84,29 +60,11 @@ struct MissionRecorder::State {
         }
         say(text);
     }
-    void subscribe(const std::string& topic, const std::string& type, const Qos& qos);
     Result<void> watchLinks();
     void subscribeListed();
     void subscribeHeard();
     void watch(const std::stop_token& stop);
 };
-
-void MissionRecorder::State::subscribe(const std::string& topic, const std::string& type, const Qos& qos) {
-    {
-        const std::lock_guard lock(mutex);
-        if (subscriptions.contains(topic)) return;
-    }
-    mission->addTopic(topic, type, qos);
-    auto subscription =
-        node->subscribe({.topic = topic, .type = type, .qos = recording(qos), .lane = laneOf(type)},
-                        [this](ReceivedSample sample) {
-                            for (const auto& link : links) link->onSample(sample);
-                            mission->receive(std::move(sample.event));
-                        });
-    if (!subscription) return sayOnce(topic, subscription.error().text);
-    const std::lock_guard lock(mutex);
-    subscriptions.emplace(topic, std::pair(type, std::move(subscription).value()));
-}
 
 Result<void> MissionRecorder::State::watchLinks() {
     LinkClientSettings passive;
@@ -126,12 +84,9 @@ Result<void> MissionRecorder::State::watchLinks() {
 
 void MissionRecorder::State::subscribeListed() {
     for (const RobotDescription& robot : settings.mission.robots) {
-        for (const StreamDescription& stream : robot.streams) {
-            if (stream.record && !isCommand(stream.role)) subscribe(stream.topic, stream.type, stream.qos);
-        }
+        for (const std::string& problem : feed->listenTo(robot)) say(problem);
     }
-    const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
-    for (const auto& [topic, type] : StationTopics) subscribe(std::string(topic), std::string(type), qos);
+    for (const std::string& problem : feed->listenToStations()) say(problem);
 }
 
 void MissionRecorder::State::subscribeHeard() {
@@ -139,7 +94,8 @@ void MissionRecorder::State::subscribeHeard() {
         if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros ||
             isHousekeeping(endpoint.topic) || isOfAnotherLog(endpoint.topic))
             continue;
-        subscribe(endpoint.topic, endpoint.type, endpoint.qos);
+        const auto heard = feed->listen(endpoint.topic, endpoint.type, endpoint.qos);
+        if (!heard) sayOnce(endpoint.topic, heard.error().text);
     }
 }
 
@@ -172,6 +128,11 @@ Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSe
     state->node = std::move(node).value();
     for (const std::string& warning : state->node->warnings()) state->say(warning);
     if (const auto watched = state->watchLinks(); !watched) return watched.error();
+    state->feed = std::make_unique<MissionFeed>(*state->node, *state->mission,
+                                                [raw = state.get()](const ReceivedSample& sample) {
+                                                    for (const auto& link : raw->links)
+                                                        link->onSample(sample);
+                                                });
     if (!settings.mission.robots.empty()) state->subscribeListed();
     state->discovery = std::jthread([raw = state.get()](const std::stop_token& stop) { raw->watch(stop); });
     state->node->onDiscovery([raw = state.get()] {
@@ -197,22 +158,14 @@ RecorderStatus MissionRecorder::status() const {
             status.mismatches.push_back(mismatch.text);
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
-    const std::lock_guard lock(m_state->mutex);
-    for (const auto& [topic, subscription] : m_state->subscriptions) {
-        const SubscriptionCounts counts = subscription.second->counts();
-        status.topics.push_back({topic, subscription.first, counts.samples, counts.lost, counts.writers});
-    }
+    status.topics = m_state->feed->topics();
     return status;
 }
 
 Result<void> MissionRecorder::stop() {
     m_state->discovery.request_stop();
     if (m_state->discovery.joinable()) m_state->discovery.join();
-    {
-        decltype(m_state->subscriptions) ended;
-        const std::lock_guard lock(m_state->mutex);
-        ended.swap(m_state->subscriptions);
-    }
+    m_state->feed->end();
     m_state->links.clear();
     m_state->node.reset();
     return m_state->mission->close();

@@ -7,6 +7,7 @@
 
 #include "app/session/domain/domain_settings.h"
 #include "app/session/log/live_mission.h"
+#include "app/session/log/mission_feed.h"
 #include "core/base/result.h"
 #include "core/robot/link_status.h"
 
@@ -21,12 +22,7 @@ struct RecorderSettings {
 /// How a recording is doing.
 struct RecorderStatus {
     LiveMissionStatus log;
-    struct Topic {
-        std::string name, type;
-        std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' numbers
-        int writers = 0;                      ///< that are there now
-    };
-    std::vector<Topic> topics;
+    std::vector<HeardTopic> topics;
     std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
 };

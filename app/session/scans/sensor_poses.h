@@ -23,6 +23,11 @@ public:
     /// remarks() tells.
     [[nodiscard]] std::optional<Pose> sensorInOdom(const Event& event, const SampleHeader& header,
                                                    Time stamp);
+    /// Pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by its file,
+    /// else the base itself, which remarks() tells.
+    [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
+    [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
+    void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< odometry
     /// What was missing, each once.
     [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
 
@@ -32,7 +37,6 @@ private:
         Pose childInParent = Pose::Identity();
     };
     [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
-    [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
 
     const RobotDescription* m_robot;
     PoseTrack m_baseInOdom;

@@ -1,0 +1,99 @@
+#include "app/session/log/mission_feed.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/session/domain/topic_lane.h"
+#include "core/mission/station_topics.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+namespace {
+
+/// What stations say that means something in every log.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> StationTopics = {{
+    {station_topic::Grants, "leitstand_msgs/msg/Grant"},
+    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
+    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
+    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
+    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
+    {station_topic::Notes, "leitstand_msgs/msg/Note"},
+    {station_topic::Alarms, "leitstand_msgs/msg/Alarm"},
+}};
+
+/// Deep enough that a burst is not lost between the network and the queue.
+Qos recording(Qos qos) {
+    qos.depth = std::max(qos.depth, 100);
+    qos.lifespan = 0.0;
+    qos.deadline = 0.0;
+    return qos;
+}
+
+}  // namespace
+
+MissionFeed::MissionFeed(Node& node, LiveMission& mission, Tap tap)
+    : m_node(node), m_mission(mission), m_tap(std::move(tap)) {}
+
+MissionFeed::~MissionFeed() {
+    end();
+}
+
+Result<void> MissionFeed::listen(const std::string& topic, const std::string& type, const Qos& qos) {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_topics.contains(topic)) return {};
+    }
+    m_mission.addTopic(topic, type, qos);
+    auto subscription =
+        m_node.subscribe({.topic = topic, .type = type, .qos = recording(qos), .lane = laneOf(type)},
+                         [this](ReceivedSample sample) {
+                             if (m_tap) m_tap(sample);
+                             m_mission.receive(std::move(sample.event));
+                         });
+    if (!subscription) return subscription.error();
+    const std::lock_guard lock(m_mutex);
+    m_topics.emplace(topic, Listening{type, std::move(subscription).value()});
+    return {};
+}
+
+std::vector<std::string> MissionFeed::listenTo(const RobotDescription& robot, Commands commands) {
+    std::vector<std::string> problems;
+    for (const StreamDescription& stream : robot.streams) {
+        if (!stream.record || (commands == Commands::Left && isCommand(stream.role))) continue;
+        if (const auto heard = listen(stream.topic, stream.type, stream.qos); !heard)
+            problems.push_back(heard.error().text);
+    }
+    return problems;
+}
+
+std::vector<std::string> MissionFeed::listenToStations() {
+    const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
+    std::vector<std::string> problems;
+    for (const auto& [topic, type] : StationTopics) {
+        if (const auto heard = listen(std::string(topic), std::string(type), qos); !heard)
+            problems.push_back(heard.error().text);
+    }
+    return problems;
+}
+
+std::vector<HeardTopic> MissionFeed::topics() const {
+    std::vector<HeardTopic> topics;
+    const std::lock_guard lock(m_mutex);
+    for (const auto& [name, listening] : m_topics) {
+        const SubscriptionCounts counts = listening.subscription->counts();
+        topics.push_back({name, listening.type, counts.samples, counts.lost, counts.writers});
+    }
+    return topics;
+}
+
+void MissionFeed::end() {
+    decltype(m_topics) ended;
+    {
+        const std::lock_guard lock(m_mutex);
+        ended.swap(m_topics);
+    }
+    // Callbacks end here, without the lock.
+}
+
+}  // namespace leitstand

@@ -1,0 +1,69 @@
+#include "app/session/station/robot_line.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "transport/convert/encode.h"
+
+namespace leitstand {
+namespace {
+
+/// Commands that are wishes: said once, when the operator has them.
+constexpr std::array Wishes = {StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
+                               StreamRole::StreamCommand};
+
+}  // namespace
+
+Result<std::unique_ptr<RobotLine>> RobotLine::create(Node& node, const RobotDescription& robot,
+                                                     const std::string& station,
+                                                     std::function<DriveConditions()> conditions,
+                                                     LinkListener watch) {
+    std::unique_ptr<RobotLine> line(new RobotLine(robot));
+    auto opened = line->open(node, station, std::move(conditions), std::move(watch));
+    if (!opened) return opened.error();
+    return line;
+}
+
+Result<void> RobotLine::open(Node& node, const std::string& station,
+                             std::function<DriveConditions()> conditions, LinkListener watch) {
+    for (const StreamRole role : Wishes) {
+        const StreamDescription* stream = m_robot.stream(role);
+        if (stream == nullptr) continue;
+        auto publisher = node.publisher({stream->topic, stream->type, stream->qos, Flow::Immediate});
+        if (!publisher) return publisher.error();
+        m_commands.emplace(role, Command{stream->type, std::move(publisher).value()});
+    }
+    LinkClientSettings pings;
+    pings.station = station;
+    watch.onStatus = [this, then = std::move(watch.onStatus)](const LinkStatus& status) {
+        if (status.clock) m_clockAhead = status.clock->ahead.count();
+        if (then) then(status);
+    };
+    auto link = LinkClient::create(node, m_robot, pings, std::move(watch));
+    if (!link) return link.error();
+    m_link = std::move(link).value();
+    const bool driven = m_robot.stream(StreamRole::DriveCommand) != nullptr ||
+                        m_robot.stream(StreamRole::TrackCommand) != nullptr;
+    if (!driven) return {};
+    DriveStreamerSettings driving;
+    driving.conditions = std::move(conditions);
+    driving.clockAhead = [this] { return std::chrono::nanoseconds(m_clockAhead); };
+    auto drive = DriveStreamer::create(node, m_robot, std::move(driving));
+    if (!drive) return drive.error();
+    m_drive = std::move(drive).value();
+    return {};
+}
+
+Result<void> RobotLine::say(StreamRole role, const Sample& command) {
+    const auto found = m_commands.find(role);
+    if (found == m_commands.end()) {
+        return Error{fmt::format("{}: its file names no {} stream", m_robot.name, toString(role))};
+    }
+    const auto cdr = encode(command, found->second.type);
+    if (!cdr) return cdr.error();
+    return found->second.publisher->write(*cdr);
+}
+
+}  // namespace leitstand

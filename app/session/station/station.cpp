@@ -1,0 +1,297 @@
+#include "app/session/station/station.h"
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/session/log/mission_feed.h"
+#include "app/session/log/sequencer.h"
+#include "app/session/station/robot_line.h"
+#include "core/io/station_file.h"
+#include "core/mission/station_topics.h"
+#include "transport/dds/node.h"
+#include "transport/link/grant_keeper.h"
+#include "transport/link/stop_sender.h"
+
+namespace leitstand {
+
+struct Station::State {
+    StationSettings settings;
+    StationListener listener;
+    std::optional<StationFile> memory;
+    std::unique_ptr<Node> node;
+    std::unique_ptr<GrantKeeper> grants;
+    std::unique_ptr<StopSender> stops;
+    std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
+    std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<MissionFeed> feed;
+    std::mutex mutex;                ///< of the next two
+    std::atomic<bool> open = false;  ///< all is there; changed under the mutex
+    std::set<std::string> told;      ///< mismatches; under the mutex
+
+    ~State();
+    Result<void> start();
+    Result<void> control();
+    Result<void> lineTo(const RobotDescription& robot);
+    void listen();
+    void refresh(const std::string& robot);  ///< empty: all
+    void say(const std::string& text) const {
+        if (listener.onMessage) listener.onMessage(text);
+    }
+    void tellMismatches();
+    [[nodiscard]] RobotLine* line(const std::string& robot) const {
+        const auto found = lines.find(robot);
+        return found == lines.end() ? nullptr : found->second.get();
+    }
+    [[nodiscard]] Result<void> wish(const std::string& robot, StreamRole role, const Sample& sample) const;
+};
+
+Station::State::~State() {
+    {
+        const std::lock_guard lock(mutex);
+        open = false;
+    }
+    if (node) node->onDiscovery([] {});
+    for (const auto& [name, line] : lines) {
+        if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
+    }
+    if (feed) feed->end();
+    mission.reset();  // its thread looks at the lines
+    lines.clear();
+    stops.reset();
+    grants.reset();
+    node.reset();
+}
+
+void Station::State::refresh(const std::string& robot) {
+    const std::lock_guard lock(mutex);
+    if (!open) return;
+    for (const auto& [name, line] : lines) {
+        if ((robot.empty() || name == robot) && line->drive() != nullptr) line->drive()->refresh();
+    }
+}
+
+Result<void> Station::State::control() {
+    GrantListener held;
+    held.onChange = [this] { refresh({}); };
+    held.onHeld = [this](const std::vector<HeldGrant>& now) {
+        if (const auto kept = memory->remember(now); !kept) say(kept.error().text);
+    };
+    auto keeper = GrantKeeper::create(*node, memory->identity(), std::move(held));
+    if (!keeper) return keeper.error();
+    grants = std::move(keeper).value();
+    StopSenderSettings stopping;
+    stopping.station = memory->identity().id;
+    stopping.mayRelease = [this](const std::string& robot) { return grants->mayAct(driveGrant(robot)); };
+    stopping.onChange = [this](const std::string& robot) { refresh(robot); };
+    auto sender = StopSender::create(*node, settings.mission.robots, std::move(stopping));
+    if (!sender) return sender.error();
+    stops = std::move(sender).value();
+    return {};
+}
+
+Result<void> Station::State::lineTo(const RobotDescription& robot) {
+    const auto conditions = [this, name = robot.name] {
+        return DriveConditions{grants->mayAct(driveGrant(name)) && stops->allowsDriving(name),
+                               stops->holdsByZeros(name)};
+    };
+    LinkListener watch;
+    watch.onState = [this](const LinkStatus& link) {
+        const std::string reasons = toString(link.reasons);
+        say(fmt::format("{}: {}{}{}", link.robot, toString(link.state), reasons.empty() ? "" : ": ",
+                        reasons));
+    };
+    watch.onClockOffset = [this](const ClockOffsetSample& offset) {
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+    };
+    auto line = RobotLine::create(*node, robot, memory->identity().id, conditions, std::move(watch));
+    if (!line) return line.error();
+    lines.emplace(robot.name, std::move(line).value());
+    return {};
+}
+
+void Station::State::listen() {
+    feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
+        for (const auto& [name, line] : lines) line->link().onSample(sample);
+    });
+    for (const RobotDescription& robot : settings.mission.robots) {
+        for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Heard)) say(problem);
+    }
+    for (const auto& problem : feed->listenToStations()) say(problem);
+    node->onDiscovery([this] { tellMismatches(); });
+}
+
+void Station::State::tellMismatches() {
+    for (const Mismatch& mismatch : node->mismatches()) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!told.insert(mismatch.text).second) continue;
+        }
+        say(mismatch.text);
+    }
+}
+
+Result<void> Station::State::start() {
+    auto network = nodeSettings(settings.domain, "leitstand");
+    if (!network) return network.error();
+    auto remembered = StationFile::open(settings.memory, settings.mission.title);
+    if (!remembered) return remembered.error();
+    memory = std::move(remembered).value();
+    if (!memory->warning().empty()) say(memory->warning());
+    settings.mission.station = memory->identity().id;
+    auto joined = Node::create(*network);
+    if (!joined) return joined.error();
+    node = std::move(joined).value();
+    for (const std::string& warning : node->warnings()) say(warning);
+    LiveMission::Listener log;
+    log.onAlarm = [this](const std::string& text) { say(text); };
+    log.onEvent = [this](const Event& event) {
+        if (!open) return;
+        if (RobotLine* const known = line(event.robot)) known->sight().take(event);
+        if (listener.onEvent) listener.onEvent(event);
+    };
+    auto recorded = LiveMission::open(settings.mission, std::move(log));
+    if (!recorded) return recorded.error();
+    mission = std::move(recorded).value();
+    if (auto controlled = control(); !controlled) return controlled;
+    for (const RobotDescription& robot : settings.mission.robots) {
+        if (auto made = lineTo(robot); !made) return made;
+    }
+    {
+        const std::lock_guard lock(mutex);
+        open = true;
+    }
+    refresh({});
+    listen();
+    return {};
+}
+
+Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
+    RobotLine* const to = line(robot);
+    if (to == nullptr) return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+    return to->say(role, sample);
+}
+
+Result<std::unique_ptr<Station>> Station::open(const StationSettings& settings, StationListener listener) {
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->listener = std::move(listener);
+    if (auto started = state->start(); !started) return started.error();
+    return std::unique_ptr<Station>(new Station(std::move(state)));
+}
+
+Station::Station(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+Station::~Station() = default;
+
+const std::vector<RobotDescription>& Station::robots() const {
+    return m_state->settings.mission.robots;
+}
+
+RobotView Station::robot(const std::string& name) const {
+    const RobotLine* const line = m_state->line(name);
+    if (line == nullptr) return {};
+    RobotView view;
+    view.link = line->link().status();
+    view.grant = m_state->grants->view(driveGrant(name));
+    view.stop = m_state->stops->status(name);
+    view.around = line->sight().view();
+    if (const DriveStreamer* drive = line->drive()) {
+        const DriveStatus status = drive->status();
+        view.drive = {.drivable = true,
+                      .velocity = status.velocity,
+                      .focus = status.focus,
+                      .driving = status.driving,
+                      .needsNeutral = status.needsNeutral,
+                      .listening = status.listeners > 0};
+    }
+    return view;
+}
+
+MissionStatePtr Station::mission() const {
+    return m_state->mission->state();
+}
+
+LiveMissionStatus Station::log() const {
+    return m_state->mission->status();
+}
+
+std::vector<std::string> Station::mismatches() const {
+    std::vector<std::string> texts;
+    for (const Mismatch& mismatch : m_state->node->mismatches()) texts.push_back(mismatch.text);
+    return texts;
+}
+
+void Station::focus(const std::string& robot) {
+    // First all others stand, then this one may move.
+    for (const auto& [name, line] : m_state->lines) {
+        if (name != robot && line->drive() != nullptr) line->drive()->setFocus(false);
+    }
+    if (RobotLine* const line = m_state->line(robot); line != nullptr && line->drive() != nullptr)
+        line->drive()->setFocus(true);
+}
+
+void Station::push(const DriveVelocity& sticks) {
+    for (const auto& [name, line] : m_state->lines) {
+        if (line->drive() != nullptr && line->drive()->status().focus) line->drive()->set(sticks);
+    }
+}
+
+void Station::ask(const std::string& robot) {
+    m_state->grants->ask(driveGrant(robot));
+}
+
+void Station::giveUp(const std::string& robot) {
+    m_state->grants->release(driveGrant(robot));
+}
+
+void Station::answer(const std::string& robot, bool consent) {
+    m_state->grants->answer(driveGrant(robot), consent);
+}
+
+void Station::stopAll() {
+    m_state->stops->stopAll();
+}
+
+void Station::stop(const std::string& robot) {
+    m_state->stops->stop(robot);
+}
+
+Result<void> Station::release(const std::string& robot) {
+    return m_state->stops->release(robot);
+}
+
+Result<void> Station::setMode(const std::string& robot, const std::string& mode) {
+    return m_state->wish(robot, StreamRole::ModeCommand,
+                         ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
+}
+
+Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
+    PoseSample stamped = goal;
+    stamped.header.stamp = stationTime();
+    return m_state->wish(robot, StreamRole::GoalPose, stamped);
+}
+
+Result<void> Station::turnCameras(const std::string& robot, const std::map<std::string, double>& joints) {
+    PanTiltCommand command;
+    command.header.stamp = stationTime();
+    for (const auto& [name, angle] : joints) {
+        command.names.push_back(name);
+        command.positions.push_back(angle);
+    }
+    return m_state->wish(robot, StreamRole::PanTiltCommand, command);
+}
+
+Result<void> Station::setStream(const std::string& robot, StreamCommandSample wish) {
+    wish.stamp = stationTime();
+    wish.station = m_state->memory->identity().id;
+    auto said = m_state->wish(robot, StreamRole::StreamCommand, wish);
+    if (RobotLine* const line = m_state->line(robot); said && line != nullptr)
+        line->link().setPaused(wish.topic, !wish.enabled);
+    return said;
+}
+
+}  // namespace leitstand

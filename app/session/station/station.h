@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/domain/domain_settings.h"
+#include "app/session/log/live_mission.h"
+#include "core/base/result.h"
+#include "core/mission/event.h"
+#include "core/robot/control/drive_setpoint.h"
+#include "core/robot/robot_view.h"
+
+namespace leitstand {
+
+/// A station in a domain.
+struct StationSettings {
+    DomainSettings domain = {};
+    /// Where everything is recorded; its robots are those of the station. Its station is set from the memory.
+    LiveMissionSettings mission = {};
+    std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
+};
+
+/// Who is told what happens. Called on threads of the station's, which they must not hold up; any may be
+/// empty. May call the station's functions, but not destroy it.
+struct StationListener {
+    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
+    std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
+};
+
+/// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds
+/// grants, drives one robot at a time, stops all. Any thread; nothing waits for network or disk.
+class Station {
+public:
+    /// Joins the domain and opens the mission. Errors name what is in the way: network card, identity,
+    /// folder, robot's topic.
+    [[nodiscard]] static Result<std::unique_ptr<Station>> open(const StationSettings& settings,
+                                                               StationListener listener = {});
+    ~Station();  ///< robots stand, grants are given up but remembered, the mission is self-contained
+    Station(const Station&) = delete;
+    Station& operator=(const Station&) = delete;
+
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const;
+    [[nodiscard]] RobotView robot(const std::string& name) const;  ///< of an unknown name: nothing
+    [[nodiscard]] MissionStatePtr mission() const;
+    [[nodiscard]] LiveMissionStatus log() const;
+    [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
+
+    /// Gives the sticks to one robot: all others stand. Empty: to none.
+    void focus(const std::string& robot);
+    /// The sticks as they are now, also when neutral; to be told at least ten times a second.
+    void push(const DriveVelocity& sticks);
+
+    void ask(const std::string& robot);                   ///< for the grant to drive
+    void giveUp(const std::string& robot);                ///< the grant
+    void answer(const std::string& robot, bool consent);  ///< to who asks for a grant of ours
+
+    void stopAll();
+    void stop(const std::string& robot);
+    Result<void> release(const std::string& robot);  ///< as of StopSender
+
+    /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
+    Result<void> setMode(const std::string& robot, const std::string& mode);
+    Result<void> goTo(const std::string& robot, const PoseSample& goal);
+    Result<void> turnCameras(const std::string& robot,
+                             const std::map<std::string, double>& joints);  ///< [rad]
+    Result<void> setStream(const std::string& robot, StreamCommandSample wish);
+
+private:
+    struct State;
+    explicit Station(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

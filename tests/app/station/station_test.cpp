@@ -1,0 +1,218 @@
+#include "app/session/station/station.h"
+
+#include <atomic>
+#include <mutex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/io/bag/bag_reader.h"
+#include "core/io/robot/robot_file.h"
+#include "tests/support/child_process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+#include "tests/transport/dds/test_node.h"
+#include "tests/transport/link/control_robot.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// What a station said, for failures.
+class Words {
+public:
+    void add(const std::string& text) {
+        const std::scoped_lock lock(m_mutex);
+        m_all += text + "\n";
+    }
+    [[nodiscard]] std::string all() const {
+        const std::scoped_lock lock(m_mutex);
+        return m_all;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::string m_all;
+};
+
+class StationTest : public testing::Test {
+protected:
+    [[nodiscard]] std::unique_ptr<Station> stationFor(const std::vector<RobotDescription>& robots,
+                                                      const std::string& name = "station",
+                                                      std::function<void(const Event&)> onEvent = {}) {
+        StationSettings settings;
+        settings.domain.domain = m_domain.number();
+        settings.mission.folder = m_folder / (name + "-mission");
+        settings.mission.robots = robots;
+        settings.mission.title = "Test desk";
+        settings.mission.version = "test";
+        settings.memory = m_folder / (name + ".yaml");
+        StationListener listener;
+        listener.onMessage = [this](const std::string& text) { m_words.add(text); };
+        listener.onEvent = std::move(onEvent);
+        return must(Station::open(settings, std::move(listener)));
+    }
+    /// Asks for the grant, takes the sticks and pushes them until @p moved holds: neutral for a moment first,
+    /// and again when that did not help, as an operator would.
+    template <class Moved>
+    [[nodiscard]] static bool drive(Station& station, const std::string& robot, const DriveVelocity& sticks,
+                                    Moved moved) {
+        using Clock = std::chrono::steady_clock;
+        station.ask(robot);
+        station.focus(robot);
+        auto neutral = Clock::now();
+        return waitUntil([&] {
+            const DriveView now = station.robot(robot).drive;
+            const auto held = Clock::now() - neutral;
+            if (!now.listening || now.needsNeutral || held > 2s) neutral = Clock::now();
+            station.push(held > 200ms && held < 2s ? sticks : DriveVelocity{});
+            return moved();
+        });
+    }
+    [[nodiscard]] std::uint64_t recorded(const std::string& topic) const {
+        const auto bag = must(BagReader::open(m_folder / "station-mission"));
+        BagQuery query;
+        query.topics = {topic};
+        BagCursor cursor = bag->read(query);
+        std::uint64_t count = 0;
+        while (cursor.next()) ++count;
+        return count;
+    }
+
+    const TestDomain m_domain;
+    const TemporaryFolder m_folder;
+    Words m_words;
+};
+
+TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
+    const RobotDescription description = drivenRobot();
+    const auto node = nodeIn(m_domain);
+    ControlRobot robot(*node, description);
+    auto station = stationFor({description});
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; }))
+        << m_words.all();
+    EXPECT_TRUE(station->robot("kurt3d").grant.mine);
+    EXPECT_EQ(station->robot("kurt3d").link.state, LinkState::Connected);
+
+    station->stopAll();
+    ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; }));
+    ASSERT_TRUE(waitUntil([&] {
+        const StopStatus stop = station->robot("kurt3d").stop;
+        return stop.acknowledged && stop.stopped && stop.standing;
+    }));
+    EXPECT_FALSE(waitUntil(
+        [&] {
+            station->push({0.3, 0.0, 0.0});
+            return robot.speed() != 0.0;
+        },
+        500ms))
+        << "stopped";
+
+    ASSERT_TRUE(waitUntil([&] { return station->release("kurt3d").ok(); }));
+    ASSERT_TRUE(waitUntil([&] { return !station->robot("kurt3d").stop.stopped; }));
+    EXPECT_FALSE(waitUntil(
+        [&] {
+            station->push({0.3, 0.0, 0.0});
+            return robot.speed() != 0.0;
+        },
+        500ms))
+        << "sticks must be neutral first";
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; }));
+
+    station->focus({});
+    ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; })) << "without focus it stands";
+    const MissionStatePtr state = station->mission();
+    EXPECT_TRUE(state->robots.at("kurt3d")->odometry.has_value());
+    station.reset();
+    EXPECT_GT(recorded("/kurt3d/odom"), 0u);
+    EXPECT_GT(recorded("/kurt3d/cmd_vel"), 0u) << "what was said is in the log too";
+    EXPECT_GT(recorded("/kurt3d/stop_cmd"), 1u);
+    EXPECT_GT(recorded("/leitstand/grants"), 0u);
+}
+
+TEST_F(StationTest, OneRobotHasTheSticks) {
+    const RobotDescription kurt = drivenRobot(), other = drivenRobot("crawler");
+    const auto node = nodeIn(m_domain);
+    ControlRobot first(*node, kurt), second(*node, other);
+    const auto station = stationFor({kurt, other});
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return first.speed() > 0.2; }));
+    ASSERT_TRUE(drive(*station, "crawler", {0.2, 0.0, 0.0}, [&] { return second.speed() > 0.1; }));
+    EXPECT_TRUE(waitUntil([&] { return first.speed() == 0.0; }));
+    EXPECT_FALSE(station->robot("kurt3d").drive.focus);
+    EXPECT_TRUE(station->robot("kurt3d").grant.mine) << "the grant stays";
+}
+
+TEST_F(StationTest, RestartedItHasItsGrantBackAndGoesOnWithTheMission) {
+    const RobotDescription description = drivenRobot();
+    const auto node = nodeIn(m_domain);
+    ControlRobot robot(*node, description);
+    auto station = stationFor({description});
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; }));
+    const auto before = station->mission()->events;
+    station.reset();
+    ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; }));
+    station = stationFor({description});
+    EXPECT_GE(station->mission()->events, before);
+    EXPECT_TRUE(waitUntil([&] { return station->robot("kurt3d").grant.mine; }, 2s))
+        << "no waiting for silence";
+}
+
+TEST_F(StationTest, TwoProgramsOfOneIdentityAreRefused) {
+    const auto station = stationFor({drivenRobot()});
+    StationSettings again;
+    again.domain.domain = m_domain.number();
+    again.mission.folder = m_folder / "another";
+    again.mission.robots = {drivenRobot()};
+    again.memory = m_folder / "station.yaml";
+    const auto second = Station::open(again);
+    ASSERT_FALSE(second.ok());
+    EXPECT_THAT(second.error().text, testing::HasSubstr("station.yaml"));
+}
+
+TEST_F(StationTest, WishesThatARobotDoesNotTakeAreToldSo) {
+    const auto station = stationFor({drivenRobot()});
+    const auto mode = station->setMode("kurt3d", "explore");
+    ASSERT_FALSE(mode.ok());
+    EXPECT_THAT(mode.error().text, testing::HasSubstr("mode_command"));
+    EXPECT_FALSE(station->setMode("nobody", "explore").ok());
+    EXPECT_FALSE(station->robot("nobody").drive.drivable);
+}
+
+// Kurt3D as a process in a simulated arena.
+TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
+    const ChildProcess process(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--domain",
+                                                 std::to_string(m_domain.number())});
+    std::atomic<int> clouds = 0, pictures = 0;
+    const auto description =
+        must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+    const auto station = stationFor({description}, "station", [&](const Event& event) {
+        if (std::holds_alternative<CloudSample>(event.sample)) ++clouds;
+        if (std::holds_alternative<PictureSample>(event.sample)) ++pictures;
+    });
+    const auto view = [&] { return station->robot("kurt3d"); };
+    ASSERT_TRUE(waitUntil([&] { return view().link.state == LinkState::Connected; }, 30s))
+        << m_words.all() << process.out();
+    // All around is known after a turn of the scanner, 2.3 s.
+    ASSERT_TRUE(waitUntil([&] { return view().around && view().around->oldest(-3.1, 3.1) < 10.0; }, 30s));
+    EXPECT_LT(view().around->nearest(-3.14, 3.14), 3.0) << "it stands in a cell of a maze";
+    EXPECT_GT(clouds, 20);
+    EXPECT_GT(pictures, 20);
+
+    const auto turned = [&] {
+        const auto odometry = station->mission()->robots.at("kurt3d")->odometry;
+        return odometry && std::abs(odometry->sample.angular.z()) > 0.2;
+    };
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.0, 0.0, 0.6}, turned));
+    station->push({});
+    ASSERT_TRUE(station->setMode("kurt3d", "explore").ok());
+    ASSERT_TRUE(waitUntil([&] {
+        const auto mode = station->mission()->robots.at("kurt3d")->mode;
+        return mode && mode->sample.mode == "explore";
+    })) << m_words.all();
+    station->stop("kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return view().stop.acknowledged && view().stop.standing; }));
+}
+
+}  // namespace
+}  // namespace leitstand::test
