@@ -144,6 +144,10 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vect
     for (const ProfilePoint& point : points) towards += point.where - origin;
     if (towards.norm() < 1e-3) return;
     const double heading = std::atan2(towards.y(), towards.x());
+    // What closed a turn is sent once more as the beginning of the next, and is no neighbour of itself.
+    constexpr double SameHeading = 1e-3;
+    if (m_before && m_before->at == at && std::abs(wrapped(heading - m_before->heading)) < SameHeading)
+        return;
     const bool follows = m_before && std::abs(secondsBetween(m_before->at, at)) < SliceGap &&
                          std::abs(wrapped(heading - m_before->heading)) < WidestStep;
     const std::span<const ProfilePoint> neighbour =

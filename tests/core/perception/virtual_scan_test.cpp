@@ -146,6 +146,24 @@ TEST(VirtualScan, SingleMixedPixelsAreNoObstacles) {
     EXPECT_GT(view.nearest(degrees(-180), degrees(180)), 3.7);
 }
 
+TEST(VirtualScan, ARawScanThatIsSentTwiceDoesNotSupportItself) {
+    VirtualWorld world;
+    world.blocks = hall();
+    VirtualScan virtualScan(settings());
+    scan(world, virtualScan, standing(), 0.0, 2.3);
+    std::mt19937 random(9);
+    CloudSample begins = world.slice(atSecond(2.3), standing(), random);
+    const auto columns = static_cast<std::size_t>(begins.columns);
+    begins.points[72] *= 0.4F;  // somewhere in the air
+    CloudSample closes = begins;
+    closes.rows = 1;
+    closes.points.resize(columns);
+    closes.times.resize(columns);
+    virtualScan.add(closes, world.scannerInBase, standing());
+    virtualScan.add(begins, world.scannerInBase, standing());
+    EXPECT_GT(virtualScan.view(Pose::Identity(), atSecond(2.4)).nearest(degrees(-180), degrees(180)), 3.5);
+}
+
 TEST(VirtualScan, TheRobotsOwnBodyIsLeftOut) {
     VirtualWorld world;
     world.blocks = hall();
