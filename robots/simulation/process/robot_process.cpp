@@ -27,6 +27,10 @@
 namespace leitstand::simulation {
 namespace {
 
+/// More than twice of what a scanner says: what a busy computer or a radio gap kept back has to catch up, or
+/// whoever joins waits for all of it.
+constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 2};
+
 volatile std::sig_atomic_t stopped = 0;
 
 Result<RobotDescription> describe(const RobotOptions& options) {
@@ -76,6 +80,7 @@ Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::strin
     NodeSettings network;
     network.domain = domain;
     network.name = name;
+    network.scanLimit = ScanLimit;
     network.interfaces = options.interfaces;
     network.initialPeers = options.peers;
     if (secured) {
