@@ -31,6 +31,9 @@ inline VictimSign::State lastOf(VictimSign::State) {
 inline VictimSample::Status lastOf(VictimSample::Status) {
     return VictimSample::Status::Discarded;
 }
+inline ScanTrust lastOf(ScanTrust) {
+    return ScanTrust::SetAside;
+}
 inline ScanPosesSample::Cause lastOf(ScanPosesSample::Cause) {
     return ScanPosesSample::Cause::Operator;
 }
@@ -129,7 +132,7 @@ void describe(A& a, NoteSample& v) {
 }
 template <class A>
 void describe(A& a, ScanPose& v) {
-    a(v.scan, v.scanInMap, v.rms, v.inlierRatio, v.overlap, v.certainty, v.converged);
+    a(v.scan, v.scanInMap, v.rms, v.inlierRatio, v.overlap, v.certainty, v.converged, v.trust, v.doubts);
 }
 template <class A>
 void describe(A& a, ScanPosesSample& v) {

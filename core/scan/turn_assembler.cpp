@@ -89,6 +89,25 @@ Scan wholeSweep(const CloudSample& cloud, const std::optional<Pose>& sensorInOdo
 
 }  // namespace
 
+bool TurnAssembler::continues(const CloudSample& cloud) const {
+    const CloudSample& last = m_slices.back().cloud;
+    const auto pause = cloud.header.stamp - endOf(last);
+    return cloud.columns == last.columns && cloud.header.frame == last.header.frame && pause <= LongestGap &&
+           pause >= -LongestGap;
+}
+
+void TurnAssembler::gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom) {
+    if (!m_slices.empty() && m_slices.back().sensorInOdom && sensorInOdom) {
+        m_way += distanceBetween(*m_slices.back().sensorInOdom, *sensorInOdom);
+        m_rotated += angleBetween(*m_slices.back().sensorInOdom, *sensorInOdom);
+    }
+    m_slices.push_back({std::move(cloud), sensorInOdom});
+}
+
+bool TurnAssembler::movedTooFar() const {
+    return m_way > m_settings.longestWay || m_rotated > m_settings.mostTurned;
+}
+
 std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& track) {
     const std::vector<double> headings = headingsOfSlice(cloud);
     const std::optional<Pose> sensorInOdom = takeMotionOut(cloud, track);
@@ -96,35 +115,30 @@ std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& tra
         if (cloud.organised() && !m_slices.empty() && cloud.columns == m_slices.front().cloud.columns &&
             std::none_of(cloud.points.begin(), cloud.points.end(),
                          [](const Eigen::Vector3f& point) { return point.allFinite(); })) {
-            m_slices.push_back(
-                {std::move(cloud), sensorInOdom});  // a slice that saw nothing belongs to its turn
+            gather(std::move(cloud), sensorInOdom);  // a slice that saw nothing belongs to its turn
             return std::nullopt;
         }
+        m_ended = TurnEnd::Sweep;
         return wholeSweep(cloud, sensorInOdom);
     }
     std::optional<Scan> complete;
-    if (!m_slices.empty()) {
-        const Slice& last = m_slices.back();
-        const bool another =
-            cloud.columns != last.cloud.columns || cloud.header.frame != last.cloud.header.frame;
-        const auto pause = cloud.header.stamp - endOf(last.cloud);
-        if (another || pause > LongestGap || pause < -LongestGap) complete = finish();
-    }
+    if (!m_slices.empty() && !continues(cloud)) complete = finish();
     for (const double heading : headings) {
         if (m_lastHeading) m_turned += std::abs(wrapped(heading - *m_lastHeading));
         m_lastHeading = heading;
         ++m_rows;
     }
-    m_slices.push_back({std::move(cloud), sensorInOdom});
+    gather(std::move(cloud), sensorInOdom);
     // Whether the last raw scan repeats the first one's direction is the scanner's affair: a step short of a
     // turn is a turn.
     const double step = m_turned / std::max(1, m_rows - 1);
-    if (!complete && m_turned >= FullTurn - 1.25 * step) complete = take();
-    return complete;
+    if (complete) return complete;
+    if (m_turned >= FullTurn - 1.25 * step) return take(TurnEnd::Turn);
+    return movedTooFar() ? take(TurnEnd::Distance) : std::nullopt;
 }
 
 std::optional<Scan> TurnAssembler::finish() {
-    if (m_turned >= LeastTurn) return take();
+    if (!m_slices.empty() && m_turned >= m_settings.leastTurn) return take(TurnEnd::Break);
     m_slices.clear();
     forget();
     return std::nullopt;
@@ -134,11 +148,13 @@ void TurnAssembler::forget() {
     m_turned = 0.0;
     m_rows = 0;
     m_lastHeading.reset();
+    m_way = m_rotated = 0.0;
 }
 
-std::optional<Scan> TurnAssembler::take() {
+std::optional<Scan> TurnAssembler::take(TurnEnd end) {
     const std::vector<Slice> slices = std::exchange(m_slices, {});
     forget();
+    m_ended = end;
     const Slice& last = slices.back();
     Scan scan;
     scan.sweep = Sweep::Yawing;

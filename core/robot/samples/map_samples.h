@@ -20,6 +20,24 @@ struct KeyScanSample {
     std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
 };
 
+/// Whether a key scan counts.
+enum class ScanTrust : std::uint8_t {
+    Certain,    ///< part of the map, others are registered against it
+    Uncertain,  ///< shown, but nothing is built on it until the operator decides
+    SetAside,   ///< rejected or rewound: not shown
+};
+
+/// Why a scan is uncertain: bits of ScanPose::doubts.
+enum class ScanDoubt : std::uint8_t {
+    Overlap = 1 << 0,    ///< too few of its points meet the map
+    Residual = 1 << 1,   ///< those that do are too far from it
+    Jump = 1 << 2,       ///< it would have moved otherwise than the odometry says
+    Certainty = 1 << 3,  ///< it could as well be shifted or turned some way
+    Diverged = 1 << 4,   ///< the registration came to no end
+    Odometry = 1 << 5,   ///< nobody knows how the robot came there
+    Points = 1 << 6,     ///< it has too few
+};
+
 /// Where a key scan is, and how sure that is.
 struct ScanPose {
     std::uint64_t scan = 0;  ///< KeyScanSample::id
@@ -29,9 +47,15 @@ struct ScanPose {
     double overlap = 0.0;      ///< 0 to 1
     double certainty = 0.0;    ///< 0 to 1
     bool converged = false;
+    ScanTrust trust = ScanTrust::Certain;
+    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
 };
 
-/// Poses that a registration or a correction changed, all at once.
+[[nodiscard]] constexpr bool has(std::uint8_t doubts, ScanDoubt doubt) {
+    return (doubts & static_cast<std::uint8_t>(doubt)) != 0;
+}
+
+/// Poses that a registration or a correction changed, all at once; also what the operator decided of them.
 struct ScanPosesSample {
     enum class Cause : std::uint8_t { Registration, LoopClosure, Operator };
     Time stamp{};  ///< station's clock

@@ -63,6 +63,7 @@ void DrivenWorld::step() {
     if (radio && sticks && m_steps % 10 == 0) station->drive(sticks->forward, sticks->turn);
     ++m_steps;
     for (HardwareSample& sample : agent->step()) {
+        if (onSample) onSample(sample);
         if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
             m_baseInOdom = odometry->baseInOdom;
         } else if (const auto* found = std::get_if<SightingSample>(&sample.sample)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,10 +60,11 @@ public:
     std::unique_ptr<RobotHardware> hardware;
     std::unique_ptr<RobotAgent> agent;
     std::unique_ptr<leitstand::test::TestStation> station;
-    bool radio = true;                    ///< false: nothing is heard of the station
-    std::optional<DriveVelocity> sticks;  ///< empty: nobody drives by hand
-    std::vector<Sighting> sightings;      ///< newest that it told
-    std::vector<ModeSample> modes;        ///< all that it told
+    bool radio = true;                                    ///< false: nothing is heard of the station
+    std::optional<DriveVelocity> sticks;                  ///< empty: nobody drives by hand
+    std::vector<Sighting> sightings;                      ///< newest that it told
+    std::vector<ModeSample> modes;                        ///< all that it told
+    std::function<void(const HardwareSample&)> onSample;  ///< told of everything that it says; may be empty
 
 private:
     void step();

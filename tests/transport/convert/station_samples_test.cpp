@@ -57,6 +57,7 @@ TEST(ScanPoses, AreRigidAndOfScans) {
     EXPECT_THAT(error([](auto& m) { m.poses[1].scan = 0; }), HasSubstr("poses.scan"));
     EXPECT_THAT(error([](auto& m) { m.poses[1].overlap = Infinity; }), HasSubstr("poses.overlap"));
     EXPECT_THAT(error([](auto& m) { m.poses[1].scan_in_map.orientation.w = 5; }), HasSubstr("quaternion"));
+    EXPECT_THAT(error([](auto& m) { m.poses[0].trust = 3; }), HasSubstr("poses.trust"));
     EXPECT_THAT(error([](auto& m) { m.cause = 3; }), HasSubstr("cause"));
 }
 

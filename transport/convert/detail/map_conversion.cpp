@@ -166,7 +166,8 @@ ScanPosesSample fromWire(const wire::leitstand_msgs::ScanPoses& from, const Sour
         to.poses.push_back(
             {one.scan, checks.pose("poses.scan_in_map", one.scan_in_map), checks.known("poses.rms", one.rms),
              checks.known("poses.inlier_ratio", one.inlier_ratio), checks.known("poses.overlap", one.overlap),
-             checks.known("poses.certainty", one.certainty), one.converged});
+             checks.known("poses.certainty", one.certainty), one.converged,
+             checks.enumerator<ScanTrust>("poses.trust", one.trust, 3), one.doubts});
     }
     return to;
 }
@@ -177,7 +178,8 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
     to.cause = static_cast<std::uint8_t>(from.cause);
     for (const ScanPose& one : from.poses) {
         to.poses.push_back({one.scan, checks.wirePose("poses.scan_in_map", one.scanInMap), one.rms,
-                            one.inlierRatio, one.overlap, one.certainty, one.converged});
+                            one.inlierRatio, one.overlap, one.certainty, one.converged,
+                            static_cast<std::uint8_t>(one.trust), one.doubts});
     }
 }
 

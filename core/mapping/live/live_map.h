@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/robot/samples/map_samples.h"
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// A scan that entered the live map. Its points never change, its pose may.
+struct LiveKeyScan {
+    std::uint64_t id = 0;  ///< KeyScanSample::id
+    ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped
+    Pose sensorInBase = Pose::Identity();
+    ScanPose pose;              ///< and how sure that is
+    std::uint64_t matched = 0;  ///< id of the nearest scan that it was registered against; 0: none
+    int odometryFrame = -1;     ///< of scan->sensorInOdom; negative: of an earlier run of the station
+    std::shared_ptr<const PointCloud> reduced;  ///< for registration, with normals; scan's frame
+
+    [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
+};
+
+/// The live map, a snapshot: immutable once shared.
+struct LiveMap {
+    std::vector<LiveKeyScan> scans;  ///< by rising id
+};
+using LiveMapPtr = std::shared_ptr<const LiveMap>;
+
+}  // namespace leitstand

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/scan/scan.h"
+#include "core/scan/turn_assembler.h"
+
+namespace leitstand {
+
+/// What ScanCutter makes of slices, and what LiveMapper takes.
+struct LiveScan {
+    ScanPtr scan;  ///< never null; sensorInOdom is level by the inertial unit where there is one
+    Pose sensorInBase = Pose::Identity();
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< against gravity, in the scan's frame
+    bool levelKnown = false;                        ///< whether an inertial unit or the odometry tells up
+    TurnEnd end = TurnEnd::Turn;
+    bool extrapolated = false;  ///< odometry was not there in time: the end of the scan's motion is guessed
+    bool bridged = false;       ///< odometry is missing within the scan
+    int odometryFrame = 0;      ///< sensorInOdom of scans of another number has another origin
+    int slices = 0;             ///< that it is made of
+};
+
+}  // namespace leitstand

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/scan_cleaning.h"
+
+namespace leitstand {
+
+/// How a scan is matched.
+struct MatchSettings {
+    double reduce = 0.10;                               ///< edge of the voxel grid of what is matched [m]
+    double minRange = 0.4, maxRange = 15.0;             ///< nearer and farther points are left out [m]
+    std::vector<double> near = {0.5, 0.25, 0.15};       ///< schedule of pair distances, with odometry [m]
+    std::vector<double> wide = {1.5, 0.5, 0.25, 0.15};  ///< ... where odometry is missing or guessed [m]
+    int maxIterations = 60;                             ///< a scan, over all stages
+    double levelShare = 0.1;  ///< of what gravity says against the match, in roll and pitch; 0: none
+};
+
+/// When a scan does not fit.
+struct FitSettings {
+    double leastOverlap = 0.4;      ///< of its points, with a partner within IcpResult::OverlapDistance
+    double mostResidual = 0.08;     ///< root mean square of the pairs [m]
+    double jump = 0.2;              ///< against the odometry's step [m] ...
+    double jumpOfWay = 0.25;        ///< ... and so much of the way [m / m]
+    double turn = degrees(6);       ///< likewise [rad] ...
+    double turnOfTurn = 0.15;       ///< ... [rad / rad] ...
+    double turnOfWay = degrees(5);  ///< ... [rad / m]
+    double leastCertainty = 0.02;   ///< IcpResult::certainty
+    int leastPoints = 200;          ///< after reduction
+};
+
+/// When a scan enters the map (design, section 3).
+struct KeyScanRule {
+    double distance = 0.3;       ///< moved since the last one [m] ...
+    double angle = degrees(10);  ///< ... or turned [rad] ...
+    double newGround = 0.15;     ///< ... or this share of its points is ...
+    double newGroundFrom = 0.5;  ///< ... farther than this from all that is known [m]
+};
+
+/// All that decides how scans become a map while robots drive.
+struct LiveSettings {
+    MatchSettings match;
+    FitSettings fit;
+    KeyScanRule keyScans;
+    LocalMapSettings local;
+    MapCrop crop;
+    double kept = 0.02;  ///< key scans are thinned to this for the map [m]
+};
+
+}  // namespace leitstand

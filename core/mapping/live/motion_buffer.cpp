@@ -1,0 +1,157 @@
+#include "core/mapping/live/motion_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace leitstand {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds BackwardStep(500);         ///< stamps that go back farther are no disorder
+constexpr std::chrono::seconds ForwardStep(5);    ///< stamps that go ahead farther are doubted at first
+constexpr milliseconds StrayFits(1000);           ///< a doubted stamp is right when the next is so near
+constexpr double FastestMove = 4.0, Leap = 0.3;   ///< a robot moves no faster than [m/s], [m]
+constexpr double FastestTurn = 8.0, Swing = 0.5;  ///< likewise [rad/s], [rad]
+constexpr milliseconds SpeedOver(80);             ///< time from which the present speed is told
+
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+/// Whether no robot moves from @p a to @p b in @p time.
+bool leaps(const Pose& a, const Pose& b, double time) {
+    return distanceBetween(a, b) > FastestMove * time + Leap ||
+           angleBetween(a, b) > FastestTurn * time + Swing;
+}
+
+/// The motion from @p a to @p b, @p share times (may be above 1).
+Pose continued(const Pose& a, const Pose& b, double share) {
+    const Pose step = a.inverse() * b;
+    const Eigen::AngleAxisd turn(step.linear());
+    Eigen::Matrix<double, 6, 1> twist;
+    twist << share * step.translation(), share * turn.angle() * turn.axis();
+    return b * poseFromTwist(twist);
+}
+
+}  // namespace
+
+void MotionBuffer::keep(Time stamp, const Pose& baseInOdom) {
+    const auto at = std::upper_bound(m_entries.begin(), m_entries.end(), stamp,
+                                     [](Time wanted, const Entry& entry) { return wanted < entry.stamp; });
+    if (at == m_entries.end() && !m_entries.empty()) {
+        const Entry& last = m_entries.back();
+        if (stamp == last.stamp) return;
+        if (leaps(last.baseInOdom, baseInOdom, seconds(stamp - last.stamp))) ++m_frame;
+    } else if (at != m_entries.begin() && std::prev(at)->stamp == stamp) {
+        return;
+    }
+    // What comes out of order is of the frame of those about it.
+    const int frame = at == m_entries.end() ? m_frame : at->frame;
+    m_entries.insert(at, {stamp, baseInOdom, frame});
+    while (m_entries.size() > 2 && m_entries.back().stamp - m_entries.front().stamp > Memory)
+        m_entries.pop_front();
+}
+
+void MotionBuffer::add(const OdometrySample& odometry) {
+    if (!odometry.baseInOdom.matrix().allFinite()) return;
+    const Time stamp = odometry.header.stamp;
+    if (!m_entries.empty()) {
+        const Time newest = m_entries.back().stamp;
+        const bool back = stamp<newest - BackwardStep, ahead = stamp> newest + ForwardStep;
+        if (back || ahead) {
+            const bool confirmed = m_stray && stamp >= m_stray->stamp && stamp - m_stray->stamp <= StrayFits;
+            if (!confirmed) {
+                m_stray = Entry{stamp, odometry.baseInOdom, 0};
+                return;
+            }
+            if (back) {
+                const Pose before = m_entries.back().baseInOdom;
+                ++m_clockJumps;
+                m_entries.clear();
+                m_level.clear();
+                if (leaps(before, m_stray->baseInOdom, 1.0)) ++m_frame;
+            }
+            keep(m_stray->stamp, m_stray->baseInOdom);
+        }
+        m_stray.reset();
+    }
+    keep(stamp, odometry.baseInOdom);
+    m_level.forgetBefore(m_entries.front().stamp);
+}
+
+void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
+    const Eigen::Matrix3d& inBase = unitInBase.linear();
+    std::optional<Eigen::Vector3d> up, turning;
+    if (imu.orientation) {
+        up = inBase * (imu.orientation->conjugate() * Eigen::Vector3d::UnitZ());
+    } else if (imu.linearAcceleration) {
+        up = inBase * *imu.linearAcceleration;
+    }
+    if (imu.angularVelocity) turning = inBase * *imu.angularVelocity;
+    m_level.add(imu.header.stamp, up, turning);
+}
+
+std::deque<MotionBuffer::Entry>::const_iterator MotionBuffer::after(Time stamp) const {
+    return std::lower_bound(m_entries.begin(), m_entries.end(), stamp,
+                            [](const Entry& entry, Time wanted) { return entry.stamp < wanted; });
+}
+
+Pose MotionBuffer::levelled(Pose baseInOdom, Time stamp) const {
+    const auto up = m_level.at(stamp);
+    if (!up) return baseInOdom;
+    const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
+    const double pitch = std::asin(std::clamp(-up->x(), -1.0, 1.0)), roll = std::atan2(up->y(), up->z());
+    return poseFrom(baseInOdom.translation(), roll, pitch, std::atan2(ahead.y(), ahead.x()));
+}
+
+std::optional<Motion> MotionBuffer::beyond(Time stamp) const {
+    const Entry& last = m_entries.back();
+    const auto ahead = stamp - last.stamp;
+    if (ahead > LongestGuess) return std::nullopt;
+    auto before = std::prev(m_entries.end());
+    while (before != m_entries.begin() && last.stamp - before->stamp < SpeedOver) --before;
+    const auto over = last.stamp - before->stamp;
+    Motion motion{last.baseInOdom, MotionSource::Extrapolated};
+    if (over >= SpeedOver && over <= LongestStep && before->frame == last.frame)
+        motion.baseInOdom = continued(before->baseInOdom, last.baseInOdom, seconds(ahead) / seconds(over));
+    motion.baseInOdom = levelled(motion.baseInOdom, stamp);
+    return motion;
+}
+
+std::optional<Motion> MotionBuffer::at(Time stamp) const {
+    if (m_entries.empty()) return std::nullopt;
+    const auto next = after(stamp);
+    if (next == m_entries.end()) return beyond(stamp);
+    if (next->stamp == stamp) return Motion{levelled(next->baseInOdom, stamp), MotionSource::Measured};
+    if (next == m_entries.begin()) {
+        if (next->stamp - stamp > LongestStep) return std::nullopt;
+        return Motion{levelled(next->baseInOdom, stamp), MotionSource::Extrapolated};
+    }
+    const auto before = std::prev(next);
+    const auto step = next->stamp - before->stamp;
+    if (before->frame != next->frame || step > LongestBridge) {
+        // The frames have nothing to do with each other: the nearer pose counts.
+        const bool first = stamp - before->stamp <= next->stamp - stamp;
+        const Entry& nearer = first ? *before : *next;
+        if ((first ? stamp - before->stamp : next->stamp - stamp) > LongestStep) return std::nullopt;
+        return Motion{levelled(nearer.baseInOdom, stamp), MotionSource::Extrapolated};
+    }
+    const Pose pose =
+        interpolated(before->baseInOdom, next->baseInOdom, seconds(stamp - before->stamp) / seconds(step));
+    return Motion{levelled(pose, stamp), step > LongestStep ? MotionSource::Bridged : MotionSource::Measured};
+}
+
+bool MotionBuffer::covers(Time stamp) const {
+    return !m_entries.empty() && m_entries.back().stamp >= stamp;
+}
+
+int MotionBuffer::frameAt(Time stamp) const {
+    const auto next = after(stamp);
+    if (next == m_entries.end()) return m_frame;
+    if (next == m_entries.begin()) return next->frame;
+    const auto before = std::prev(next);
+    return stamp - before->stamp <= next->stamp - stamp ? before->frame : next->frame;
+}
+
+}  // namespace leitstand

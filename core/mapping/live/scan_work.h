@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pose.h"
+#include "core/mapping/live/live_scan.h"
+#include "core/mapping/live/live_settings.h"
+#include "core/mapping/live/local_map.h"
+#include "core/registration/icp.h"
+#include "core/scan/scan.h"
+
+namespace leitstand {
+
+/// A scan made ready for the live map.
+struct ReadyScan {
+    ScanPtr scan;        ///< cleaned, labelled and thinned, finite points only
+    PointCloud reduced;  ///< for matching, with normals
+};
+
+/// Cleans @p live of @p body, of mixed pixels and of what @p settings crop, seen from @p scanInMap; labels
+/// and reduces it.
+[[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
+                                  const LiveSettings& settings);
+
+/// What the match of a scan came to.
+struct Match {
+    Pose scanInMap = Pose::Identity();
+    IcpResult icp;
+    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
+};
+
+/// How a robot came from the scan before to this one.
+struct Step {
+    bool known = true;             ///< by odometry without a gap
+    double way = 0.0, turn = 0.0;  ///< [m, rad]
+};
+
+/// Matches @p cloud with @p local, starting at @p guess. @p up: against gravity, in the scan's frame; empty:
+/// unknown.
+[[nodiscard]] Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
+                          const std::optional<Eigen::Vector3d>& up, const LiveSettings& settings);
+
+/// Share of @p cloud's points at @p scanInMap that are farther than @p distance [m] from all of @p local.
+[[nodiscard]] double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& scanInMap,
+                               double distance);
+
+/// @p scanInMap turned so that a share of its disagreement with gravity (@p up in its frame) is gone.
+[[nodiscard]] Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share);
+
+}  // namespace leitstand

@@ -1,0 +1,105 @@
+#include "core/mapping/live/motion_buffer.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mapping/live/slices.h"
+
+namespace leitstand::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+Time at(int ms) {
+    return Time(std::chrono::seconds(100) + milliseconds(ms));
+}
+
+Pose moving(int ms) {
+    return poseFrom({0.5e-3 * ms, 0, 0}, 0, 0, degrees(0.03) * ms);
+}
+
+TEST(MotionBuffer, TellsMeasuredBridgedAndExtrapolated) {
+    MotionBuffer buffer;
+    EXPECT_FALSE(buffer.at(at(0)));
+    for (int ms = 0; ms <= 1000; ms += 50) buffer.add(odometryAt(at(ms), moving(ms)));
+    const auto between = buffer.at(at(525));
+    ASSERT_TRUE(between);
+    EXPECT_EQ(between->source, MotionSource::Measured);
+    EXPECT_TRUE(between->baseInOdom.isApprox(moving(525), 1e-4));
+    const auto ahead = buffer.at(at(1100));
+    ASSERT_TRUE(ahead);
+    EXPECT_EQ(ahead->source, MotionSource::Extrapolated);
+    EXPECT_LT(distanceBetween(ahead->baseInOdom, moving(1100)), 0.005);
+    EXPECT_LT(angleBetween(ahead->baseInOdom, moving(1100)), degrees(0.1));
+    EXPECT_FALSE(buffer.at(at(1600))) << "too far ahead";
+    EXPECT_FALSE(buffer.covers(at(1001)));
+    for (int ms = 3000; ms <= 4000; ms += 50) buffer.add(odometryAt(at(ms), moving(ms)));
+    EXPECT_EQ(buffer.at(at(2000))->source, MotionSource::Bridged);
+}
+
+TEST(MotionBuffer, StrayStampsAndPosesThatAreNoneAreLeftOut) {
+    MotionBuffer buffer;
+    for (int ms = 0; ms <= 1000; ms += 50) {
+        buffer.add(odometryAt(at(ms), moving(ms)));
+        if (ms == 500) buffer.add(odometryAt(Time{}, moving(ms)));
+        if (ms == 600) buffer.add(odometryAt(at(90'000), moving(ms)));
+        OdometrySample broken = odometryAt(at(ms + 10), moving(ms));
+        broken.baseInOdom.translation().x() = std::numeric_limits<double>::quiet_NaN();
+        buffer.add(broken);
+    }
+    EXPECT_EQ(buffer.clockJumps(), 0);
+    EXPECT_FALSE(buffer.covers(at(2000)));
+    EXPECT_TRUE(buffer.at(at(725))->baseInOdom.isApprox(moving(725), 1e-4));
+}
+
+TEST(MotionBuffer, DisorderIsNoJump) {
+    MotionBuffer buffer;
+    for (const int ms : {0, 50, 150, 100, 250, 300, 200, 350}) buffer.add(odometryAt(at(ms), moving(ms)));
+    EXPECT_EQ(buffer.clockJumps(), 0);
+    EXPECT_TRUE(buffer.at(at(225))->baseInOdom.isApprox(moving(225), 1e-4));
+}
+
+TEST(LevelFilter, IsCalmerThanTheUnitAndFollowsARamp) {
+    // The error of the unit's level is another one every two seconds; the gyro is noisy, too.
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    LevelFilter filter;
+    double error = 0.0, worstUnit = 0.0, worst = 0.0, worstOnRamp = 0.0;
+    const auto pitchAt = [](double time) { return degrees(15) * std::clamp((time - 40.0) / 0.4, 0.0, 1.0); };
+    for (int i = 0; i < 1200; ++i) {
+        const double time = 0.05 * i, pitch = pitchAt(time);
+        error = std::exp(-0.025) * error + degrees(0.25) * std::sqrt(1.0 - std::exp(-0.05)) * normal(random);
+        const Eigen::Vector3d up =
+            poseFrom({0, 0, 0}, 0, pitch + error, 0).linear().transpose() * Eigen::Vector3d::UnitZ();
+        const double rate = (pitchAt(time + 1e-3) - pitchAt(time - 1e-3)) / 2e-3;
+        filter.add(at(50 * i), up, Eigen::Vector3d(0, rate + degrees(0.2) * normal(random), 0));
+        const auto level = filter.at(at(50 * i));
+        ASSERT_TRUE(level);
+        const double off = std::abs(std::asin(-level->x()) - pitch);
+        if (time > 10.0 && time < 40.0) {
+            worstUnit = std::max(worstUnit, std::abs(error));
+            worst = std::max(worst, off);
+        }
+        if (time > 40.0) worstOnRamp = std::max(worstOnRamp, off);
+    }
+    EXPECT_LT(worst, 0.7 * worstUnit);
+    EXPECT_LT(inDegrees(worstOnRamp), 1.0);
+}
+
+TEST(LevelFilter, TakesGravityWhereThereIsNoOrientation) {
+    MotionBuffer buffer;
+    ImuSample imu;
+    for (int ms = 0; ms < 1000; ms += 50) {
+        imu.header.stamp = at(ms);
+        imu.linearAcceleration = Eigen::Vector3d(0, 0, 9.81);
+        buffer.add(imu, Pose::Identity());
+    }
+    EXPECT_TRUE(buffer.up(at(975))->isApprox(Eigen::Vector3d::UnitZ()));
+    EXPECT_FALSE(buffer.up(at(2000)));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,76 @@
+#include "tests/simulation/mapping/mapped_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <Eigen/Geometry>
+
+namespace leitstand::simulation::test {
+
+TrajectoryError errorOf(const Trajectory& trajectory) {
+    const auto count = static_cast<Eigen::Index>(trajectory.found.size());
+    Eigen::Matrix3Xd found(3, count), truth(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        found.col(i) = trajectory.found[static_cast<std::size_t>(i)].translation();
+        truth.col(i) = trajectory.truth[static_cast<std::size_t>(i)].translation();
+    }
+    Pose mapInArena = Pose::Identity();
+    mapInArena.matrix() = Eigen::umeyama(found, truth, false);
+    TrajectoryError error;
+    for (std::size_t i = 0; i < trajectory.found.size(); ++i) {
+        const Pose pose = mapInArena * trajectory.found[i];
+        error.distance += (pose.translation() - trajectory.truth[i].translation()).squaredNorm();
+        error.height += std::pow(pose.translation().z() - trajectory.truth[i].translation().z(), 2);
+        error.angle += std::pow(angleBetween(pose, trajectory.truth[i]), 2);
+        const Eigen::Vector3d up = trajectory.found[i].linear().row(2),
+                              trueUp = trajectory.truth[i].linear().row(2);
+        error.tilt += std::pow(std::atan2(up.cross(trueUp).norm(), up.dot(trueUp)), 2);
+    }
+    for (double* sum : {&error.distance, &error.height, &error.angle, &error.tilt})
+        *sum = std::sqrt(*sum / static_cast<double>(count));
+    return error;
+}
+
+std::vector<LiveScan> cutScans(const RecordedDrive& drive, const ScanCutterSettings& settings) {
+    ScanCutter cutter(drive.robot.name, settings);
+    std::vector<LiveScan> scans;
+    const auto keep = [&](std::vector<LiveScan> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(scans));
+    };
+    for (const RecordedDrive::Heard& heard : drive.heard) {
+        const auto& sensors = drive.robot.sensors;
+        if (const auto* odometry = std::get_if<OdometrySample>(&heard.sample.sample)) {
+            cutter.add(*odometry, heard.at);
+        } else if (const auto* imu = std::get_if<ImuSample>(&heard.sample.sample)) {
+            cutter.add(*imu, sensors.at(heard.sample.sensor).sensorInBase, heard.at);
+        } else if (const auto* cloud = std::get_if<CloudSample>(&heard.sample.sample)) {
+            cutter.add(*cloud, sensors.at(heard.sample.sensor).sensorInBase, heard.at);
+        }
+        keep(cutter.take(heard.at));
+    }
+    keep(cutter.finish());
+    return scans;
+}
+
+MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, const LiveSettings& settings) {
+    MappedDrive result;
+    LiveMapper mapper("test", settings);
+    mapper.setBody(drive.robot.name, {drive.robot.footprint, drive.robot.height});
+    for (const LiveScan& live : scans) {
+        const MapUpdate update = mapper.add(live, live.scan->end);
+        const Localisation& here = *update.localisation;
+        const Pose truth = drive.baseInArena(here.stamp);
+        result.live.found.push_back(here.baseInMap);
+        result.odometry.found.push_back(live.scan->sensorInOdom * live.sensorInBase.inverse());
+        result.live.truth.push_back(truth);
+        result.odometry.truth.push_back(truth);
+        result.localisations.push_back(here);
+        result.longest = std::max(result.longest, here.seconds);
+    }
+    result.map = mapper.map();
+    result.scans = std::move(scans);
+    return result;
+}
+
+}  // namespace leitstand::simulation::test

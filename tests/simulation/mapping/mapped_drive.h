@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/scan_cutter.h"
+#include "tests/simulation/mapping/recorded_drive.h"
+
+namespace leitstand::simulation::test {
+
+/// Poses that were found of scans, and the true ones.
+struct Trajectory {
+    std::vector<Pose> found;  ///< base_link in the map
+    std::vector<Pose> truth;  ///< base_link in the arena
+};
+
+/// How far a trajectory is from the truth, after the rigid motion that brings it nearest to it (Horn 1987).
+struct TrajectoryError {
+    double distance = 0.0;  ///< root mean square [m]
+    double angle = 0.0;     ///< likewise [rad]
+    double height = 0.0;    ///< of the distance, along z [m]
+    double tilt = 0.0;      ///< of the angle, about level axes, without the alignment [rad]
+};
+[[nodiscard]] TrajectoryError errorOf(const Trajectory& trajectory);
+
+/// What mapping made of a drive.
+struct MappedDrive {
+    std::vector<LiveScan> scans;
+    std::vector<Localisation> localisations;  ///< one a scan
+    LiveMapPtr map;
+    Trajectory live;       ///< as mapping put the scans when they came
+    Trajectory odometry;   ///< the same scans by odometry alone
+    double longest = 0.0;  ///< time for a scan [s]
+};
+
+/// Cuts scans of what was heard on @p drive and maps them.
+[[nodiscard]] std::vector<LiveScan> cutScans(const RecordedDrive& drive,
+                                             const ScanCutterSettings& settings = {});
+[[nodiscard]] MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans,
+                                 const LiveSettings& settings = {});
+
+}  // namespace leitstand::simulation::test

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/robot/robot_description.h"
+#include "core/scan/pose_track.h"
+#include "robots/hardware/robot_hardware.h"
+#include "robots/simulation/arena/arena.h"
+
+namespace leitstand::simulation::test {
+
+/// What a robot said on a drive that mapping wants to know, and the truth.
+struct RecordedDrive {
+    struct Heard {
+        Time at{};  ///< when it was ready
+        HardwareSample sample;
+    };
+    Arena arena;
+    RobotDescription robot;
+    std::vector<Heard> heard;  ///< clouds, odometry, inertial unit, in order
+    PoseTrack truth;           ///< base_link in the arena, 100 times a second
+    double way = 0.0;          ///< that it drove [m]
+
+    [[nodiscard]] Pose baseInArena(Time stamp) const;
+};
+
+/// Kurt3D explores the yellow arena of @p seed for @p seconds; when nothing is left to explore it is driven
+/// to and fro by hand.
+[[nodiscard]] RecordedDrive exploredYellow(std::uint64_t seed, double seconds);
+
+}  // namespace leitstand::simulation::test
