@@ -7,6 +7,8 @@
 namespace leitstand {
 namespace {
 
+constexpr double Upright = 0.15;  // points so near above each other are of one thing [m]
+
 /// Follows the floor outwards along a raw scan.
 class FloorFollower {
 public:
@@ -91,6 +93,12 @@ ProfileContour contourOf(std::span<const ProfilePoint> points, std::span<const P
         const double over = point.height - floor.at(point.distance);
         if (over > settings.height || over < settings.step) continue;
         if (isSupported(points, i, neighbour, settings)) offer(point);
+    }
+    if (!contour.inner) return contour;
+    const double ground = floor.at(contour.inner->distance);
+    for (const ProfilePoint& point : points) {
+        if (std::abs(point.distance - contour.inner->distance) < Upright)
+            contour.innerTop = std::max(contour.innerTop, point.height - ground);
     }
     return contour;
 }

@@ -12,6 +12,9 @@ namespace {
 constexpr double Pi = std::numbers::pi;
 constexpr double SliceGap = 0.25;          // raw scans so close in time belong together [s]
 constexpr double WidestStep = degrees(6);  // ... and in direction
+constexpr double LowPoint = 0.15;          // points so low over the ground tell of it [m]
+constexpr double NearBy = 1.5;             // obstacles so near are remembered for themselves [m]
+constexpr double Behind = 0.05;            // before an obstacle its own points may lie [m]
 constexpr double SameLook = 0.5;           // rays of a direction so close in time are one look [s]
 
 double wrapped(double angle) {
@@ -67,6 +70,7 @@ VirtualScan::VirtualScan(const VirtualScanSettings& settings)
 void VirtualScan::clear() {
     std::fill(m_rays.begin(), m_rays.end(), Ray{});
     m_ownBody.clear();
+    m_near.clear();
     m_before.reset();
     m_newest.reset();
 }
@@ -160,10 +164,26 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vect
     ray.echo = contour.outer.has_value();
     ray.far =
         ray.echo ? contour.outer->where : Eigen::Vector2d(origin + towards.normalized() * m_settings.range);
-    if (contour.inner) ray.inner = contour.inner->where;
+    if (contour.inner) {
+        ray.inner = contour.inner->where;
+        ray.top = contour.innerTop;
+    }
+    remember(points, ray, origin, heading);
     if (follows) clearBetween(m_before->heading, heading, at);
     put(ray, heading);
     m_before = Before{std::move(points), heading, at};
+}
+
+void VirtualScan::remember(std::span<const ProfilePoint> points, const Ray& ray,
+                           const Eigen::Vector2d& origin, double heading) {
+    // The robot itself hides the ground beside it: what is nearer than the nearest ground in sight stays.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ProfilePoint& point : points) {
+        if (point.height < LowPoint) nearest = std::min(nearest, point.distance);
+    }
+    const double farthest = ray.inner ? (*ray.inner - origin).norm() - Behind : (ray.far - origin).norm();
+    m_near.lookThrough(origin, heading, nearest, farthest, ray.at);
+    if (ray.inner && (*ray.inner - origin).norm() < NearBy) m_near.add({*ray.inner, ray.top, ray.at});
 }
 
 void VirtualScan::put(const Ray& ray, double heading) {
@@ -181,7 +201,10 @@ void VirtualScan::put(const Ray& ray, double heading) {
         old.echo = ray.echo;
     }
     const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
-    if (ray.inner && (!old.inner || direction.dot(*ray.inner - *old.inner) < 0.0)) old.inner = ray.inner;
+    if (ray.inner && (!old.inner || direction.dot(*ray.inner - *old.inner) < 0.0)) {
+        old.inner = ray.inner;
+        old.top = ray.top;
+    }
     old.at = std::max(old.at, ray.at);
 }
 
@@ -240,6 +263,14 @@ void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, cons
     }
 }
 
+void VirtualScan::addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top) {
+    view.obstacles.push_back({near, age, top});
+    VirtualSector& holder =
+        view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(near.y(), near.x())))];
+    if (!std::isfinite(holder.age)) holder.age = age;
+    if (!holder.inner || near.norm() < holder.inner->norm()) holder.inner = near;
+}
+
 VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
     const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
     const double yaw = std::atan2(ahead.y(), ahead.x());
@@ -257,13 +288,11 @@ VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
             view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(far.y(), far.x())))];
         sector.age = std::min(sector.age, age);
         if (ray.echo && (!sector.outer || far.norm() > sector.outer->norm())) sector.outer = far;
-        if (!ray.inner) continue;
-        const Eigen::Vector2d near = toBase * (*ray.inner - here);
-        view.obstacles.push_back({near, age});
-        VirtualSector& holder =
-            view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(near.y(), near.x())))];
-        holder.age = std::min(holder.age, age);
-        if (!holder.inner || near.norm() < holder.inner->norm()) holder.inner = near;
+        if (ray.inner) addObstacle(view, toBase * (*ray.inner - here), age, ray.top);
+    }
+    for (const NearObstacles::One& one : m_near.all()) {
+        const double age = std::max(0.0, secondsBetween(one.at, now));
+        if (age > SameLook) addObstacle(view, toBase * (one.where - here), age, one.top);
     }
     view.closeGaps();
     return view;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/perception/near_obstacles.h"
 #include "core/perception/own_body_mask.h"
 #include "core/perception/scan_profile.h"
 #include "core/perception/virtual_scan_view.h"
@@ -58,6 +60,7 @@ private:
         Eigen::Vector2d far = Eigen::Vector2d::Zero();  ///< outer point, or the end of sight; in odom [m]
         bool echo = false;                              ///< whether far is a point
         std::optional<Eigen::Vector2d> inner;           ///< in odom [m]
+        double top = std::numeric_limits<double>::infinity();  ///< of what stands at inner [m]
     };
     /// The raw scan before, for support and for the directions between.
     struct Before {
@@ -66,6 +69,9 @@ private:
         Time at{};
     };
     void addProfile(std::vector<ProfilePoint> points, const Eigen::Vector2d& origin, Time at);
+    void remember(std::span<const ProfilePoint> points, const Ray& ray, const Eigen::Vector2d& origin,
+                  double heading);
+    static void addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top);
     void put(const Ray& ray, double heading);
     void clearBetween(double from, double to, Time at);
     [[nodiscard]] int binOf(double heading) const;
@@ -73,6 +79,7 @@ private:
     VirtualScanSettings m_settings;
     std::vector<Ray> m_rays;  ///< by heading in odom
     OwnBodyMask m_ownBody;
+    NearObstacles m_near;
     std::optional<Before> m_before;
     std::optional<Time> m_newest;
 };

@@ -21,6 +21,8 @@ struct VirtualSector {
 struct VirtualObstacle {
     Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< base_link [m]
     double age = 0.0;                                 ///< since it was measured [s]
+    double top =
+        std::numeric_limits<double>::infinity();  ///< height of what stands there, as far as known [m]
 };
 
 /// How far a robot's body reaches from its base_link [m].

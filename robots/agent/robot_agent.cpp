@@ -11,6 +11,7 @@
 namespace leitstand {
 namespace {
 
+constexpr auto OperatorLooks = std::chrono::seconds(10);
 constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
 
 RobotRuleSettings rulesOf(const RobotDescription& robot, Time now) {
@@ -143,6 +144,14 @@ void RobotAgent::turnCameras(const PanTiltCommand& command) {
         if (joint.substr(cut) == "_tilt") tilt = command.positions[i];
     }
     for (const auto& [unit, angles] : m_panTilt) m_hardware.setPanTilt(unit, angles.first, angles.second);
+    m_camerasTurned = m_hardware.now();
+}
+
+bool RobotAgent::look(const std::string& unit, double pan, double tilt) {
+    if (m_camerasTurned && m_hardware.now() - *m_camerasTurned < OperatorLooks) return false;
+    m_panTilt[unit] = {pan, tilt};
+    m_hardware.setPanTilt(unit, pan, tilt);
+    return true;
 }
 
 void RobotAgent::setStream(const StreamCommandSample& command) {

@@ -53,6 +53,8 @@ protected:
     virtual void goTo(const PoseSample& goal);   ///< of the holder
     virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now);
 
+    /// Turns cameras by itself; not within 10 s of an operator's turn, who goes before. Whether it did [rad].
+    bool look(const std::string& unit, double pan, double tilt);
     void say(StreamRole role, Sample sample) { m_said.push_back({role, {}, std::move(sample)}); }
     [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
     [[nodiscard]] const RobotDescription& robot() const { return m_robot; }
@@ -74,7 +76,7 @@ private:
     GrantArbiter m_cameras;
     ModeMachine m_machine;
     SpeedController m_left, m_right;
-    std::optional<Time> m_moved, m_twist;
+    std::optional<Time> m_moved, m_twist, m_camerasTurned;
     std::optional<StopStateSample> m_stopSaid;
     std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
     std::vector<HardwareSample> m_said;

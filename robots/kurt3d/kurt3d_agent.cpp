@@ -1,5 +1,8 @@
 #include "robots/kurt3d/kurt3d_agent.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <variant>
 
 #include "core/perception/heat.h"
@@ -8,6 +11,7 @@
 namespace leitstand {
 namespace {
 
+constexpr auto HeatUnit = "right";  ///< pan-tilt unit that carries the infrared camera
 constexpr auto CueAge = std::chrono::milliseconds(700);
 
 SafeTeleoperationSettings safetyOf(const RobotDescription& robot) {
@@ -56,7 +60,7 @@ void Kurt3dAgent::sense(HardwareSample& sample) {
         if (const auto place = inBase(cloud->header.frame, sample.sensor))
             m_scan.add(*cloud, *place, [this](Time at) { return m_odometry.at(at); });
     } else if (const auto* picture = std::get_if<PictureSample>(&sample.sample)) {
-        if (sample.role == StreamRole::Thermal) look(sample, *picture);
+        if (sample.role == StreamRole::Thermal) see(sample, *picture);
     }
 }
 
@@ -75,7 +79,7 @@ std::optional<Pose> Kurt3dAgent::inBase(const std::string& frame, const std::str
     return described->second.sensorInBase;
 }
 
-void Kurt3dAgent::look(const HardwareSample& sample, const PictureSample& picture) {
+void Kurt3dAgent::see(const HardwareSample& sample, const PictureSample& picture) {
     const auto camera = m_cameras.find(sample.sensor);
     const auto place = inBase(picture.header.frame, sample.sensor);
     const StreamDescription* stream = robot().stream(StreamRole::Thermal, sample.sensor);
@@ -86,16 +90,17 @@ void Kurt3dAgent::look(const HardwareSample& sample, const PictureSample& pictur
     const auto heat = temperatures(*decoded, stream->thermal);
     if (!heat) return;
     const auto blobs = findHeat(*heat, camera->second);
-    const auto cue =
-        cueFrom(blobs, camera->second, heat->width, heat->height, *robotThen * *place, picture.header.stamp);
-    if (cue) m_cue = cue;
+    auto cues =
+        cuesFrom(blobs, camera->second, heat->width, heat->height, *robotThen * *place, picture.header.stamp);
+    if (!cues.empty()) m_cues = std::move(cues);
 }
 
 RobotAgent::Report Kurt3dAgent::report(Time now) {
-    if (m_cue && now - m_cue->at > CueAge) m_cue.reset();
+    if (!m_cues.empty() && now - m_cues.front().at > CueAge) m_cues.clear();
     const auto here = m_odometry.at(now);
     if (here && (!m_thought || now - *m_thought >= m_settings.thinks)) {
         m_view = m_scan.view(*here, now);
+        m_cue = m_approach.pick(m_cues, m_view, *here);
         m_report.cue = m_cue && m_approach.isNew(*m_cue, m_view, *here);
     }
     Report told = m_report;
@@ -125,6 +130,7 @@ DriveVelocity Kurt3dAgent::steer(const ModeDecision& decision, const DriveVeloci
     if (began || !m_thought || now - *m_thought >= m_settings.thinks) {
         m_thought = now;
         m_velocity = think(decision, now);
+        lookForHeat(decision.driver, now);
     }
     switch (decision.driver) {
         case Driver::Operator:
@@ -140,6 +146,22 @@ DriveVelocity Kurt3dAgent::steer(const ModeDecision& decision, const DriveVeloci
             break;
     }
     return {};
+}
+
+void Kurt3dAgent::lookForHeat(Driver driver, Time now) {
+    const auto here = m_odometry.at(now);
+    double pan = 0.0;
+    if (driver == Driver::Approacher && here && m_approach.isActive()) {
+        pan = std::clamp(m_approach.bearing(*here), -degrees(100), degrees(100));
+    } else if (driver == Driver::Explorer) {
+        // To and fro, at an even rate.
+        const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
+        const double phase = std::fmod(seconds * m_settings.lookRate / m_settings.lookAside, 4.0);
+        pan = m_settings.lookAside * (phase < 2.0 ? phase - 1.0 : 3.0 - phase);
+    } else if (!m_looks) {
+        return;  // others' cameras stay where they are
+    }
+    m_looks = look(HeatUnit, pan, 0.0) && driver != Driver::Nobody && pan != 0.0;
 }
 
 DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, Time now) {
@@ -185,6 +207,7 @@ DriveVelocity Kurt3dAgent::approach(Time now) {
     m_report.text = step.reason;
     if (m_approach.sightings().size() != m_sightings) {
         m_sightings = m_approach.sightings().size();
+        m_explorer.shun(m_approach.sightings().back().position.head<2>(), 0.6);
         say(StreamRole::Sightings, SightingSample{{now, robot().odomFrame}, m_approach.sightings()});
     }
     return step.velocity;

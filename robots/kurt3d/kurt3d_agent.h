@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/perception/virtual_scan.h"
 #include "robots/agent/odometry_track.h"
@@ -26,6 +27,8 @@ struct Kurt3dSettings {
                                      DriveMode::Explore, DriveMode::VictimApproach},
                            .hasRemote = false};
     std::chrono::nanoseconds thinks = std::chrono::milliseconds(50);  ///< period of its own drivers
+    double lookAside = degrees(70);  ///< while exploring, it looks for heat so far to each side [rad]
+    double lookRate = degrees(25);   ///< so fast [rad/s]
 };
 
 /// What drives Kurt3D: by its operator, by its operator with the virtual scan's limits, or by itself with
@@ -46,7 +49,8 @@ private:
     void goTo(const PoseSample& goal) override;
     DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) override;
 
-    void look(const HardwareSample& sample, const PictureSample& picture);
+    void see(const HardwareSample& sample, const PictureSample& picture);
+    void lookForHeat(Driver driver, Time now);
     DriveVelocity think(const ModeDecision& decision, Time now);
     DriveVelocity explore(const std::optional<Eigen::Vector2d>& goal, Time now);
     DriveVelocity approach(Time now);
@@ -62,10 +66,12 @@ private:
     std::map<std::string, std::pair<std::string, Pose>> m_frames;  ///< child: parent, child in it
     std::map<std::string, CameraInfoSample> m_cameras;             ///< by sensor
     VirtualScanView m_view;
-    std::optional<HeatCue> m_cue;
+    std::vector<HeatCue> m_cues;            ///< of the newest picture with a body in it
+    std::optional<HeatCue> m_cue;           ///< that matters
     std::optional<Eigen::Vector2d> m_goal;  ///< of the operator, odom [m]
     std::optional<Time> m_thought;
     Driver m_before = Driver::Nobody;
+    bool m_looks = false;      ///< it has turned the cameras by itself
     DriveVelocity m_velocity;  ///< of its own drivers
     Report m_report;
     std::size_t m_sightings = 0;  ///< that were said

@@ -49,6 +49,8 @@ public:
                                     const std::optional<Time>& newest, Time now);
     /// Looks on while another drives.
     void see(const VirtualScanView& view, const Pose& baseInOdom, Time now);
+    /// Keeps off @p place in odom, where it can: a victim may move [m].
+    void shun(const Eigen::Vector2d& place, double radius) { m_memory.shun(place, radius); }
     [[nodiscard]] const FloorMemory& memory() const { return m_memory; }
 
 private:

@@ -87,7 +87,7 @@ void FloorMemory::seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& t
         if (last == key) continue;
         last = key;
         m_cells[key].seen = true;
-        addEvidence(key, -1);
+        if (along > m_settings.blind || along == 0.0) addEvidence(key, -1);
     }
 }
 
@@ -117,12 +117,25 @@ void FloorMemory::see(const VirtualScanView& view, const Pose& baseInOdom) {
     m_here = key;
 }
 
-void FloorMemory::giveUp(const Eigen::Vector2d& place, double radius) {
+std::vector<FloorMemory::Key> FloorMemory::around(const Eigen::Vector2d& place, double radius) const {
     const auto reach = static_cast<std::int64_t>(std::ceil(radius / m_settings.cell));
     const Key middle = keyOf(place);
+    std::vector<Key> keys;
     for (std::int64_t x = -reach; x <= reach; ++x) {
-        for (std::int64_t y = -reach; y <= reach; ++y) m_cells[beside(middle, x, y)].givenUp = true;
+        for (std::int64_t y = -reach; y <= reach; ++y) {
+            const Key key = beside(middle, x, y);
+            if ((middleOf(key) - place).norm() <= radius) keys.push_back(key);
+        }
     }
+    return keys;
+}
+
+void FloorMemory::giveUp(const Eigen::Vector2d& place, double radius) {
+    for (const Key key : around(place, radius)) m_cells[key].givenUp = true;
+}
+
+void FloorMemory::shun(const Eigen::Vector2d& place, double radius) {
+    for (const Key key : around(place, radius)) m_cells[key].shunned = true;
 }
 
 bool FloorMemory::isBorder(Key key) const {
@@ -152,9 +165,16 @@ bool FloorMemory::isFreeBetween(const Eigen::Vector2d& from, const Eigen::Vector
     const double length = (to - from).norm();
     for (double along = 0.0; along <= length; along += 0.5 * m_settings.cell) {
         const Cell* cell = find(keyOf(from + (to - from) * (length > 0.0 ? along / length : 0.0)));
-        if (cell != nullptr && (cell->evidence > 0 || (cell->near > 0 && along > 0.3))) return false;
+        if (cell == nullptr) continue;
+        if (cell->evidence > 0 || ((cell->near > 0 || cell->shunned) && along > 0.3)) return false;
     }
     return true;
+}
+
+double FloorMemory::weightOf(const Cell* cell, bool tight) {
+    if (cell == nullptr) return 2.5;
+    const double narrow = tight ? 6.0 : cell->close > 0 ? 2.0 : 1.0;
+    return narrow * (cell->seen ? 1.0 : 2.5) * (cell->shunned ? 4.0 : 1.0);
 }
 
 std::vector<Eigen::Vector2d> FloorMemory::search(const Eigen::Vector2d& from,
@@ -199,9 +219,7 @@ std::vector<Eigen::Vector2d> FloorMemory::search(const Eigen::Vector2d& from,
                 if (cell != nullptr && cell->evidence > 0) continue;
                 const bool tight = cell != nullptr && cell->near > 0;
                 if (tight && (middleOf(next) - from).norm() > Escape) continue;
-                const double narrow = cell != nullptr && cell->close > 0 ? 2.0 : 1.0;
-                const double weight = (tight ? 6.0 : narrow) * (cell == nullptr || !cell->seen ? 2.5 : 1.0);
-                const double cost = node.cost + weight * std::hypot(x, y);
+                const double cost = node.cost + weightOf(cell, tight) * std::hypot(x, y);
                 const auto found = best.find(next);
                 if (found != best.end() && found->second.cost <= cost) continue;
                 best[next] = {cost, node.key};

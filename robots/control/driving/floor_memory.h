@@ -18,6 +18,7 @@ struct FloorMemorySettings {
     double sight = 3.0;       ///< floor is remembered as seen up to there [m]
     double clearance = 0.25;  ///< from obstacles, that the robot's middle needs: half its width at least [m]
     double comfort = 0.40;    ///< from obstacles, that it keeps where there is space [m]
+    double blind = 0.6;       ///< nearer, the robot hides the ground: what was seen there stays [m]
     double maxAge = 0.5;      ///< of sectors that are entered: they were seen from about here [s]
 };
 
@@ -30,6 +31,8 @@ public:
     void see(const VirtualScanView& view, const Pose& baseInOdom);
     /// What could not be reached is not tried again; in odom [m].
     void giveUp(const Eigen::Vector2d& place, double radius);
+    /// Ways keep off the ground about @p place, where there is another; in odom [m].
+    void shun(const Eigen::Vector2d& place, double radius);
     void clear();
 
     /// The way from @p from over seen floor to the nearest border of the unseen; in odom [m]. Empty: none.
@@ -49,7 +52,7 @@ public:
 
 private:
     struct Cell {
-        bool seen = false, givenUp = false;
+        bool seen = false, givenUp = false, shunned = false;
         std::int8_t evidence = 0;  ///< of an obstacle: above 0 it is blocked
         std::uint16_t visits = 0;
         std::uint16_t near = 0;   ///< blocked cells within the clearance
@@ -59,6 +62,8 @@ private:
     [[nodiscard]] Key keyOf(const Eigen::Vector2d& place) const;
     [[nodiscard]] Eigen::Vector2d middleOf(Key key) const;
     [[nodiscard]] const Cell* find(Key key) const;
+    [[nodiscard]] std::vector<Key> around(const Eigen::Vector2d& place, double radius) const;
+    [[nodiscard]] static double weightOf(const Cell* cell, bool tight);
     void addEvidence(Key key, int evidence);
     void seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     [[nodiscard]] bool isBorder(Key key) const;

@@ -48,15 +48,16 @@ double bearingOf(const HeatCue& cue, const Pose& baseInOdom) {
 
 }  // namespace
 
-std::optional<HeatCue> cueFrom(const std::vector<HeatBlob>& blobs, const CameraInfoSample& camera, int width,
-                               int height, const Pose& opticalInOdom, Time at) {
+std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const CameraInfoSample& camera, int width,
+                              int height, const Pose& opticalInOdom, Time at) {
+    std::vector<HeatCue> cues;
     for (const HeatBlob& blob : blobs) {
         if (blob.kind != HeatBlob::Kind::Body) continue;
         const auto direction = pixelDirection(camera, blob.centre, width, height);
-        if (!direction) return std::nullopt;
-        return HeatCue{at, rayFrom(opticalInOdom, *direction), blob.width, blob.mean, blob.confidence};
+        if (!direction) continue;
+        cues.push_back({at, rayFrom(opticalInOdom, *direction), blob.width, blob.mean, blob.confidence});
     }
-    return std::nullopt;
+    return cues;
 }
 
 VictimApproach::VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings)
@@ -69,11 +70,37 @@ void VictimApproach::start(const HeatCue& cue, Time now) {
     m_cueAt = now;
     m_corrections = 0;
     m_place.reset();
+    m_begun.reset();
     m_detour = false;
+}
+
+double VictimApproach::bearing(const Pose& baseInOdom) const {
+    if (!m_place) return bearingOf(m_cue, baseInOdom);
+    const Eigen::Vector2d towards = flat(baseInOdom).inverse() * *m_place;
+    return std::atan2(towards.y(), towards.x());
 }
 
 void VictimApproach::abort() {
     m_phase = Phase::Idle;
+}
+
+std::optional<HeatCue> VictimApproach::pick(const std::vector<HeatCue>& cues, const VirtualScanView& view,
+                                            const Pose& baseInOdom) const {
+    if (isActive()) {
+        const auto nearest = std::max_element(cues.begin(), cues.end(), [&](const auto& a, const auto& b) {
+            return a.ray.direction.dot(m_cue.ray.direction) < b.ray.direction.dot(m_cue.ray.direction);
+        });
+        return nearest == cues.end() ? std::nullopt : std::optional<HeatCue>(*nearest);
+    }
+    const auto first = std::find_if(cues.begin(), cues.end(),
+                                    [&](const HeatCue& cue) { return isNew(cue, view, baseInOdom); });
+    return first == cues.end() ? std::nullopt : std::optional<HeatCue>(*first);
+}
+
+double VictimApproach::heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom) {
+    const double run = std::max(0.05, cue.ray.direction.head<2>().norm());
+    const double away = (place - cue.ray.origin.head<2>()).norm();
+    return cue.ray.origin.z() + cue.ray.direction.z() / run * away - baseInOdom.translation().z();
 }
 
 void VictimApproach::take(const HeatCue& cue) {
@@ -83,6 +110,33 @@ void VictimApproach::take(const HeatCue& cue) {
         std::acos(std::clamp(cue.ray.direction.normalized().dot(m_cue.ray.direction), -1.0, 1.0));
     if (off > 0.6) return;
     m_cue = cue;
+}
+
+std::vector<VictimApproach::Target> VictimApproach::wholeVictim(std::vector<Target> heat,
+                                                                const VirtualScanView& view) const {
+    std::erase_if(heat, [&](const Target& one) {
+        return one.top > m_settings.lying && std::any_of(heat.begin(), heat.end(), [&](const Target& other) {
+                   return other.top <= m_settings.lying;
+               });
+    });
+    if (heat.empty() || heat.front().top > m_settings.lying) return heat;
+    std::vector<Target> rest;
+    for (const VirtualObstacle& one : view.obstacles) {
+        const bool near = std::any_of(heat.begin(), heat.end(), [&](const Target& other) {
+            return (other.inBase - one.where).norm() < m_settings.length;
+        });
+        if (one.top > m_settings.lying || !near) continue;
+        rest.push_back({one.where, fromFront(m_drive.settings().safety.body, one.where), one.age, one.top});
+    }
+    for (std::size_t i = 0; i < heat.size(); ++i) {
+        const Eigen::Vector2d here = heat[i].inBase;
+        const auto linked = std::stable_partition(rest.begin(), rest.end(), [&](const Target& one) {
+            return (one.inBase - here).norm() > m_settings.link;
+        });
+        heat.insert(heat.end(), linked, rest.end());
+        rest.erase(linked, rest.end());
+    }
+    return heat;
 }
 
 std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue, const VirtualScanView& view,
@@ -101,7 +155,7 @@ std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue,
         const double off = std::atan2(towards.x() * away.y() - towards.y() * away.x(), towards.dot(away));
         if (std::abs(off) > band || away.norm() > Farthest) continue;
         const double distance = fromFront(m_drive.settings().safety.body, one.where);
-        seen.push_back({{one.where, distance, one.age}, std::abs(off), away.norm()});
+        seen.push_back({{one.where, distance, one.age, one.top}, std::abs(off), away.norm()});
     }
     if (seen.empty()) return std::nullopt;
     // What the middle of the heat is on; what else is in the band may stand before or behind it.
@@ -112,6 +166,7 @@ std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue,
     for (const Seen& one : seen) {
         if (std::abs(one.range - range) < Deepest) found.push_back(one.target);
     }
+    found = wholeVictim(std::move(found), view);
     std::sort(found.begin(), found.end(),
               [](const Target& a, const Target& b) { return a.distance < b.distance; });
     // The second nearest of one surface: a single point is too near by its noise.
@@ -127,16 +182,21 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
     const auto surface = target(cue, view, baseInOdom);
     if (!surface) return false;
     const Eigen::Vector2d place = flat(baseInOdom) * surface->inBase;
-    const auto near = [&](const Eigen::Vector2d& other) {
+    if (heightAt(cue, place, baseInOdom) > m_settings.highest) return false;
+    return !isKnown(place) && std::none_of(m_givenUp.begin(), m_givenUp.end(), [&](const auto& other) {
         return (other - place).norm() < m_settings.sameVictim;
-    };
-    return std::none_of(m_givenUp.begin(), m_givenUp.end(), near) &&
-           std::none_of(m_sightings.begin(), m_sightings.end(),
-                        [&](const Sighting& one) { return near(one.position.head<2>()); });
+    });
+}
+
+bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
+    return std::any_of(m_sightings.begin(), m_sightings.end(), [&](const Sighting& one) {
+        return (one.position.head<2>() - place).norm() < m_settings.sameVictim;
+    });
 }
 
 ApproachStep VictimApproach::giveUp(const std::string& reason, const Eigen::Vector2d& place) {
     m_givenUp.push_back(place);
+    if (m_begun) m_givenUp.push_back(*m_begun);
     m_phase = Phase::Idle;
     ApproachStep step;
     step.failed = true;
@@ -150,13 +210,8 @@ ApproachStep VictimApproach::reach(const Target& target, const Pose& baseInOdom)
     sighting.id = static_cast<std::uint32_t>(m_sightings.size() + 1);
     sighting.kind = "victim";
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
-    // Its height is told by the ray.
-    const double run = std::max(0.05, m_cue.ray.direction.head<2>().norm());
-    const double away = (place - m_cue.ray.origin.head<2>()).norm();
-    const double height = m_cue.ray.origin.z() + m_cue.ray.direction.z() / run * away;
-    sighting.position = {
-        place.x(), place.y(),
-        std::clamp(height, baseInOdom.translation().z(), baseInOdom.translation().z() + 2.0)};
+    const double height = std::clamp(heightAt(m_cue, place, baseInOdom), 0.0, m_settings.highest);
+    sighting.position = {place.x(), place.y(), baseInOdom.translation().z() + height};
     sighting.deviation = 0.15;
     sighting.confidence = m_cue.confidence;
     sighting.value = m_cue.temperature;
@@ -225,6 +280,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     const bool inSight = secondsBetween(m_cueAt, now) < InSight;
     const auto surface = target(m_cue, view, baseInOdom);
     if (surface && inSight) m_place = flat(baseInOdom) * surface->inBase;
+    if (surface && !m_begun) m_begun = flat(baseInOdom) * surface->inBase;
     if (surface) step.distance = surface->distance;
     if (m_phase == Phase::Reached) {
         step.done = true;
@@ -279,6 +335,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         case Phase::Settle:
             step.reason = "measures again";
             if (secondsBetween(m_since, now) < m_settings.settle) break;
+            if (surface && isKnown(place)) return giveUp("that victim is known", place);
             if (surface && (std::abs(error) < 1.2 * m_settings.tolerance || m_corrections >= 4))
                 return reach(*surface, baseInOdom);
             ++m_corrections;

@@ -23,11 +23,11 @@ struct HeatCue {
     double temperature = 33.0;  ///< mean [degrees C]
     double confidence = 0.5;    ///< 0 to 1
 };
-/// The cue of the most convincing body in a picture; empty: there is none. @p opticalInOdom: of the camera
-/// (x right, y down, z forward) when the picture was taken.
-[[nodiscard]] std::optional<HeatCue> cueFrom(const std::vector<HeatBlob>& blobs,
-                                             const CameraInfoSample& camera, int width, int height,
-                                             const Pose& opticalInOdom, Time at);
+/// The cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x right,
+/// y down, z forward) when the picture was taken.
+[[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs,
+                                            const CameraInfoSample& camera, int width, int height,
+                                            const Pose& opticalInOdom, Time at);
 
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
@@ -40,6 +40,10 @@ struct VictimApproachSettings {
     double giveUpAfter = 90.0;  ///< altogether [s]
     double settle = 2.6;        ///< stands before it believes a distance: a turn of the scanner [s]
     double sameVictim = 1.0;    ///< reports nearer than that are of one victim [m]
+    double lying = 0.55;        ///< what is higher is no part of a victim that lies [m]
+    double length = 1.2;        ///< of a victim, from its heat [m]
+    double link = 0.25;         ///< between points of one victim [m]
+    double highest = 1.0;       ///< heat higher over the ground is of people beyond walls [m]
 };
 
 /// One step of an approach.
@@ -57,10 +61,15 @@ class VictimApproach {
 public:
     VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings = {});
 
+    /// Which of @p cues matters: before an approach the first that is new, then that of the same body.
+    [[nodiscard]] std::optional<HeatCue> pick(const std::vector<HeatCue>& cues, const VirtualScanView& view,
+                                              const Pose& baseInOdom) const;
     /// Whether @p cue is worth an approach: not a victim that has been reported (or given up) already.
     [[nodiscard]] bool isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const;
     void start(const HeatCue& cue, Time now);
     void abort();
+    /// Where the heat that it drives to is, in base_link; left positive [rad].
+    [[nodiscard]] double bearing(const Pose& baseInOdom) const;
     [[nodiscard]] bool isActive() const { return m_phase != Phase::Idle; }
 
     /// @p cue: the newest, if there is one.
@@ -76,10 +85,19 @@ private:
         Eigen::Vector2d inBase = Eigen::Vector2d::Zero();  ///< [m]
         double distance = 0.0;                             ///< from the body's front [m]
         double age = 0.0;                                  ///< of the measurement [s]
+        double top = 0.0;                                  ///< height of what stands there [m]
     };
     void take(const HeatCue& cue);
+    /// How high the heat is where it meets the vertical through @p place in odom; over the robot's ground
+    /// [m].
+    [[nodiscard]] static double heightAt(const HeatCue& cue, const Eigen::Vector2d& place,
+                                         const Pose& baseInOdom);
     [[nodiscard]] std::optional<Target> target(const HeatCue& cue, const VirtualScanView& view,
                                                const Pose& baseInOdom) const;
+    /// What is low and hangs together with @p heat: the whole victim, not only what is warm of it.
+    [[nodiscard]] std::vector<Target> wholeVictim(std::vector<Target> heat,
+                                                  const VirtualScanView& view) const;
+    [[nodiscard]] bool isKnown(const Eigen::Vector2d& place) const;
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place);
     [[nodiscard]] ApproachStep reach(const Target& target, const Pose& baseInOdom);
     [[nodiscard]] bool isBehindSomething(const std::optional<Target>& target, double bearing,
@@ -97,6 +115,7 @@ private:
     int m_corrections = 0;                   ///< of the distance, so far
     HeatCue m_cue;                           ///< newest
     std::optional<Eigen::Vector2d> m_place;  ///< where it was measured while in sight; odom [m]
+    std::optional<Eigen::Vector2d> m_begun;  ///< where it seemed to be at first; odom [m]
     bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
     std::vector<Eigen::Vector2d> m_givenUp;  ///< places in odom [m]

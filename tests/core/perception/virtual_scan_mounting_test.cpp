@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/perception/near_obstacles.h"
 #include "core/perception/own_body_mask.h"
 #include "tests/core/perception/virtual_world.h"
 
@@ -93,6 +94,52 @@ TEST(OwnBodyMask, ForgetsWhereTheRobotWasMet) {
     EXPECT_FALSE(mask.isNear(ahead, atSecond(30.0))) << "a camera that turned away";
     mask.add({-1.0, 1e-6, 0.0}, atSecond(1.0));
     EXPECT_TRUE(mask.isNear({-1.0, -1e-6, 0.0}, atSecond(1.0))) << "behind, across the seam";
+}
+
+TEST(VirtualScan, WhatTheRobotHidesBesideItselfIsNotForgotten) {
+    VirtualWorld world;
+    world.scannerInBase = poseFrom({0.0, 0.0, 0.5}, 0.0, 0.0, 0.0);
+    world.blocks = room();
+    world.blocks.push_back({{0.9, 0.1, 0.0}, {1.1, 0.3, 0.09}});        // low, ahead
+    world.blocks.push_back({{-0.24, -0.21, 0.2}, {0.24, 0.21, 0.25}});  // the robot's own top: moves along
+    VirtualScan virtualScan(settings());
+    std::mt19937 random(3);
+    Pose base = Pose::Identity();
+    const auto standsAt = [&](double x, double from, double to) {
+        base = poseFrom({x, 0.0, 0.0}, 0.0, 0.0, 0.0);
+        world.blocks.back() = {{x - 0.24, -0.21, 0.2}, {x + 0.24, 0.21, 0.25}};
+        for (int k = static_cast<int>(std::lround(10 * from)); k < static_cast<int>(std::lround(10 * to));
+             ++k)
+            virtualScan.add(world.slice(atSecond(0.1 * k), standing(base), random), world.scannerInBase,
+                            standing(base));
+    };
+    standsAt(0.0, 0.0, 4.6);
+    EXPECT_NEAR(virtualScan.view(base, atSecond(4.6)).nearest(0.0, degrees(25)), 0.9, 0.1);
+    standsAt(0.55, 4.6, 11.5);  // three turns beside it
+    EXPECT_LT(virtualScan.view(base, atSecond(11.5)).nearest(0.0, degrees(45)), 0.55);
+    world.blocks[4] = {{90, 90, 0}, {91, 91, 1}};  // taken away
+    standsAt(0.55, 11.5, 13.8);
+    standsAt(-0.2, 13.8, 18.4);
+    EXPECT_GT(virtualScan.view(base, atSecond(18.4)).nearest(0.0, degrees(20)), 3.0) << "looked through";
+}
+
+TEST(NearObstacles, StayUntilTheyAreLookedThroughOrOld) {
+    NearObstacles near;
+    near.add({{1.0, 0.0}, 0.2, atSecond(1.0)});
+    near.add({{1.01, 0.0}, 0.3, atSecond(2.0)});
+    ASSERT_EQ(near.all().size(), 1U) << "the same";
+    EXPECT_DOUBLE_EQ(near.all()[0].top, 0.3);
+    const Eigen::Vector2d here(0.0, 0.0);
+    near.lookThrough(here, degrees(30), 0.3, 3.0, atSecond(3.0));
+    near.lookThrough(here, degrees(180), 0.3, 3.0, atSecond(3.0));
+    near.lookThrough(here, 0.0, 1.2, 3.0, atSecond(3.0));
+    near.lookThrough(here, 0.0, 0.3, 0.8, atSecond(3.0));
+    EXPECT_EQ(near.all().size(), 1U) << "beside, behind, hidden, not as far";
+    near.lookThrough(here, 0.0, 0.3, 3.0, atSecond(3.0));
+    EXPECT_TRUE(near.all().empty());
+    near.add({{0.4, 0.4}, 0.2, atSecond(4.0)});
+    near.lookThrough(here, degrees(180), 0.3, 3.0, atSecond(35.0));
+    EXPECT_TRUE(near.all().empty());
 }
 
 /// A sweep of a scanner whose plane is tilted about y: rows of half a degree, points of 1 degree to the

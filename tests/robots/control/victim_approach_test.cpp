@@ -131,7 +131,7 @@ TEST(VictimApproach, WaitsInFrontOfTheVictim) {
     EXPECT_FALSE(approach.isActive());
 }
 
-TEST(VictimApproach, ACueIsTheMostConvincingBody) {
+TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     CameraInfoSample camera;
     camera.width = 160;
     camera.height = 120;
@@ -143,11 +143,35 @@ TEST(VictimApproach, ACueIsTheMostConvincingBody) {
     body.width = 0.1;
     body.mean = 32.0;
     const Pose optical = opticalFrame(poseFrom({1.0, 2.0, 0.5}, 0.0, 0.0, degrees(90)));
-    EXPECT_FALSE(cueFrom({lamp}, camera, 160, 120, optical, Time{}));
-    const auto cue = cueFrom({lamp, body}, camera, 160, 120, optical, Time{});
-    ASSERT_TRUE(cue);
-    EXPECT_TRUE(cue->ray.direction.isApprox(Eigen::Vector3d::UnitY(), 1e-9));
-    EXPECT_DOUBLE_EQ(cue->temperature, 32.0);
+    EXPECT_TRUE(cuesFrom({lamp}, camera, 160, 120, optical, Time{}).empty());
+    const auto cues = cuesFrom({lamp, body}, camera, 160, 120, optical, Time{});
+    ASSERT_EQ(cues.size(), 1U);
+    EXPECT_TRUE(cues[0].ray.direction.isApprox(Eigen::Vector3d::UnitY(), 1e-9));
+    EXPECT_DOUBLE_EQ(cues[0].temperature, 32.0);
+}
+
+TEST(VictimApproach, PassesByPeopleBeyondWallsAndFindsTheNewOneBesideTheKnown) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    VictimApproach approach(shippedDrive());
+    const HeatCue victim = *cueOf(ground, random, 3.2);
+    HeatCue head = victim;  // above the wall behind
+    head.ray.direction = Eigen::Vector3d(std::cos(-0.8), std::sin(-0.8), 0.6).normalized();
+    HeatCue other = victim;
+    other.ray.direction = Eigen::Vector3d(std::cos(-0.8), std::sin(-0.8), 0.0);
+    const auto pick = [&](const std::vector<HeatCue>& cues) {
+        return approach.pick(cues, ground.view(), ground.baseInOdom());
+    };
+    EXPECT_FALSE(approach.isNew(head, ground.view(), ground.baseInOdom()));
+    EXPECT_TRUE(approach.isNew(other, ground.view(), ground.baseInOdom()));
+    EXPECT_FALSE(pick({}));
+    ASSERT_TRUE(pick({head, victim}));
+    EXPECT_TRUE(pick({head, victim})->ray.direction.isApprox(victim.ray.direction));
+    approach.start(victim, ground.now());
+    ASSERT_TRUE(pick({other, victim}));
+    EXPECT_TRUE(pick({other, victim})->ray.direction.isApprox(victim.ray.direction)) << "stays with it";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "robots/kurt3d/kurt3d_agent.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
@@ -149,6 +151,34 @@ TEST_F(Kurt3d, CamerasTurnAndStreamsAreSet) {
     slow.rate = 2.0;
     station->say(StreamRole::StreamCommand, slow);
     EXPECT_EQ((robot.streams[{StreamRole::Picture, "left"}].rate), 2.0);
+}
+
+TEST_F(Kurt3d, LooksAsideForHeatWhileItExploresUnlessTheOperatorLooks) {
+    station->keepDriving(0.0, 0.1);
+    station->mode("explore");
+    double least = 0.0, most = 0.0;
+    for (int i = 0; i < 130; ++i) {
+        station->hold();
+        station->pass(0.1);
+        least = std::min(least, robot.cameras["right"].first);
+        most = std::max(most, robot.cameras["right"].first);
+    }
+    EXPECT_LT(least, degrees(-60));
+    EXPECT_GT(most, degrees(60));
+    PanTiltCommand look;
+    look.names = {"right_pan", "right_tilt"};
+    look.positions = {0.5, 0.2};
+    station->say(StreamRole::PanTiltCommand, look);
+    for (int i = 0; i < 90; ++i) {
+        station->hold();
+        station->pass(0.1);
+        ASSERT_EQ(robot.cameras["right"], std::make_pair(0.5, 0.2)) << "the operator's for ten seconds";
+    }
+    station->pass(2.0);
+    EXPECT_NE(robot.cameras["right"], std::make_pair(0.5, 0.2));
+    station->mode("teleoperation");
+    station->pass(0.1);
+    EXPECT_EQ(robot.cameras["right"], std::make_pair(0.0, 0.0)) << "ahead again for the operator";
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Obstacles close to a robot, which its scanner cannot see any more once they are beside its wheels: they
+/// stay until a raw scan looks through where they were, or for half a minute.
+class NearObstacles {
+public:
+    struct One {
+        Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< odometry's frame [m]
+        double top = 0.0;                                 ///< height of what stands there [m]
+        Time at{};
+    };
+    void add(const One& one);
+    /// A raw scan from @p origin to @p heading [rad] saw the ground free from @p from to @p to [m] away.
+    void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
+    [[nodiscard]] const std::vector<One>& all() const { return m_all; }
+    void clear() { m_all.clear(); }
+
+private:
+    std::vector<One> m_all;
+};
+
+}  // namespace leitstand
