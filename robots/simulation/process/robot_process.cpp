@@ -27,9 +27,9 @@
 namespace leitstand::simulation {
 namespace {
 
-/// More than twice of what a scanner says: what a busy computer or a radio gap kept back has to catch up, or
-/// whoever joins waits for all of it.
-constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 2};
+/// Two thirds more than a scanner says (two robots may do so on 10 Mbit/s): what a busy computer or a radio
+/// gap kept back has to catch up, or whoever joins waits for all of it.
+constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 3};
 
 volatile std::sig_atomic_t stopped = 0;
 
