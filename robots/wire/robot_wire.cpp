@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/mission/station_topics.h"
+#include "robots/wire/raw_picture.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_keeper.h"
@@ -17,6 +18,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t MostWaiting = 1000;
+constexpr const char* RawPictures = "sensor_msgs/msg/Image";
 
 Flow flowOf(StreamRole role) {
     switch (role) {
@@ -52,6 +54,7 @@ struct RobotWire::State {
     Result<void> open(Node& node);
     void hear(const StreamDescription& stream, const ReceivedSample& sample);
     void hearGrant(const ReceivedSample& sample);
+    [[nodiscard]] Result<void> say(const StreamDescription& stream, const Sample& sample) const;
     void put(HeardCommand command);
     void countBroken();
 
@@ -131,13 +134,29 @@ std::vector<HeardCommand> RobotWire::take() {
     return std::exchange(m_state->waiting, {});
 }
 
+Result<void> RobotWire::State::say(const StreamDescription& stream, const Sample& sample) const {
+    Publisher& publisher = *publishers.at(stream.topic);
+    const auto* picture = std::get_if<PictureSample>(&sample);
+    if (picture == nullptr || !picture->compressed || stream.type != RawPictures) {
+        const auto cdr = encode(sample, stream.type);
+        return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
+    }
+    if (publisher.matched() == 0) return {};  // it is big: only for somebody
+    auto raw = rawPicture(*picture);
+    if (!raw) return raw.error();
+    const auto cdr = encode(std::move(raw).value(), stream.type);
+    return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
+}
+
 void RobotWire::say(const HardwareSample& sample) {
-    const StreamDescription* stream = m_state->robot.stream(sample.role, sample.sensor);
-    if (stream == nullptr) return;
-    const auto cdr = encode(sample.sample, stream->type);
-    const bool said = cdr && m_state->publishers.at(stream->topic)->write(*cdr).ok();
-    const std::lock_guard lock(m_state->mutex);
-    ++(said ? m_state->counts.said : m_state->counts.unsaid);
+    const StreamDescription* first = m_state->robot.stream(sample.role, sample.sensor);
+    if (first == nullptr) return;
+    for (const StreamDescription& stream : m_state->robot.streams) {
+        if (stream.role != first->role || stream.sensor != first->sensor) continue;
+        const bool said = m_state->say(stream, sample.sample).ok();
+        const std::lock_guard lock(m_state->mutex);
+        ++(said ? m_state->counts.said : m_state->counts.unsaid);
+    }
 }
 
 RobotWireCounts RobotWire::counts() const {

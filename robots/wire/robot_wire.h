@@ -43,7 +43,8 @@ public:
     /// What came since the last call, in order. A drive command that cannot be read is one that is no number,
     /// which stops.
     [[nodiscard]] std::vector<HeardCommand> take();
-    /// Says it on the stream of its role and sensor; nothing when the robot has none. Never waits.
+    /// Says it on all streams of its role and sensor; nothing when the robot has none. Never waits.
+    /// Compressed pictures become raw ones on streams of sensor_msgs/msg/Image, while somebody listens.
     void say(const HardwareSample& sample);
     [[nodiscard]] RobotWireCounts counts() const;
 

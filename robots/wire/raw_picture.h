@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/robot/samples/picture_samples.h"
+
+namespace leitstand {
+
+/// A compressed picture as sensor_msgs/msg/Image carries it: mono8, mono16 (temperatures) or rgb8. One that
+/// is not compressed stays as it is. The error tells why the file cannot be read.
+[[nodiscard]] Result<PictureSample> rawPicture(const PictureSample& picture);
+
+}  // namespace leitstand
