@@ -48,6 +48,7 @@ QString styleSheetFrom(const ThemeColours& colours, Theme theme) {
         {"@field", colours.field},   {"@hover", colours.hover},   {"@chosen", colours.chosen},
         {"@line", colours.line},     {"@faint", colours.faint},   {"@text", colours.text},
         {"@muted", colours.muted},   {"@select", colours.select}, {"@attention", colours.attention},
+        {"@act", colours.act},       {"@fine", colours.fine},
     };
     for (const auto& [name, colour] : fills) sheet.replace(QLatin1String(name), colour.name());
     return sheet.replace(QLatin1String("@check"), QLatin1String(theme == Theme::Dark ? "dark" : "light"));
@@ -79,6 +80,13 @@ const ThemeColours& coloursOf(Theme theme) {
         .attention = "#E69F00",
         .act = "#D55E00",
         .stop = "#C8371B",
+        .wall = "#E8C410",
+        .obstacle = "#FFFFFF",
+        .teleoperation = "#123240",
+        .autonomous = "#35264F",
+        .stopped = "#2B313A",
+        .lost = "#3A2D0E",
+        .robots = {"#56B4E9", "#C49BEB", "#86CFC4", "#D3B59C"},
     };
     static const ThemeColours light = {
         .window = "#F3F4F6",
@@ -96,8 +104,20 @@ const ThemeColours& coloursOf(Theme theme) {
         .attention = "#8F5400",
         .act = "#B04A00",
         .stop = "#C8371B",
+        .wall = "#8A7000",
+        .obstacle = "#12151A",
+        .teleoperation = "#CBE4F4",
+        .autonomous = "#E1D5F5",
+        .stopped = "#DDE1E7",
+        .lost = "#F6E5C0",
+        .robots = {"#0072B2", "#7A3FB0", "#1B766B", "#7A5638"},
     };
     return theme == Theme::Dark ? dark : light;
+}
+
+Theme presentTheme() {
+    const QColor window = QGuiApplication::palette().color(QPalette::Window);
+    return window.lightness() < 128 ? Theme::Dark : Theme::Light;
 }
 
 void applyTheme(QApplication& application, Theme theme) {

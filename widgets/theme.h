@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <QColor>
 
 #include "widgets/map_view/map_view_settings.h"
@@ -19,10 +21,21 @@ struct ThemeColours {
     QColor attention;  ///< look here
     QColor act;        ///< act now
     QColor stop;
+    QColor wall;                                      ///< outer contour of the virtual scan
+    QColor obstacle;                                  ///< its inner contour
+    QColor teleoperation, autonomous, stopped, lost;  ///< backgrounds of modes; of a stop it is stop
+    std::array<QColor, 4> robots;                     ///< edges of panes, by the robot's place in the team
+
+    /// Of the @p place -th robot.
+    [[nodiscard]] const QColor& robot(int place) const {
+        return robots[static_cast<std::size_t>(place < 0 ? 0 : place) % robots.size()];
+    }
 };
 
 /// The colours of @p theme.
 [[nodiscard]] const ThemeColours& coloursOf(Theme theme);
+/// The theme that the application has, for painters.
+[[nodiscard]] Theme presentTheme();
 
 /// Gives all of @p application the style, font and colours of @p theme. Painters find muted text in the
 /// palette's PlaceholderText and attention in its BrightText.

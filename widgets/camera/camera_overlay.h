@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QPainter>
+#include <QRectF>
+
+#include "widgets/camera/camera_pane.h"
+
+namespace leitstand {
+
+/// Draws @p overlay over a picture that lies in @p picture, of a pane whose head ends at @p top.
+void paintCameraOverlay(QPainter& painter, const QRectF& picture, double top, const CameraOverlay& overlay);
+
+/// @p text with a dark rim, legible on any picture, in the middle of @p box or as @p flags say.
+void paintRimmedText(QPainter& painter, const QRectF& box, int flags, const QString& text,
+                     const QColor& colour);
+
+}  // namespace leitstand

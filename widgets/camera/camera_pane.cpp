@@ -1,0 +1,135 @@
+#include "widgets/camera/camera_pane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QMouseEvent>
+
+#include "widgets/camera/camera_overlay.h"
+#include "widgets/camera/thermal_overlay.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+
+CameraPane::CameraPane(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setToolTip(
+        tr("The ring tells how near things are: faint is far, dots are unknown, amber near, thick "
+           "red-orange at the body.\nThe blue line is the horizon."));
+}
+
+void CameraPane::setCamera(const RobotFace& face, const QString& title) {
+    if (m_head.face == face && m_head.title == title) return;
+    m_head.face = face;
+    m_head.title = title;
+    m_head.age = {};
+    m_picture = m_grey = {};
+    m_thermal.reset();
+    m_heat.clear();
+    m_overlay = {};
+    setAccessibleName(QStringLiteral("%1 · %2").arg(face.letter, title));
+    update();
+}
+
+void CameraPane::setPicture(const QImage& picture) {
+    m_picture = picture;
+    m_grey = {};
+    m_thermal.reset();
+    m_heat.clear();
+    update();
+}
+
+void CameraPane::setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range,
+                            ThermalPalette palette) {
+    m_picture = picture ? imageOf(*picture, range, palette) : QImage();
+    m_grey = {};
+    m_thermal = std::move(picture);
+    m_thermalRange = range;
+    m_palette = palette;
+    update();
+}
+
+void CameraPane::setHeat(const std::vector<HeatBlob>& blobs) {
+    m_heat = blobs;
+    update();
+}
+
+void CameraPane::setAge(const DataAge& age, const QString& note) {
+    m_head.age = age;
+    m_head.note = note;
+    setAccessibleDescription(ageText(age, m_head.limits));
+    update();
+}
+
+void CameraPane::setOverlay(const CameraOverlay& overlay) {
+    m_overlay = overlay;
+    update();
+}
+
+QRectF CameraPane::pictureArea() const {
+    if (m_picture.isNull()) return {};
+    const QSizeF size = QSizeF(m_picture.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
+    return {0.5 * (width() - size.width()), 0.5 * (height() - size.height()), size.width(), size.height()};
+}
+
+QPointF CameraPane::inPicture(const QPointF& pixel) const {
+    const QRectF area = pictureArea();
+    if (area.isEmpty()) return {-1.0, -1.0};
+    return {(pixel.x() - area.left()) / area.width(), (pixel.y() - area.top()) / area.height()};
+}
+
+void CameraPane::paintPicture(QPainter& painter, Freshness freshness) {
+    if (m_picture.isNull() || freshness == Freshness::Never) return;
+    if (freshness != Freshness::Live && m_grey.isNull())
+        m_grey = m_picture.convertToFormat(QImage::Format_Grayscale8);
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setOpacity(freshness == Freshness::Live ? 1.0 : freshness == Freshness::Stale ? 0.55 : 0.15);
+    painter.drawImage(pictureArea(), freshness == Freshness::Live ? m_picture : m_grey);
+    painter.restore();
+}
+
+void CameraPane::paintThermal(QPainter& painter) const {
+    const QRectF area = pictureArea();
+    const QRectF open = area.adjusted(0, std::max(0.0, paneHeadHeight(font()) - area.top()), 0, 0);
+    paintHeat(painter, area, *m_thermal, m_heat);
+    paintThermalScale(painter, open, m_thermalRange, m_palette);
+    if (!m_pointer) return;
+    const QPointF at = inPicture(*m_pointer);
+    if (const auto celsius = celsiusAt(*m_thermal, at.x(), at.y()))
+        paintCelsius(painter, open, *m_pointer, *celsius);
+}
+
+void CameraPane::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    const ThemeColours& colours = coloursOf(presentTheme());
+    painter.fillRect(rect(), colours.pane);
+    const Freshness freshness = freshnessOf(m_head.age, m_head.limits);
+    paintPicture(painter, freshness);
+    const bool seen = freshness == Freshness::Live || freshness == Freshness::Stale;
+    if (seen && m_thermal) paintThermal(painter);
+    // The mode, the horizon and what is near have ages of their own: they stay when pictures do not come.
+    const QRectF area = m_picture.isNull() ? QRectF(rect()) : pictureArea();
+    paintCameraOverlay(painter, area, paneHeadHeight(font()), m_overlay);
+    paintLoss(painter, rect(), m_head, colours);
+    paintPaneHead(painter, rect(), m_head, colours);
+}
+
+void CameraPane::mouseMoveEvent(QMouseEvent* event) {
+    m_pointer = event->position();
+    if (m_thermal) update();
+}
+
+void CameraPane::leaveEvent(QEvent* /*event*/) {
+    m_pointer.reset();
+    update();
+}
+
+void CameraPane::mousePressEvent(QMouseEvent* event) {
+    const QPointF at = inPicture(event->position());
+    const bool inside = at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0;
+    if (event->button() == Qt::LeftButton && inside) emit pictureClicked(at.x(), at.y());
+}
+
+}  // namespace leitstand

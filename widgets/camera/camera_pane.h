@@ -1,0 +1,81 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+#include <QWidget>
+
+#include "core/perception/heat.h"
+#include "core/perception/picture.h"
+#include "widgets/camera/picture_image.h"
+#include "widgets/models/live/mode_label.h"
+#include "widgets/models/live/proximity.h"
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+
+/// What is drawn into a camera's picture; what is not known is empty and not drawn.
+struct CameraOverlay {
+    std::optional<ModeLabel> mode;
+    std::optional<double> roll, pitch;  ///< of the robot: right side down, nose down [rad]
+    std::optional<double> pan, tilt;    ///< of the camera: left, down [rad]
+    double panLimit = 1.75;             ///< to each side [rad]
+    double viewAngle = 0.9;             ///< from the left to the right border of the picture [rad]
+    QString recentreKey;                ///< "C": written beside the pan
+    std::vector<Proximity> ring;        ///< proximityRing(); empty: none
+    bool moving = false;                ///< a camera turned aside deserves a look then
+};
+
+/// A camera of a robot: its picture as large as it fits, how old it is, and over it what the driver has to
+/// know without looking away. Pictures that are stale are grey, lost ones are hardly seen.
+class CameraPane final : public QWidget {
+    Q_OBJECT
+public:
+    explicit CameraPane(QWidget* parent = nullptr);
+
+    /// Whose camera this is, and what it is called: "Left camera".
+    void setCamera(const RobotFace& face, const QString& title);
+    void setPicture(const QImage& picture);
+    /// Temperatures instead of a picture: with a scale, and the value under the pointer.
+    void setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range = {},
+                    ThermalPalette palette = ThermalPalette::Inferno);
+    /// Warm things in the thermal picture, framed.
+    void setHeat(const std::vector<HeatBlob>& blobs);
+    /// How old the picture is, PictureAge::at(); @p note stands after it: "full speed".
+    void setAge(const DataAge& age, const QString& note = {});
+    void setOverlay(const CameraOverlay& overlay);
+
+    /// Where the picture is painted [px]; empty without one.
+    [[nodiscard]] QRectF pictureArea() const;
+    [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {180, 140}; }
+
+signals:
+    /// The picture was clicked at @p x, @p y, 0 to 1 of its width and height.
+    void pictureClicked(double x, double y);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void paintPicture(QPainter& painter, Freshness freshness);
+    void paintThermal(QPainter& painter) const;
+    [[nodiscard]] QPointF inPicture(const QPointF& pixel) const;  ///< 0 to 1
+
+    PaneHead m_head;
+    QImage m_picture;
+    QImage m_grey;  ///< of m_picture, made when it is needed
+    std::shared_ptr<const ThermalPicture> m_thermal;
+    ThermalRange m_thermalRange;
+    ThermalPalette m_palette = ThermalPalette::Inferno;
+    std::vector<HeatBlob> m_heat;
+    CameraOverlay m_overlay;
+    std::optional<QPointF> m_pointer;
+};
+
+}  // namespace leitstand

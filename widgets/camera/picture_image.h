@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QColor>
+#include <QImage>
+
+#include "core/perception/picture.h"
+
+namespace leitstand {
+
+/// @p picture as Qt draws it; a deep copy. Numbers (Grey16, Float32) are spread from their least to their
+/// greatest. Null when sizes and bytes do not fit.
+[[nodiscard]] QImage imageOf(const Picture& picture);
+
+/// The temperatures that the palette spreads over; the same for all pictures, so that a colour keeps its
+/// meaning.
+struct ThermalRange {
+    float coolest = 15.0F, hottest = 40.0F;  ///< [degrees C]
+};
+enum class ThermalPalette {
+    Inferno,  ///< dark violet to pale yellow
+    Grey,     ///< hot is white
+};
+
+/// The colour of @p celsius, cut to @p range; NaN is mid grey.
+[[nodiscard]] QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette palette);
+[[nodiscard]] QImage imageOf(const ThermalPicture& picture, const ThermalRange& range = {},
+                             ThermalPalette palette = ThermalPalette::Inferno);
+/// The temperature at @p x, @p y (0 to 1 of width and height); empty outside and where none was measured.
+[[nodiscard]] std::optional<float> celsiusAt(const ThermalPicture& picture, double x, double y);
+/// The least and greatest temperatures of @p picture, at least 2 K apart.
+[[nodiscard]] ThermalRange rangeOf(const ThermalPicture& picture);
+
+}  // namespace leitstand

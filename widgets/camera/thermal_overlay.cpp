@@ -1,0 +1,89 @@
+#include "widgets/camera/thermal_overlay.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QLinearGradient>
+
+#include "widgets/camera/camera_overlay.h"
+#include "widgets/models/numbers.h"
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+namespace {
+
+struct ThermalTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::ThermalOverlay)
+};
+
+QString celsiusText(double celsius, int decimals) {
+    return ThermalTexts::tr("%1 °C").arg(numberText(celsius, decimals));
+}
+
+/// @p box moved so that it lies within @p area.
+QRectF within(QRectF box, const QRectF& area) {
+    box.moveLeft(std::clamp(box.left(), area.left(), std::max(area.left(), area.right() - box.width())));
+    box.moveTop(std::clamp(box.top(), area.top(), std::max(area.top(), area.bottom() - box.height())));
+    return box;
+}
+
+}  // namespace
+
+void paintThermalScale(QPainter& painter, const QRectF& area, const ThermalRange& range,
+                       ThermalPalette palette) {
+    painter.save();
+    painter.setFont(sized(painter.font(), 11));
+    const double line = QFontMetricsF(painter.font()).height();
+    const QRectF bar(area.right() - 18.0, area.top() + 0.18 * area.height(), 9.0, 0.64 * area.height());
+    QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+    for (int i = 0; i <= 10; ++i) {
+        const float celsius = range.coolest + 0.1F * static_cast<float>(i) * (range.hottest - range.coolest);
+        gradient.setColorAt(0.1 * i, QColor(thermalColour(celsius, range, palette)));
+    }
+    painter.setPen(QPen(QColor(255, 255, 255, 120), 1.0));
+    painter.setBrush(gradient);
+    painter.drawRect(bar);
+    const double width = 40.0;
+    paintRimmedText(painter, {bar.left() - width - 5.0, bar.top() - 0.5 * line, width, line},
+                    Qt::AlignRight | Qt::AlignVCenter, numberText(range.hottest, 0), Qt::white);
+    paintRimmedText(painter, {bar.left() - width - 5.0, bar.bottom() - 0.5 * line, width, line},
+                    Qt::AlignRight | Qt::AlignVCenter, numberText(range.coolest, 0), Qt::white);
+    painter.restore();
+}
+
+void paintHeat(QPainter& painter, const QRectF& area, const ThermalPicture& picture,
+               const std::vector<HeatBlob>& blobs) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(sized(painter.font(), 13, true));
+    const double line = QFontMetricsF(painter.font()).height();
+    const double across = area.width() / picture.width, down = area.height() / picture.height;
+    for (const HeatBlob& blob : blobs) {
+        const bool body = blob.kind == HeatBlob::Kind::Body;
+        const QRectF frame(area.left() + across * blob.left, area.top() + down * blob.top,
+                           across * (blob.right - blob.left + 1), down * (blob.bottom - blob.top + 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(255, 255, 255, body ? 255 : 110), body ? 2.0 : 1.0));
+        painter.drawRect(frame.adjusted(-3, -3, 3, 3));
+        if (!body) continue;
+        const QString text = ThermalTexts::tr("%1 person?").arg(celsiusText(blob.mean, 1));
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(text) + 4.0;
+        QRectF box(frame.center().x() - 0.5 * width, frame.top() - line - 5.0, width, line);
+        if (box.top() < area.top() + line) box.moveTop(frame.bottom() + 5.0);
+        paintRimmedText(painter, within(box, area), Qt::AlignCenter, text, Qt::white);
+    }
+    painter.restore();
+}
+
+void paintCelsius(QPainter& painter, const QRectF& area, const QPointF& pointer, float celsius) {
+    painter.save();
+    painter.setFont(sized(painter.font(), 13, true));
+    const QString text = celsiusText(celsius, 1);
+    const QFontMetricsF metrics(painter.font());
+    const QRectF box(pointer.x() + 12.0, pointer.y() - metrics.height() - 4.0,
+                     metrics.horizontalAdvance(text) + 6.0, metrics.height());
+    paintRimmedText(painter, within(box, area), Qt::AlignCenter, text, Qt::white);
+    painter.restore();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/live/drive_state.h"
+
+namespace leitstand {
+
+/// Roll and pitch of a robot against the limits where it tips over: the horizon as from its cab; dotted
+/// beyond the limits.
+class AttitudeGauge final : public QWidget {
+    Q_OBJECT
+public:
+    explicit AttitudeGauge(QWidget* parent = nullptr);
+
+    void show(const AttitudeFigures& attitude);
+    using QWidget::show;
+    [[nodiscard]] QSize sizeHint() const override { return {152, 190}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {140, 150}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintDial(QPainter& painter, const QPointF& centre, double radius) const;
+
+    AttitudeFigures m_attitude;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/live/drive_state.h"
+
+namespace leitstand {
+
+class AttitudeGauge;
+class EnergyCell;
+class GasCell;
+class ModeCell;
+
+/// The strip below the panes: mode, hold, motion, attitude, battery, link and CO2 of the selected robot.
+class DriveStrip final : public QWidget {
+    Q_OBJECT
+public:
+    explicit DriveStrip(QWidget* parent = nullptr);
+
+    /// driveStateOf() the selected robot.
+    void show(const DriveState& state);
+    using QWidget::show;
+
+signals:
+    void grantAsked();                 ///< for the grant to drive
+    void grantGivenUp();               ///< or asked for no more
+    void grantAnswered(bool consent);  ///< to the station that asks
+
+private:
+    ModeCell* m_mode;
+    AttitudeGauge* m_attitude;
+    EnergyCell* m_energy;
+    GasCell* m_gas;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,59 @@
+#include "widgets/drive/energy_cell.h"
+
+#include <cmath>
+
+#include "widgets/drive/gauge.h"
+
+namespace leitstand {
+
+EnergyCell::EnergyCell(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Battery and link"));
+}
+
+void EnergyCell::show(const DriveState& state) {
+    m_battery = state.battery;
+    m_link = state.link;
+    m_reason = state.linkReason;
+    m_linkTone = state.linkTone;
+    const QString text =
+        tr("Battery %1 %2, %3\nLink: %4 %5")
+            .arg(m_battery.charge.value, m_battery.charge.unit, m_battery.left, m_link, m_reason);
+    setAccessibleDescription(text);
+    setToolTip(text);
+    update();
+}
+
+void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    const ThemeColours& colours = coloursOf(presentTheme());
+    painter.fillRect(rect(), colours.strip);
+    const double left = 12.0, inner = width() - 22.0;
+    const bool tall = height() >= 170;
+    double y = 8.0;
+    paintCaption(painter, {left, y, inner, 18}, tr("Battery"), colours.muted);
+    y += 20.0;
+    paintFigure(painter, {left, y, inner, 32}, m_battery.charge, NumberSize, colours);
+    y += 33.0;
+    if (tall) {
+        paintCaption(painter, {left, y, inner, 18}, m_battery.left, colours.muted);
+        y += 21.0;
+    }
+    if (std::isfinite(m_battery.fraction)) {
+        painter.fillRect(QRectF(left, y, inner, 5.0), colours.line);
+        const Tone tone = m_battery.charge.tone;
+        const QColor fill = tone == Tone::Normal ? colours.fine : toneColour(tone, colours);
+        painter.fillRect(QRectF(left, y, m_battery.fraction * inner, 5.0), fill);
+    }
+    y += 13.0;
+    paintCaption(painter, {left, y, inner, 18}, tr("Link"), colours.muted);
+    y += 19.0;
+    painter.setFont(fitted(painter.font(), m_link, inner, 14, 11, m_linkTone == Tone::Attention));
+    painter.setPen(toneColour(m_linkTone, colours));
+    painter.drawText(QRectF(left, y, inner, 20), Qt::AlignLeft | Qt::AlignVCenter, m_link);
+    y += 21.0;
+    painter.setFont(sized(painter.font(), CaptionSize));
+    const int lines = static_cast<int>((height() - 4.0 - y) / QFontMetricsF(painter.font()).height());
+    if (lines > 0) paintWrapped(painter, {left, y, inner, height() - y}, m_reason, lines);
+}
+
+}  // namespace leitstand

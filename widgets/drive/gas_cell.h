@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/live/drive_state.h"
+
+namespace leitstand {
+
+/// CO2 of the selected robot: value, whether it rises, its last two minutes and the alarm's level.
+class GasCell final : public QWidget {
+    Q_OBJECT
+public:
+    explicit GasCell(QWidget* parent = nullptr);
+
+    void show(const GasFigures& gas);
+    using QWidget::show;
+    [[nodiscard]] QSize sizeHint() const override { return {176, 190}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {132, 150}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintTrend(QPainter& painter, const QRectF& area) const;
+
+    GasFigures m_gas;
+};
+
+}  // namespace leitstand

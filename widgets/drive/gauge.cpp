@@ -1,0 +1,52 @@
+#include "widgets/drive/gauge.h"
+
+#include <QTextLayout>
+
+namespace leitstand {
+
+void paintCaption(QPainter& painter, const QRectF& line, const QString& text, const QColor& colour) {
+    painter.setFont(sized(painter.font(), CaptionSize));
+    painter.setPen(colour);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, line.width()));
+}
+
+double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, int pixels,
+                   const ThemeColours& colours) {
+    painter.setFont(fitted(painter.font(), figure.value, line.width(), pixels, 11));
+    const QFontMetricsF large(painter.font());
+    const double baseline = line.center().y() + 0.36 * pixels;
+    painter.setPen(toneColour(figure.tone, colours));
+    painter.drawText(QPointF(line.left(), baseline), figure.value);
+    double end = line.left() + large.horizontalAdvance(figure.value);
+    painter.setFont(sized(painter.font(), CaptionSize));
+    const double unit = QFontMetricsF(painter.font()).horizontalAdvance(figure.unit);
+    if (end + 4.0 + unit > line.right() + 0.5) return end;
+    painter.setPen(colours.muted);
+    painter.drawText(QPointF(end + 4.0, baseline), figure.unit);
+    return end + 4.0 + unit;
+}
+
+void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines) {
+    QTextLayout layout(text, painter.font());
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    const QFontMetricsF metrics(painter.font());
+    double y = box.top() + metrics.ascent();
+    layout.beginLayout();
+    for (int i = 0; i < lines; ++i) {
+        QTextLine line = layout.createLine();
+        if (!line.isValid()) break;
+        line.setLineWidth(box.width());
+        const bool last = i + 1 == lines;
+        const QString part =
+            last ? text.mid(line.textStart()) : text.mid(line.textStart(), line.textLength());
+        painter.drawText(QPointF(box.left(), y),
+                         metrics.elidedText(part.trimmed(), Qt::ElideRight, box.width()));
+        y += metrics.height();
+    }
+    layout.endLayout();
+}
+
+}  // namespace leitstand

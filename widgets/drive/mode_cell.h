@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/live/drive_state.h"
+
+class QToolButton;
+
+namespace leitstand {
+
+/// The mode of the selected robot as the largest text of the window, on its own background; below it what
+/// has to be known or done, who holds the grant to drive, speed, turn and the nearest obstacle.
+class ModeCell final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ModeCell(QWidget* parent = nullptr);
+
+    void show(const DriveState& state);
+    using QWidget::show;
+    [[nodiscard]] QSize sizeHint() const override { return {272, 190}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 150}; }
+
+signals:
+    void grantAsked();
+    void grantGivenUp();
+    void grantAnswered(bool consent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void placeButtons();
+    [[nodiscard]] QRectF grantLine() const;
+
+    DriveState m_state;
+    QToolButton *m_first, *m_second;  ///< ask, give up or consent; refuse
+};
+
+}  // namespace leitstand

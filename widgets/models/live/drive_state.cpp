@@ -1,0 +1,246 @@
+#include "widgets/models/live/drive_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "widgets/models/live/freshness.h"
+#include "widgets/models/live/link_text.h"
+#include "widgets/models/live/proximity.h"
+#include "widgets/models/live/stop_line.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct DriveTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::DriveState)
+};
+
+const QString Dash(QChar(0x2013));
+const QString Degree(QChar(0xb0));
+
+template <class T>
+bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
+    return latest && std::chrono::duration<double>(now - latest->received).count() < seconds;
+}
+
+/// What has to be known before the robot moves, the most pressing first.
+std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, const StopLine& stop) {
+    if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen)
+        return {mode.reason, Tone::Attention};
+    if (stop.stage != StopStage::None) {
+        if (!stop.details.isEmpty()) return {stop.text + QStringLiteral(" · ") + stop.details, stop.tone};
+        if (stop.stage == StopStage::Standing && stop.releasable)
+            return {DriveTexts::tr("standing · hold %1 for one second to release").arg(stop.face.letter),
+                    Tone::Normal};
+        return {stop.text, stop.tone};
+    }
+    const DriveView& drive = robot.drive;
+    if (!drive.drivable) return {DriveTexts::tr("takes no drive commands"), Tone::Muted};
+    if (!robot.grant.mine) return {mode.reason, Tone::Muted};
+    if (!drive.listening) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
+    if (!drive.focus) return {DriveTexts::tr("the sticks are not on this robot"), Tone::Muted};
+    if (drive.needsNeutral) return {DriveTexts::tr("sticks must be neutral first"), Tone::Attention};
+    if (!mode.reason.isEmpty()) return {mode.reason, Tone::Muted};
+    return {drive.driving ? DriveTexts::tr("you drive") : DriveTexts::tr("ready: you have the sticks"),
+            Tone::Muted};
+}
+
+void fillMotion(DriveState& state, const RobotDescription& description, const RobotView& robot,
+                const RobotState& said, Time now) {
+    state.speed = {Dash, DriveTexts::tr("m/s"), Tone::Muted};
+    state.turn = {Dash, DriveTexts::tr("°/s"), Tone::Muted};
+    state.nearest = {Dash, DriveTexts::tr("m"), Tone::Muted};
+    if (isFresh(said.odometry, now, 1.0)) {
+        const OdometrySample& odometry = said.odometry->sample;
+        state.speed = {numberText(odometry.linear.x(), 2), state.speed.unit, Tone::Normal};
+        state.turn = {numberText(inDegrees(odometry.angular.z()), 0), state.turn.unit, Tone::Normal};
+    }
+    if (!robot.around || robot.link.state == LinkState::Lost) return;
+    const auto ring = proximityRing(*robot.around, boxAround(description.footprint), robot.drive.velocity);
+    const Proximity* nearest = nearestOf(ring);
+    if (nearest == nullptr) return;
+    // The part that is loudest, not only the one that is nearest.
+    const bool touching =
+        std::ranges::any_of(ring, [](const Proximity& part) { return part.nearness == Nearness::Touching; });
+    const bool near =
+        std::ranges::any_of(ring, [](const Proximity& part) { return part.nearness == Nearness::Near; });
+    state.nearest = {numberText(nearest->distance, 2), state.nearest.unit,
+                     touching ? Tone::Act
+                     : near   ? Tone::Attention
+                              : Tone::Normal};
+}
+
+AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState& said, Time now) {
+    AttitudeFigures figures;
+    figures.maxRoll = description.maxRoll;
+    figures.maxPitch = description.maxPitch;
+    if (figures.maxRoll > 0.0 && figures.maxPitch > 0.0) {
+        const QString roll = numberText(inDegrees(figures.maxRoll), 0) + Degree;
+        const QString pitch = numberText(inDegrees(figures.maxPitch), 0) + Degree;
+        figures.limits = roll == pitch ? DriveTexts::tr("tips at %1").arg(roll)
+                                       : DriveTexts::tr("tips at %1 · %2").arg(roll, pitch);
+    }
+    const auto angles = rollAndPitch(description, said, now);
+    if (!angles) {
+        figures.text = DriveTexts::tr("no attitude");
+        figures.tone = Tone::Muted;
+        return figures;
+    }
+    figures.known = true;
+    std::tie(figures.roll, figures.pitch) = *angles;
+    figures.text = DriveTexts::tr("roll %1 · pitch %2")
+                       .arg(numberText(inDegrees(figures.roll), 0) + Degree,
+                            numberText(inDegrees(figures.pitch), 0) + Degree);
+    double share = 0.0;
+    if (figures.maxRoll > 0.0) share = std::max(share, std::abs(figures.roll) / figures.maxRoll);
+    if (figures.maxPitch > 0.0) share = std::max(share, std::abs(figures.pitch) / figures.maxPitch);
+    figures.tone = share >= 0.9 ? Tone::Act : share >= 0.7 ? Tone::Attention : Tone::Normal;
+    return figures;
+}
+
+/// Time until a battery is empty [min]; NaN where that is not told.
+double minutesLeft(const BatterySample& battery) {
+    double charge = battery.charge;
+    if (!std::isfinite(charge)) charge = battery.fraction * battery.capacity;
+    return battery.current < -0.01 ? 60.0 * charge / -battery.current : Unknown;
+}
+
+BatteryFigures batteryOf(const RobotState& said, Time now) {
+    BatteryFigures figures;
+    figures.charge = {Dash, DriveTexts::tr("%"), Tone::Muted};
+    if (!said.battery) {
+        figures.left = DriveTexts::tr("not told");
+        return figures;
+    }
+    const BatterySample& battery = said.battery->sample;
+    if (std::isfinite(battery.fraction)) {
+        figures.fraction = std::clamp(battery.fraction, 0.0, 1.0);
+        figures.charge = {numberText(100.0 * figures.fraction, 0), DriveTexts::tr("%"),
+                          figures.fraction < 0.10   ? Tone::Act
+                          : figures.fraction < 0.25 ? Tone::Attention
+                                                    : Tone::Normal};
+    } else if (std::isfinite(battery.voltage)) {
+        figures.charge = {numberText(battery.voltage, 1), DriveTexts::tr("V"), Tone::Normal};
+    }
+    const double minutes = minutesLeft(battery);
+    if (!isFresh(said.battery, now, 10.0)) {
+        const double age = std::chrono::duration<double>(now - said.battery->received).count();
+        figures.left = lossText({.arrival = age});
+        figures.charge.tone = Tone::Muted;
+    } else if (battery.status == BatterySample::Status::Charging) {
+        figures.left = DriveTexts::tr("charging");
+    } else if (std::isfinite(minutes)) {
+        figures.left = minutes < 600.0
+                           ? DriveTexts::tr("%1 min at this load").arg(numberText(minutes, 0))
+                           : DriveTexts::tr("%1 h at this load").arg(numberText(minutes / 60.0, 0));
+    }
+    return figures;
+}
+
+GasFigures gasOf(const RobotDescription& description, const RobotState& said, const GasTrend& trend,
+                 Time now) {
+    GasFigures figures;
+    figures.fitted = said.gas.has_value() || description.stream(StreamRole::Gas) != nullptr;
+    figures.value = {Dash, DriveTexts::tr("ppm"), Tone::Muted};
+    if (!figures.fitted) {
+        figures.caption = DriveTexts::tr("not fitted");
+        return figures;
+    }
+    figures.samples = trend.samples(now);
+    figures.caption = DriveTexts::tr("last 2 min · alarm at %1").arg(numberText(GasFigures::Alarm, 0));
+    if (!said.gas) {
+        figures.caption = DriveTexts::tr("no data yet");
+        return figures;
+    }
+    figures.value.value = numberText(said.gas->sample.ppm, 0);
+    if (!isFresh(said.gas, now, 5.0)) {
+        const double age = std::chrono::duration<double>(now - said.gas->received).count();
+        figures.caption = lossText({.arrival = age});
+        return figures;
+    }
+    figures.value.tone = said.gas->sample.ppm >= GasFigures::Alarm ? Tone::Attention : Tone::Normal;
+    const double rise = trend.risePerMinute();
+    const double clear = std::max(60.0, 0.1 * said.gas->sample.ppm);  // above the sensor's own noise
+    if (std::abs(rise) > clear) figures.arrow = rise > 0.0 ? QStringLiteral("↑") : QStringLiteral("↓");
+    return figures;
+}
+
+QString linkLine(const LinkStatus& link) {
+    if (link.state == LinkState::Lost || link.state == LinkState::NeverSeen) return linkStateText(link.state);
+    const QString trip = roundTripText(link), loss = lossShareText(link);
+    if (trip.isEmpty() && loss.isEmpty()) return linkStateText(link.state);
+    return trip.isEmpty() ? loss : loss.isEmpty() ? trip : trip + QStringLiteral(" · ") + loss;
+}
+
+}  // namespace
+
+std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
+                                                      const RobotState& said, Time now) {
+    Eigen::Matrix3d baseInLevel;
+    if (isFresh(said.imu, now, 1.0) && said.imu->sample.orientation) {
+        baseInLevel = said.imu->sample.orientation->toRotationMatrix();
+        const StreamDescription* stream = description.stream(StreamRole::Imu);
+        const auto sensor =
+            stream == nullptr ? description.sensors.end() : description.sensors.find(stream->sensor);
+        if (sensor != description.sensors.end())
+            baseInLevel = baseInLevel * sensor->second.sensorInBase.linear().transpose();
+    } else if (isFresh(said.odometry, now, 1.0)) {
+        baseInLevel = said.odometry->sample.baseInOdom.linear();
+    } else {
+        return std::nullopt;
+    }
+    const double roll = std::atan2(baseInLevel(2, 1), baseInLevel(2, 2));
+    const double pitch = std::asin(std::clamp(-baseInLevel(2, 0), -1.0, 1.0));
+    return std::pair(roll, pitch);
+}
+
+GrantFigures grantFiguresOf(const GrantView& grant) {
+    using Choice = GrantFigures::Choice;
+    const auto titled = [](const std::string& title, const std::string& id) {
+        return QString::fromStdString(title.empty() ? id : title);
+    };
+    if (grant.mine && !grant.requestedBy.empty()) {
+        return {Choice::Answer,
+                DriveTexts::tr("%1 asks to drive").arg(titled(grant.requestedByTitle, grant.requestedBy)),
+                Tone::Attention};
+    }
+    if (grant.mine) return {Choice::GiveUp, DriveTexts::tr("you have the grant"), Tone::Muted};
+    const QString holder = titled(grant.holderTitle, grant.holder);
+    if (grant.asked) {
+        if (!grant.refusedBy.empty())
+            return {Choice::Ask, DriveTexts::tr("%1 keeps it").arg(holder), Tone::Attention};
+        return {Choice::Asked,
+                holder.isEmpty() ? DriveTexts::tr("asked: listens for others")
+                                 : DriveTexts::tr("asked: waits for %1").arg(holder),
+                Tone::Normal};
+    }
+    if (!grant.lostTo.empty())
+        return {Choice::Ask, DriveTexts::tr("%1 took over").arg(holder), Tone::Attention};
+    if (holder.isEmpty()) return {Choice::Ask, DriveTexts::tr("nobody has the grant"), Tone::Normal};
+    if (grant.silent)
+        return {Choice::Ask, DriveTexts::tr("%1 has it, but is silent").arg(holder), Tone::Normal};
+    return {Choice::Ask, DriveTexts::tr("%1 drives").arg(holder), Tone::Normal};
+}
+
+DriveState driveStateOf(const RobotFace& face, const RobotDescription& description, const RobotView& robot,
+                        const RobotState& said, const GasTrend& gas, Time now) {
+    DriveState state;
+    state.face = face;
+    state.mode = modeLabelOf(robot, said.mode);
+    std::tie(state.hint, state.hintTone) = hintOf(robot, state.mode, stopLineOf(face, robot));
+    fillMotion(state, description, robot, said, now);
+    state.attitude = attitudeOf(description, said, now);
+    state.battery = batteryOf(said, now);
+    state.link = linkLine(robot.link);
+    state.linkReason = worstReasonText(robot.link);
+    state.linkTone = toneOf(robot.link);
+    state.gas = gasOf(description, said, gas, now);
+    state.grant = grantFiguresOf(robot.grant);
+    if (!robot.drive.drivable) state.grant = {};
+    return state;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "core/mission/robot_state.h"
+#include "core/robot/robot_description.h"
+#include "core/robot/robot_view.h"
+#include "widgets/models/live/gas_trend.h"
+#include "widgets/models/live/mode_label.h"
+#include "widgets/models/live/robot_face.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// A number as a gauge has it.
+struct Figure {
+    QString value;  ///< "0.42"; an en dash where it is not known
+    QString unit;   ///< "m/s"
+    Tone tone = Tone::Normal;
+};
+
+struct AttitudeFigures {
+    bool known = false;                    ///< measured, and lately
+    double roll = 0.0, pitch = 0.0;        ///< right side down, nose down [rad]
+    double maxRoll = 0.0, maxPitch = 0.0;  ///< where the robot tips over; 0: unknown [rad]
+    QString text;                          ///< "roll 6° · pitch -3°", in signs
+    QString limits;                        ///< "tips at 25°"
+    Tone tone = Tone::Normal;              ///< Attention from 70 % of a limit, Act from 90 %
+};
+
+struct BatteryFigures {
+    Figure charge;
+    double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
+    QString left;                                                ///< "38 min at this load"; may be empty
+};
+
+struct GasFigures {
+    static constexpr double Alarm = 2000.0;  ///< breath of a victim, clearly above air [ppm]
+    bool fitted = false;                     ///< the robot measures it
+    Figure value;
+    QString arrow;                                   ///< rising, falling; may be empty
+    QString caption;                                 ///< "last 2 min · alarm at 2,000"
+    std::vector<std::pair<double, double>> samples;  ///< as of GasTrend
+};
+
+struct GrantFigures {
+    enum class Choice {
+        None,
+        Ask,
+        Asked,   ///< waits for the answer
+        GiveUp,  ///< this station has it
+        Answer,  ///< another station asks for it
+    };
+    Choice choice = Choice::None;
+    QString text;
+    Tone tone = Tone::Muted;
+};
+
+/// All that the drive strip shows of the selected robot.
+struct DriveState {
+    RobotFace face;
+    ModeLabel mode;
+    QString hint;  ///< what has to be known or done before it moves
+    Tone hintTone = Tone::Muted;
+    Figure speed, turn, nearest;
+    AttitudeFigures attitude;
+    BatteryFigures battery;
+    QString link, linkReason;
+    Tone linkTone = Tone::Normal;
+    GasFigures gas;
+    GrantFigures grant;
+};
+
+/// Puts together what the strip shows. @p now: station's clock.
+[[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
+                                      const RobotView& robot, const RobotState& said, const GasTrend& gas,
+                                      Time now);
+
+/// Roll and pitch of the robot's body by its inertial unit, else by its odometry [rad]; empty when neither
+/// came within the last second.
+[[nodiscard]] std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
+                                                                    const RobotState& said, Time now);
+[[nodiscard]] GrantFigures grantFiguresOf(const GrantView& grant);
+
+}  // namespace leitstand

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QString>
+
+#include "core/robot/link_status.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// "connected", "degraded", "lost", "not heard yet".
+[[nodiscard]] QString linkStateText(LinkState state);
+/// One thing that is wrong: "odometry 1.4 s old", "12 % of points lost".
+[[nodiscard]] QString linkReasonText(const LinkReason& reason);
+/// The worst thing that is wrong; empty when nothing is.
+[[nodiscard]] QString worstReasonText(const LinkStatus& link);
+/// Round trip, "22 ms"; empty when the robot answers no pings.
+[[nodiscard]] QString roundTripText(const LinkStatus& link);
+/// Loss of the stream that loses most, "4 % loss"; empty while there are no streams.
+[[nodiscard]] QString lossShareText(const LinkStatus& link);
+[[nodiscard]] Tone toneOf(const LinkStatus& link);
+
+}  // namespace leitstand

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "core/mission/robot_state.h"
+#include "core/robot/robot_view.h"
+
+namespace leitstand {
+
+/// What the background of a mode says.
+enum class ModeKind {
+    Teleoperation,
+    Autonomous,
+    Stopped,  ///< stands, nobody drives it
+    Stop,     ///< a stop stands
+    Lost,     ///< nothing is heard of it: what it does is not known
+};
+
+/// The mode of a robot, as the largest text of the window has it.
+struct ModeLabel {
+    ModeKind kind = ModeKind::Stopped;
+    QString text;    ///< "TELEOPERATION"
+    QString reason;  ///< why, by the robot: "body heat in sight"; may be empty
+
+    friend bool operator==(const ModeLabel&, const ModeLabel&) = default;
+};
+
+/// What @p robot does. A lost link comes before a stop, which comes before what the robot said.
+[[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
+
+/// The name of a mode as robots say it, "victim_approach", for people: "victim approach".
+[[nodiscard]] QString modeName(const std::string& mode);
+
+}  // namespace leitstand

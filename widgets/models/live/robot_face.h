@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QString>
+
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// How a robot is called on screen.
+struct RobotFace {
+    QString name;    ///< "kurt3d": what intents name
+    QString letter;  ///< "K"
+    QString title;   ///< "Kurt3D"
+    int place = 0;   ///< in the team, from 0: chooses its colour
+
+    friend bool operator==(const RobotFace&, const RobotFace&) = default;
+};
+
+/// The face of @p robot, which is the @p place -th of its team.
+[[nodiscard]] inline RobotFace faceOf(const RobotDescription& robot, int place) {
+    return {QString::fromStdString(robot.name), QString::fromStdString(robot.letter),
+            QString::fromStdString(robot.title), place};
+}
+
+}  // namespace leitstand

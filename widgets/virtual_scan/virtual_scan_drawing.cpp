@@ -1,0 +1,196 @@
+#include "widgets/virtual_scan/virtual_scan_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QCoreApplication>
+#include <QPainterPath>
+#include <QPolygonF>
+
+#include "widgets/models/numbers.h"
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+namespace {
+
+struct DrawingTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::VirtualScanPane)
+};
+
+/// How visible something of @p age [s] is: fresh within a turn of the scanner, faint but never gone later.
+double strengthOf(double age) {
+    constexpr double Fresh = 2.5, Old = 10.0, Least = 0.25;
+    if (!std::isfinite(age)) return 0.0;
+    return std::clamp(1.0 - (1.0 - Least) * (age - Fresh) / (Old - Fresh), Least, 1.0);
+}
+
+/// Whether two neighbouring outer points are one wall rather than a near and a far one.
+bool isOneWall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - b).norm() < 0.25 + 0.12 * std::min(a.norm(), b.norm());
+}
+
+double ringStep(double range) {
+    return range <= 2.5 ? 0.5 : range <= 4.0 ? 1.0 : range <= 10.0 ? 2.0 : 5.0;
+}
+
+}  // namespace
+
+VirtualScanDrawing::VirtualScanDrawing(QPainter& painter, const ThemeColours& colours, const QPointF& origin,
+                                       double scale, bool grey)
+    : m_painter(painter), m_colours(colours), m_origin(origin), m_scale(scale), m_grey(grey) {}
+
+QPointF VirtualScanDrawing::pixelOf(const Eigen::Vector2d& point) const {
+    return m_origin - m_scale * QPointF(point.y(), point.x());
+}
+
+QColor VirtualScanDrawing::ink(QColor colour, double alpha) const {
+    if (m_grey) colour = greyed(colour);
+    colour.setAlphaF(static_cast<float>((m_grey ? 0.5 : 1.0) * alpha));
+    return colour;
+}
+
+void VirtualScanDrawing::rings(const QRectF& area, double range) const {
+    const double step = ringStep(range);
+    const QFontMetricsF metrics(m_painter.font());
+    for (int i = 1; i <= 12; ++i) {
+        const double radius = i * step * m_scale;
+        if (m_origin.y() - radius < area.top() - area.height()) break;
+        m_painter.setPen(QPen(ink(m_colours.line), 1.0));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawEllipse(m_origin, radius, radius);
+        const QString text = DrawingTexts::tr("%1 m").arg(numberText(i * step, step < 1.0 ? 1 : 0));
+        // to the upper right, off the way ahead
+        const QPointF at = m_origin + radius * QPointF(std::sin(0.6), -std::cos(0.6));
+        const QRectF box(at.x() - 20, at.y() - 0.5 * metrics.height(), 40, metrics.height());
+        if (!area.contains(box)) continue;
+        m_painter.setPen(ink(m_colours.muted, 0.85));
+        m_painter.drawText(box, Qt::AlignCenter, text);
+    }
+}
+
+void VirtualScanDrawing::freeSpace(const VirtualScanView& view) const {
+    // A wedge per sector, as long as it was looked into, as strong as it is fresh.
+    const double half = std::numbers::pi / static_cast<double>(view.sectors.size());
+    m_painter.setPen(Qt::NoPen);
+    for (int i = 0; i < static_cast<int>(view.sectors.size()); ++i) {
+        const VirtualSector& sector = view.sectors[static_cast<std::size_t>(i)];
+        const auto& end = sector.outer ? sector.outer : sector.inner;
+        if (!end || !std::isfinite(sector.age)) continue;
+        const double direction = view.directionOf(i), length = end->norm();
+        QPolygonF wedge;
+        wedge << m_origin;
+        for (const double side : {-half, half})
+            wedge << pixelOf(length *
+                             Eigen::Vector2d(std::cos(direction + side), std::sin(direction + side)));
+        m_painter.setBrush(ink(m_colours.wall, 0.11 * strengthOf(sector.age)));
+        m_painter.drawPolygon(wedge);
+    }
+}
+
+void VirtualScanDrawing::walls(const VirtualScanView& view) const {
+    const std::size_t count = view.sectors.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const VirtualSector& a = view.sectors[i];
+        const VirtualSector& b = view.sectors[(i + 1) % count];
+        if (!a.outer) continue;
+        const double strength = strengthOf(std::max(a.age, std::isfinite(b.age) ? b.age : 0.0));
+        const QColor colour = ink(m_colours.wall, strength);
+        if (b.outer && isOneWall(*a.outer, *b.outer)) {
+            m_painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
+            m_painter.drawLine(pixelOf(*a.outer), pixelOf(*b.outer));
+            continue;
+        }
+        m_painter.setPen(QPen(colour, 2.5, Qt::SolidLine, Qt::RoundCap));
+        m_painter.drawPoint(pixelOf(*a.outer));
+        if (!b.outer) continue;
+        m_painter.setPen(QPen(ink(m_colours.wall, 0.35 * strength), 1.0));  // an edge, nothing that was seen
+        m_painter.drawLine(pixelOf(*a.outer), pixelOf(*b.outer));
+    }
+}
+
+void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
+    constexpr double Size = 4.0;  // [px]
+    for (const VirtualObstacle& one : view.obstacles) {
+        m_painter.setPen(
+            QPen(ink(m_colours.obstacle, strengthOf(one.age)), Size, Qt::SolidLine, Qt::RoundCap));
+        m_painter.drawPoint(pixelOf(one.where));
+    }
+    const std::size_t count = view.sectors.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const VirtualSector& a = view.sectors[i];
+        const VirtualSector& b = view.sectors[(i + 1) % count];
+        if (!a.inner || !b.inner || (*a.inner - *b.inner).norm() > 0.12 + 0.06 * a.inner->norm()) continue;
+        m_painter.setPen(QPen(ink(m_colours.obstacle, strengthOf(std::max(a.age, b.age))), Size,
+                              Qt::SolidLine, Qt::RoundCap));
+        m_painter.drawLine(pixelOf(*a.inner), pixelOf(*b.inner));
+    }
+}
+
+void VirtualScanDrawing::surroundings(const VirtualScanView& view) const {
+    if (view.sectors.empty()) return;
+    freeSpace(view);
+    walls(view);
+    obstacles(view);
+}
+
+void VirtualScanDrawing::path(const PredictedPath& path) const {
+    if (path.isEmpty()) return;
+    QPen pen(ink(m_colours.select), 1.5, Qt::CustomDashLine);
+    pen.setDashPattern({4, 3});
+    m_painter.setPen(pen);
+    m_painter.setBrush(Qt::NoBrush);
+    for (const auto* edge : {&path.left, &path.right}) {
+        QPolygonF line;
+        for (const Eigen::Vector2d& point : *edge) line << pixelOf(point);
+        m_painter.drawPolyline(line);
+    }
+    m_painter.setPen(QPen(ink(m_colours.select), 1.5));
+    m_painter.drawLine(pixelOf(path.left.back()), pixelOf(path.right.back()));
+}
+
+void VirtualScanDrawing::robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const {
+    QPolygonF outline;
+    for (const Eigen::Vector2d& corner : footprint) outline << pixelOf(corner);
+    m_painter.setPen(QPen(ink(m_colours.text), 1.5));
+    m_painter.setBrush(ink(m_colours.strip));
+    m_painter.drawPolygon(outline);
+    // An arrow says where its front is, also when the body is small on screen.
+    const double length = std::max((body.front + body.back) * m_scale, 12.0) / m_scale;
+    const double middle = 0.5 * (body.front - body.back);
+    QPolygonF arrow;
+    arrow << pixelOf({middle + 0.40 * length, 0.0}) << pixelOf({middle - 0.32 * length, 0.27 * length})
+          << pixelOf({middle - 0.18 * length, 0.0}) << pixelOf({middle - 0.32 * length, -0.27 * length});
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(ink(m_colours.text));
+    m_painter.drawPolygon(arrow);
+}
+
+void VirtualScanDrawing::nearest(const Proximity& nearest, const QRectF& area) const {
+    if (!nearest.where) return;
+    const QString text = DrawingTexts::tr("%1 m").arg(numberText(nearest.distance, 2));
+    const QColor colour = nearest.nearness == Nearness::Touching ? m_colours.act
+                          : nearest.nearness == Nearness::Near   ? m_colours.attention
+                                                                 : m_colours.text;
+    const QPointF at = pixelOf(*nearest.where);
+    m_painter.save();
+    m_painter.setPen(QPen(ink(colour), 1.5));
+    m_painter.setBrush(Qt::NoBrush);
+    if (area.contains(at)) m_painter.drawEllipse(at, 6.0, 6.0);
+    m_painter.setFont(sized(m_painter.font(), 14, true));
+    const QFontMetricsF metrics(m_painter.font());
+    QRectF box(0, 0, metrics.horizontalAdvance(text) + 8.0, metrics.height() + 2.0);
+    // Beside the point, away from the robot, and always within sight.
+    box.moveCenter(at);
+    box.moveLeft(at.x() >= m_origin.x() ? at.x() + 10.0 : at.x() - 10.0 - box.width());
+    box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
+    box.moveTop(std::clamp(box.top(), area.top(), area.bottom() - box.height()));
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(ink(m_colours.pane, 0.8));
+    m_painter.drawRoundedRect(box, 3, 3);
+    m_painter.setPen(ink(colour));
+    m_painter.drawText(box, Qt::AlignCenter, text);
+    m_painter.restore();
+}
+
+}  // namespace leitstand

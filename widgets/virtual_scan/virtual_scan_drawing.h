@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <QPainter>
+#include <QPointF>
+#include <QRectF>
+
+#include "core/perception/virtual_scan_view.h"
+#include "widgets/models/live/proximity.h"
+#include "widgets/models/live/view_geometry.h"
+#include "widgets/theme.h"
+
+namespace leitstand {
+
+/// Draws what is around a robot, in base_link with x up.
+class VirtualScanDrawing {
+public:
+    /// @p origin: where base_link is [px]; @p scale [px/m]; @p grey: without any colour.
+    VirtualScanDrawing(QPainter& painter, const ThemeColours& colours, const QPointF& origin, double scale,
+                       bool grey);
+
+    void rings(const QRectF& area, double range) const;  ///< with their metres
+    void surroundings(const VirtualScanView& view) const;
+    void path(const PredictedPath& path) const;
+    void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
+    void nearest(const Proximity& nearest, const QRectF& area) const;  ///< its distance in figures
+
+    [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
+
+private:
+    [[nodiscard]] QColor ink(QColor colour, double alpha = 1.0) const;
+    void freeSpace(const VirtualScanView& view) const;
+    void walls(const VirtualScanView& view) const;
+    void obstacles(const VirtualScanView& view) const;
+
+    QPainter& m_painter;
+    const ThemeColours& m_colours;
+    QPointF m_origin;
+    double m_scale;
+    bool m_grey;
+};
+
+}  // namespace leitstand

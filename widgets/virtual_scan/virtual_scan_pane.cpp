@@ -1,0 +1,120 @@
+#include "widgets/virtual_scan/virtual_scan_pane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QKeyEvent>
+#include <QWheelEvent>
+
+#include "widgets/models/live/view_geometry.h"
+#include "widgets/models/numbers.h"
+#include "widgets/virtual_scan/virtual_scan_drawing.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Lookahead = 3.0;  ///< of the predicted path [s]
+constexpr double OriginAt = 0.66;  ///< of the height below the head: more is seen ahead than behind
+constexpr double ZoomStep = 1.15;  ///< of a notch of the wheel
+
+QRectF areaOf(const QWidget& pane) {
+    return QRectF(pane.rect()).adjusted(6, paneHeadHeight(pane.font()), -4, -4);
+}
+
+}  // namespace
+
+VirtualScanPane::VirtualScanPane(QWidget* parent) : QWidget(parent) {
+    m_head.title = tr("Virtual scan");
+    setFocusPolicy(Qt::TabFocus);
+    setToolTip(
+        tr("What is around the robot, its front up.\nYellow: walls. Dots: obstacles, fainter the longer "
+           "ago they were seen.\nDashed: where it goes. The wheel, + and − zoom; a double click resets."));
+    setAccessibleName(m_head.title);
+}
+
+void VirtualScanPane::setRobot(const RobotFace& face, const std::vector<Eigen::Vector2d>& footprint) {
+    m_head.face = face;
+    m_footprint = footprint;
+    m_body = boxAround(footprint);
+    m_view.reset();
+    m_head.age = {};
+    setAccessibleName(QStringLiteral("%1 · %2").arg(face.letter, m_head.title));
+    update();
+}
+
+void VirtualScanPane::show(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded,
+                           double age) {
+    m_view = view;
+    m_commanded = commanded;
+    m_head.age = {.arrival = age};
+    update();
+}
+
+void VirtualScanPane::setRange(double metres) {
+    m_range = std::clamp(metres, NearestRange, FarthestRange);
+    update();
+}
+
+QPointF VirtualScanPane::pixelOf(const Eigen::Vector2d& point) const {
+    const QRectF area = areaOf(*this);
+    const double scale = OriginAt * area.height() / m_range;
+    return QPointF(area.center().x(), area.top() + OriginAt * area.height()) -
+           scale * QPointF(point.y(), point.x());
+}
+
+void VirtualScanPane::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    const ThemeColours& colours = coloursOf(presentTheme());
+    painter.fillRect(rect(), colours.pane);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Freshness freshness = freshnessOf(m_head.age, m_head.limits);
+    const QRectF area = areaOf(*this);
+    const double scale = OriginAt * area.height() / m_range;
+    const VirtualScanDrawing drawing(painter, colours, pixelOf(Eigen::Vector2d::Zero()), scale,
+                                     freshness != Freshness::Live);
+    painter.setClipRect(area.adjusted(0, 0, 4, 4));
+    const QFont body = painter.font();
+    painter.setFont(sized(body, 11));
+    if (m_view && freshness != Freshness::Never) drawing.surroundings(*m_view);
+    drawing.rings(area, m_range);
+    if (freshness == Freshness::Live && m_view)
+        drawing.path(predictedPath(m_body, m_commanded, Lookahead, &*m_view));
+    drawing.robot(m_footprint, m_body);
+    if (m_view && freshness != Freshness::Never && freshness != Freshness::Lost) {
+        const auto ring = proximityRing(*m_view, m_body, m_commanded);
+        if (const Proximity* nearest = nearestOf(ring)) {
+            drawing.nearest(*nearest, area);
+            setAccessibleDescription(tr("nearest obstacle %1 m").arg(numberText(nearest->distance, 2)));
+        }
+    }
+    painter.setClipping(false);
+    painter.setFont(body);
+    paintLoss(painter, rect(), m_head, colours);
+    paintPaneHead(painter, rect(), m_head, colours);
+    if (hasFocus()) {
+        painter.setPen(colours.select);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void VirtualScanPane::wheelEvent(QWheelEvent* event) {
+    setRange(m_range * std::pow(ZoomStep, -event->angleDelta().y() / 120.0));
+    event->accept();
+}
+
+void VirtualScanPane::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Plus) {
+        setRange(m_range / ZoomStep);
+    } else if (event->key() == Qt::Key_Minus) {
+        setRange(m_range * ZoomStep);
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void VirtualScanPane::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
+    setRange(UsualRange);
+}
+
+}  // namespace leitstand

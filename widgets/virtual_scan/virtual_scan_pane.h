@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "widgets/models/live/proximity.h"
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+
+/// The local virtual 2D scan, robot up (paper, section 2.3; design, section 7): walls, obstacles, footprint,
+/// range rings, where the robot goes as commanded, and how near the nearest thing is. What was looked at
+/// longer ago is fainter. The wheel zooms, so do + and -; a double click resets.
+class VirtualScanPane final : public QWidget {
+    Q_OBJECT
+public:
+    explicit VirtualScanPane(QWidget* parent = nullptr);
+
+    /// Whose surroundings these are. @p footprint: base_link [m].
+    void setRobot(const RobotFace& face, const std::vector<Eigen::Vector2d>& footprint);
+    /// Shows @p view at @p commanded; @p age [s]: since scans arrived last, infinite: never.
+    void show(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded, double age);
+    using QWidget::show;
+
+    static constexpr double NearestRange = 1.5, FarthestRange = 20.0, UsualRange = 6.0;  ///< [m]
+    [[nodiscard]] double range() const { return m_range; }  ///< as far as is seen ahead [m]
+    void setRange(double metres);                           ///< within the bounds
+
+    /// Where a point of base_link is painted [px].
+    [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
+    [[nodiscard]] QSize sizeHint() const override { return {320, 300}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 140}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+private:
+    PaneHead m_head;
+    std::vector<Eigen::Vector2d> m_footprint;
+    BodyBox m_body;
+    std::optional<VirtualScanView> m_view;
+    DriveVelocity m_commanded;
+    double m_range = UsualRange;
+};
+
+}  // namespace leitstand
