@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,11 @@ struct LiveKeyScan {
     std::uint64_t id = 0;  ///< KeyScanSample::id
     ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped
     Pose sensorInBase = Pose::Identity();
-    ScanPose pose;              ///< and how sure that is
-    std::uint64_t matched = 0;  ///< id of the nearest scan that it was registered against; 0: none
-    int odometryFrame = -1;     ///< of scan->sensorInOdom; negative: of an earlier run of the station
+    ScanPose pose;                      ///< and how sure that is
+    std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none
+    Time entered{};                     ///< station's clock
+    std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
+    int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
     std::shared_ptr<const PointCloud> reduced;  ///< for registration, with normals; scan's frame
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }

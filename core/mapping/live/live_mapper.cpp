@@ -4,58 +4,30 @@
 #include <chrono>
 #include <utility>
 
-#include "core/mapping/live/local_map.h"
-#include "core/mapping/live/scan_work.h"
+#include "core/mapping/live/live_mapper_state.h"
 
 namespace leitstand {
 namespace {
 
-/// What is known of a robot's way.
-struct RobotTrack {
-    RobotBody body;
-    bool placed = false;
-    Pose sensorInMap = Pose::Identity();  ///< at the newest scan
-    Pose sensorInOdom = Pose::Identity();
-    int odometryFrame = -1;
-    bool odometry = false;              ///< whether sensorInOdom was measured
-    Pose keyInOdom = Pose::Identity();  ///< sensorInOdom of the newest key scan
-    Pose keyInMap = Pose::Identity();
-    int scans = 0;
-};
+constexpr double SamePlace = 0.1;  ///< so near the local map is the same [m]
 
 }  // namespace
 
-struct LiveMapper::State {
-    State(std::string name, LiveSettings chosen) : station(std::move(name)), settings(std::move(chosen)) {}
-
-    [[nodiscard]] Pose guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const;
-    [[nodiscard]] const LocalMap& localAt(const Pose& place);
-    [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
-
-    std::string station;
-    LiveSettings settings;
-    std::map<std::string, RobotTrack> robots;
-    LiveMap map;
-    std::uint64_t nextId = 1;
-    LocalMap local;
-    Pose localPlace = Pose::Identity();
-    bool localStale = true;
-};
-
 Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const {
     const Scan& scan = *live.scan;
-    step.known =
-        scan.hasOdometry && robot.odometry && live.odometryFrame == robot.odometryFrame && !live.bridged;
-    if (!scan.hasOdometry || !robot.odometry || live.odometryFrame != robot.odometryFrame)
-        return robot.sensorInMap;
+    if (robot.placedInMap) return *robot.placedInMap * live.sensorInBase;
+    const bool sameFrame = robot.odometryFrame < 0 || robot.odometryFrame == live.odometryFrame;
+    if (!scan.hasOdometry || !robot.odometry || !sameFrame) return robot.sensorInMap;
     const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
-    step.way = moved.translation().norm();
-    step.turn = Eigen::AngleAxisd(moved.linear()).angle();
+    step.measured = robot.odometryFrame >= 0;
+    step.trusted = step.measured && !live.bridged && !robot.lost;
+    step.way = robot.way + moved.translation().norm();
+    step.turn = robot.turn + Eigen::AngleAxisd(moved.linear()).angle();
     return robot.sensorInMap * moved;
 }
 
 const LocalMap& LiveMapper::State::localAt(const Pose& place) {
-    if (localStale || distanceBetween(place, localPlace) > 0.1) {
+    if (localStale || distanceBetween(place, localPlace) > SamePlace) {
         local = localMap(map.scans, place, settings.local);
         localPlace = place;
         localStale = false;
@@ -63,10 +35,26 @@ const LocalMap& LiveMapper::State::localAt(const Pose& place) {
     return local;
 }
 
+Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
+                                 const Pose& guess, const Step& step) {
+    const auto up = live.levelKnown ? std::optional(live.up) : std::nullopt;
+    Match result = match(cloud, localAt(guess), guess, step, up, settings.match, settings.fit);
+    if (result.doubts == 0 || robot.odometryFrame >= 0 || robot.placedInMap) return result;
+    // The odometry may have begun anew while the station was away.
+    Match second =
+        match(cloud, localAt(robot.sensorInMap), robot.sensorInMap, {}, up, settings.match, settings.fit);
+    return second.doubts == 0 ? second : result;
+}
+
 bool LiveMapper::State::enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const {
     const KeyScanRule& rule = settings.keyScans;
     return distanceBetween(robot.keyInMap, scanInMap) >= rule.distance ||
            angleBetween(robot.keyInMap, scanInMap) >= rule.angle || fresh >= rule.newGround;
+}
+
+bool LiveMapper::State::empty() const {
+    return std::none_of(map.scans.begin(), map.scans.end(),
+                        [](const LiveKeyScan& scan) { return scan.counts(); });
 }
 
 LiveMapper::LiveMapper(std::string station, LiveSettings settings)
@@ -83,69 +71,85 @@ void LiveMapper::setCrop(MapCrop crop) {
     m_state->settings.crop = std::move(crop);
 }
 
+void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {
+    m_state->robots[robot].placedInMap = baseInMap;
+}
+
 MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
     const auto start = std::chrono::steady_clock::now();
     State& state = *m_state;
     const Scan& scan = *live.scan;
     RobotTrack& robot = state.robots[scan.robot];
-    const bool first = state.map.scans.empty();
+    MapUpdate update;
+    Localisation& here = update.localisation;
+    here.robot = scan.robot;
+    here.stamp = scan.end;
+    const bool first = state.empty();
+    const bool placed = robot.known || robot.placedInMap;
     Step step;
-    Pose guess = Pose::Identity();
-    if (first) {
-        guess = levelled(guess, live.up, 1.0);
-    } else {
-        guess = state.guessOf(live, robot, step);
+    const Pose guess = placed ? state.guessOf(live, robot, step) : levelled(Pose::Identity(), live.up, 1.0);
+    if (!first && !placed) {
+        here.trust = ScanTrust::Uncertain;
+        here.doubts = static_cast<std::uint8_t>(ScanDoubt::Odometry);
+        return update;
     }
     ReadyScan ready = readyScan(live, robot.body, guess, state.settings);
-    MapUpdate update;
-    Localisation& here = update.localisation.emplace();
-    Match matched;
-    matched.scanInMap = guess;
+    Match match;
+    match.scanInMap = guess;
     double fresh = 1.0;
     std::uint64_t nearest = 0;
     if (!first) {
-        const LocalMap& local = state.localAt(guess);
-        matched = match(ready.reduced, local, guess, step,
-                        live.levelKnown ? std::optional(live.up) : std::nullopt, state.settings);
-        fresh = newGround(ready.reduced, local, matched.scanInMap, state.settings.keyScans.newGroundFrom);
+        match = state.matched(live, robot, ready.reduced, guess, step);
+        const LocalMap& local = state.localAt(match.scanInMap);
+        fresh = newGround(ready.reduced, local, match.scanInMap, state.settings.keyScans.newGroundFrom);
         if (!local.scans.empty()) nearest = local.scans.front();
     }
-    here.robot = scan.robot;
-    here.stamp = scan.end;
-    here.doubts = matched.doubts;
-    here.trust = matched.doubts == 0 ? ScanTrust::Certain : ScanTrust::Uncertain;
-    here.icp = matched.icp;
+    here.doubts = match.doubts;
+    here.trust = match.doubts == 0 ? ScanTrust::Certain : ScanTrust::Uncertain;
+    here.icp = match.icp;
     const Pose baseInSensor = live.sensorInBase.inverse();
-    here.baseInMap = matched.scanInMap * baseInSensor;
+    here.baseInMap = match.scanInMap * baseInSensor;
     here.guessInMap = guess * baseInSensor;
-    here.odomInMap = matched.scanInMap * scan.sensorInOdom.inverse();
-    if (first || state.enters(robot, matched.scanInMap, fresh)) {
+    here.odomInMap = match.scanInMap * scan.sensorInOdom.inverse();
+    // What a break left of a turn need not be enough, and says nothing then.
+    if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
+        return update;
+    // The ground of scans that do not fit stays new.
+    const bool stillLost = match.doubts != 0 && robot.lost;
+    if (first || !robot.known || state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh)) {
         LiveKeyScan key;
         key.id = here.keyScan = state.nextId++;
         key.scan = ready.scan;
         key.sensorInBase = live.sensorInBase;
         key.pose = {key.id,
-                    matched.scanInMap,
-                    matched.icp.rms,
-                    matched.icp.inlierRatio,
-                    matched.icp.overlap,
-                    matched.icp.certainty,
-                    matched.icp.converged,
+                    match.scanInMap,
+                    match.icp.rms,
+                    match.icp.inlierRatio,
+                    match.icp.overlap,
+                    match.icp.certainty,
+                    match.icp.converged,
                     here.trust,
                     here.doubts};
         key.matched = nearest;
+        key.entered = now;
+        if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
         key.reduced = std::make_shared<const PointCloud>(std::move(ready.reduced));
-        update.keyScan = KeyScanSample{now, key.id, key.scan, key.sensorInBase, matched.scanInMap, nearest};
+        update.keyScan = KeyScanSample{now, key.id, key.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
         state.map.scans.push_back(std::move(key));
-        robot.keyInMap = matched.scanInMap;
+        robot.keyInMap = match.scanInMap;
     }
-    robot.sensorInMap = matched.scanInMap;
+    robot.known = true;
+    robot.placedInMap.reset();
+    robot.sensorInMap = match.scanInMap;
     robot.sensorInOdom = scan.sensorInOdom;
     robot.odometryFrame = live.odometryFrame;
     robot.odometry = scan.hasOdometry;
+    robot.lost = match.doubts != 0;
+    robot.way = robot.lost ? step.way : 0.0;
+    robot.turn = robot.lost ? step.turn : 0.0;
     here.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return update;
 }

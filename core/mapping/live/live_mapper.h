@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
+#include "core/base/result.h"
 #include "core/mapping/live/live_map.h"
 #include "core/mapping/live/live_scan.h"
 #include "core/mapping/live/live_settings.h"
@@ -29,18 +29,27 @@ struct Localisation {
     double seconds = 0.0;       ///< of computing [s]
 };
 
-/// What came of a scan or of a decision: what the log keeps, in this order.
+/// What came of a scan: what the log keeps, in this order, and where the robot is.
 struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
     std::optional<ScanPosesSample> poses;
-    std::optional<Localisation> localisation;
+    Localisation localisation;
+};
+
+/// How a scan is registered again.
+struct RetrySettings {
+    MatchSettings match;
+    std::optional<Pose> guessInMap;  ///< of the scan; empty: where it is
 };
 
 /// Registers scans of robots while they drive into one map that is level: each against the key scans near it.
-/// Results are samples for the log, from which the same map comes about again (restore(), follow()). Without
-/// clock and thread: the caller tells what time it is, on the station's clock. One thread at a time.
+/// What does not fit enters as uncertain, stands where odometry says, and nothing is built on it until the
+/// operator decides. Results and decisions are samples for the log, from which the same map comes about again
+/// (restore(), follow()); taking one back is an UndoSample there, after which follow() tells the mapper.
+/// Without clock and thread: the caller tells what time it is, on the station's clock. One thread at a time.
 class LiveMapper {
 public:
+    /// @p station: persistent identity, for the samples.
     LiveMapper(std::string station, LiveSettings settings);
     ~LiveMapper();
     LiveMapper(LiveMapper&&) noexcept;
@@ -49,9 +58,27 @@ public:
     /// What a robot's scans are cleaned of.
     void setBody(const std::string& robot, RobotBody body);
     void setCrop(MapCrop crop);  ///< from the next scan on
+    /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
+    void place(const std::string& robot, const Pose& baseInMap);
 
-    /// Registers @p scan.
+    /// Registers @p scan. The first one defines the map: level, with its position and heading. Scans of
+    /// another robot do not enter before it is placed.
     [[nodiscard]] MapUpdate add(const LiveScan& scan, Time now);
+
+    /// The operator's decisions on the key scan @p id; errors name it where the map does not have it.
+    [[nodiscard]] Result<ScanPosesSample> accept(std::uint64_t id, Time now);
+    [[nodiscard]] Result<ScanPosesSample> reject(std::uint64_t id, Time now);
+    /// Registers a scan again; it becomes certain where it fits now, and stays where it is otherwise.
+    [[nodiscard]] Result<ScanPosesSample> retry(std::uint64_t id, const RetrySettings& settings, Time now);
+    /// Sets aside all scans that entered after @p moment (station's clock); robots go on from what is left.
+    [[nodiscard]] Result<ScanPosesSample> rewind(Time moment, Time now);
+
+    /// Takes back a key scan of the log, when the station starts again: before any add(). Its odometry may
+    /// have begun anew since.
+    void restore(const KeyScanSample& keyScan);
+    /// Takes over where the mission has its key scans and how far they count, after an undo or from another
+    /// station: all of them; those that are missing are set aside.
+    void follow(std::span<const ScanPose> poses);
 
     /// A snapshot.
     [[nodiscard]] LiveMapPtr map() const;

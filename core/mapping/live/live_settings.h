@@ -20,15 +20,16 @@ struct MatchSettings {
 
 /// When a scan does not fit.
 struct FitSettings {
-    double leastOverlap = 0.4;      ///< of its points, with a partner within IcpResult::OverlapDistance
-    double mostResidual = 0.08;     ///< root mean square of the pairs [m]
-    double jump = 0.2;              ///< against the odometry's step [m] ...
-    double jumpOfWay = 0.25;        ///< ... and so much of the way [m / m]
-    double turn = degrees(6);       ///< likewise [rad] ...
-    double turnOfTurn = 0.15;       ///< ... [rad / rad] ...
-    double turnOfWay = degrees(5);  ///< ... [rad / m]
-    double leastCertainty = 0.02;   ///< IcpResult::certainty
-    int leastPoints = 200;          ///< after reduction
+    double leastOverlapUnguided = 0.6;  ///< where no odometry tells how the robot came there
+    double leastOverlap = 0.4;          ///< of its points, with a partner within IcpResult::OverlapDistance
+    double mostResidual = 0.08;         ///< root mean square of the pairs [m]
+    double jump = 0.2;                  ///< against the odometry's step [m] ...
+    double jumpOfWay = 0.25;            ///< ... and so much of the way [m / m]
+    double turn = degrees(6);           ///< likewise [rad] ...
+    double turnOfTurn = 0.15;           ///< ... [rad / rad] ...
+    double turnOfWay = degrees(5);      ///< ... [rad / m]
+    double leastCertainty = 0.02;       ///< IcpResult::certainty
+    int leastPoints = 200;              ///< after reduction
 };
 
 /// When a scan enters the map (design, section 3).

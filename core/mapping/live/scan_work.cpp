@@ -1,7 +1,11 @@
 #include "core/mapping/live/scan_work.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
+#include "core/scan/cell_table.h"
 #include "core/scan/labels.h"
 #include "core/scan/normals.h"
 #include "core/scan/outliers.h"
@@ -9,6 +13,31 @@
 #include "core/scan/voxel_grid.h"
 
 namespace leitstand {
+
+namespace {
+
+/// The first point of each cube of edge @p edge [m] among those of @p scan in range, with all that is known
+/// of it.
+Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
+    Scan result = scan;
+    result.rows = result.columns = 0;
+    result.points.clear();
+    result.intensities.clear();
+    result.labels.clear();
+    detail::CellTable cells(edge);
+    const bool intensities = scan.intensities.size() == scan.points.size();
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        const double range = scan.points[i].cast<double>().norm();
+        if (!(range >= settings.minRange && range <= settings.maxRange)) continue;
+        if (cells.cellOf(scan.points[i]) != result.points.size()) continue;
+        result.points.push_back(scan.points[i]);
+        result.labels.push_back(scan.labels[i]);
+        if (intensities) result.intensities.push_back(scan.intensities[i]);
+    }
+    return result;
+}
+
+}  // namespace
 
 ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                     const LiveSettings& settings) {
@@ -21,17 +50,18 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     scan.labels = labelScan(scan, labels);
     std::vector<Eigen::Vector3f> normals;
     if (scan.organised()) normals = gridNormals(scan);
-    const PointCloud all = pointsInRange(scan, normals, settings.match.minRange, settings.match.maxRange);
+    const MatchSettings& match = settings.match;
     ReadyScan ready;
-    ready.reduced = voxelGrid(all, settings.match.reduce, VoxelPoint::Centroid);
+    ready.reduced = voxelGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce,
+                              VoxelPoint::Centroid);
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
-    const PointCloud thinned = voxelGrid(all, settings.kept);
-    scan.rows = scan.columns = 0;
-    scan.intensities.clear();
-    scan.points = thinned.points;
-    scan.labels = thinned.labels;
-    ready.scan = std::make_shared<const Scan>(std::move(scan));
+    ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
+}
+
+PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
+    const PointCloud all = pointsInRange(scan, knnNormals(scan.points), settings.minRange, settings.maxRange);
+    return voxelGrid(all, settings.reduce, VoxelPoint::Centroid);
 }
 
 Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share) {
@@ -58,37 +88,54 @@ double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& sca
 }
 
 Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
-            const std::optional<Eigen::Vector3d>& up, const LiveSettings& settings) {
+            const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings, const FitSettings& fit) {
     Match result;
     result.scanInMap = guess;
-    const auto doubt = [&](ScanDoubt one) { result.doubts |= static_cast<std::uint8_t>(one); };
-    if (static_cast<int>(cloud.size()) < settings.fit.leastPoints) doubt(ScanDoubt::Points);
-    if (!local.search || cloud.points.empty()) {
-        doubt(ScanDoubt::Overlap);
-        return result;
-    }
+    const auto doubtIf = [&](bool wrong, ScanDoubt doubt) {
+        if (wrong) result.doubts |= static_cast<std::uint8_t>(doubt);
+    };
+    doubtIf(static_cast<int>(cloud.size()) < fit.leastPoints, ScanDoubt::Points);
+    doubtIf(!local.search, ScanDoubt::Overlap);
+    if (result.doubts != 0) return result;
     IcpSettings icp;
-    icp.maxDistances = step.known ? settings.match.near : settings.match.wide;
-    icp.maxIterations = settings.match.maxIterations;
+    icp.maxDistances = step.trusted ? settings.near : settings.wide;
+    icp.maxIterations = settings.maxIterations;
     icp.threads = 1;
     icp.minStep = 5e-4;
     result.icp = align(local.cloud, *local.search, cloud, guess, icp);
-    const FitSettings& fit = settings.fit;
-    if (result.icp.stop == IcpStop::Degenerate) {
-        doubt(ScanDoubt::Certainty);
-        return result;
-    }
-    if (!result.icp.converged) doubt(ScanDoubt::Diverged);
-    if (result.icp.overlap < fit.leastOverlap) doubt(ScanDoubt::Overlap);
-    if (result.icp.rms > fit.mostResidual) doubt(ScanDoubt::Residual);
-    if (result.icp.certainty < fit.leastCertainty) doubt(ScanDoubt::Certainty);
-    const double jump = distanceBetween(guess, result.icp.pose), turn = angleBetween(guess, result.icp.pose);
-    if (step.known && (jump > fit.jump + fit.jumpOfWay * step.way ||
-                       turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way))
-        doubt(ScanDoubt::Jump);
-    if (result.doubts != 0) return result;  // as odometry says
-    result.scanInMap = up ? levelled(result.icp.pose, *up, settings.match.levelShare) : result.icp.pose;
+    const IcpResult& found = result.icp;
+    const bool open = found.stop == IcpStop::Degenerate;
+    doubtIf(!open && !found.converged, ScanDoubt::Diverged);
+    doubtIf(found.overlap < (step.measured ? fit.leastOverlap : fit.leastOverlapUnguided),
+            ScanDoubt::Overlap);
+    doubtIf(!step.measured && has(result.doubts, ScanDoubt::Overlap), ScanDoubt::Odometry);
+    doubtIf(found.rms > fit.mostResidual, ScanDoubt::Residual);
+    doubtIf(open || found.certainty < fit.leastCertainty, ScanDoubt::Certainty);
+    const double jump = distanceBetween(guess, found.pose), turn = angleBetween(guess, found.pose);
+    doubtIf(step.measured && (jump > fit.jump + fit.jumpOfWay * step.way ||
+                              turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way),
+            ScanDoubt::Jump);
+    if (result.doubts != 0) return result;
+    result.scanInMap = up ? levelled(found.pose, *up, settings.levelShare) : found.pose;
     return result;
+}
+
+std::string inWords(std::uint8_t doubts) {
+    constexpr std::array<std::pair<ScanDoubt, const char*>, 7> Words = {
+        {{ScanDoubt::Points, "too few points"},
+         {ScanDoubt::Odometry, "no odometry"},
+         {ScanDoubt::Overlap, "little overlap with the map"},
+         {ScanDoubt::Residual, "a bad fit"},
+         {ScanDoubt::Jump, "a jump against the odometry"},
+         {ScanDoubt::Certainty, "an open direction"},
+         {ScanDoubt::Diverged, "the registration came to no end"}}};
+    std::string text;
+    for (const auto& [doubt, word] : Words) {
+        if (!has(doubts, doubt)) continue;
+        if (!text.empty()) text += ", ";
+        text += word;
+    }
+    return text;
 }
 
 }  // namespace leitstand

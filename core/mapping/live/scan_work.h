@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "core/base/pose.h"
 #include "core/mapping/live/live_scan.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/local_map.h"
 #include "core/registration/icp.h"
+#include "core/robot/samples/map_samples.h"
 #include "core/scan/scan.h"
 
 namespace leitstand {
@@ -22,23 +25,28 @@ struct ReadyScan {
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                                   const LiveSettings& settings);
 
+/// What readyScan() made of a key scan, from its points as the log has them.
+[[nodiscard]] PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings);
+
 /// What the match of a scan came to.
 struct Match {
-    Pose scanInMap = Pose::Identity();
+    Pose scanInMap = Pose::Identity();  ///< the guess where there are doubts
     IcpResult icp;
     std::uint8_t doubts = 0;  ///< bits of ScanDoubt
 };
 
 /// How a robot came from the scan before to this one.
 struct Step {
-    bool known = true;             ///< by odometry without a gap
-    double way = 0.0, turn = 0.0;  ///< [m, rad]
+    bool measured = false;         ///< by odometry: the match must not jump against it
+    bool trusted = false;          ///< so well that the match is looked for nearby
+    double way = 0.0, turn = 0.0;  ///< since a scan was certain [m, rad]
 };
 
 /// Matches @p cloud with @p local, starting at @p guess. @p up: against gravity, in the scan's frame; empty:
 /// unknown.
 [[nodiscard]] Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
-                          const std::optional<Eigen::Vector3d>& up, const LiveSettings& settings);
+                          const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings,
+                          const FitSettings& fit);
 
 /// Share of @p cloud's points at @p scanInMap that are farther than @p distance [m] from all of @p local.
 [[nodiscard]] double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& scanInMap,
@@ -46,5 +54,8 @@ struct Step {
 
 /// @p scanInMap turned so that a share of its disagreement with gravity (@p up in its frame) is gone.
 [[nodiscard]] Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share);
+
+/// What @p doubts (bits of ScanDoubt) mean, for alarms and the log, in English; empty: none.
+[[nodiscard]] std::string inWords(std::uint8_t doubts);
 
 }  // namespace leitstand

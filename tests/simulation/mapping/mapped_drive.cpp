@@ -27,6 +27,7 @@ TrajectoryError errorOf(const Trajectory& trajectory) {
                               trueUp = trajectory.truth[i].linear().row(2);
         error.tilt += std::pow(std::atan2(up.cross(trueUp).norm(), up.dot(trueUp)), 2);
     }
+    error.mapInArena = mapInArena;
     for (double* sum : {&error.distance, &error.height, &error.angle, &error.tilt})
         *sum = std::sqrt(*sum / static_cast<double>(count));
     return error;
@@ -59,7 +60,7 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
     mapper.setBody(drive.robot.name, {drive.robot.footprint, drive.robot.height});
     for (const LiveScan& live : scans) {
         const MapUpdate update = mapper.add(live, live.scan->end);
-        const Localisation& here = *update.localisation;
+        const Localisation& here = update.localisation;
         const Pose truth = drive.baseInArena(here.stamp);
         result.live.found.push_back(here.baseInMap);
         result.odometry.found.push_back(live.scan->sensorInOdom * live.sensorInBase.inverse());
@@ -71,6 +72,24 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
     result.map = mapper.map();
     result.scans = std::move(scans);
     return result;
+}
+
+double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces, bool byOdometry) {
+    constexpr float Near = 6.0F;
+    const Pose mapInArena = errorOf(byOdometry ? drive.odometry : drive.live).mapInArena;
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (const LiveKeyScan& key : drive.map->scans) {
+        if (!key.counts()) continue;
+        const Pose scanInArena = mapInArena * (byOdometry ? key.scan->sensorInOdom : key.pose.scanInMap);
+        for (std::size_t i = 0; i < key.scan->points.size(); i += 7) {
+            const Eigen::Vector3f& point = key.scan->points[i];
+            if (!(point.norm() < Near)) continue;
+            squares += std::pow(surfaces.distance(scanInArena * point.cast<double>()), 2);
+            ++count;
+        }
+    }
+    return std::sqrt(squares / static_cast<double>(count));
 }
 
 }  // namespace leitstand::simulation::test

@@ -6,6 +6,7 @@
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/scan_cutter.h"
 #include "tests/simulation/mapping/recorded_drive.h"
+#include "tests/simulation/mapping/true_surfaces.h"
 
 namespace leitstand::simulation::test {
 
@@ -17,10 +18,11 @@ struct Trajectory {
 
 /// How far a trajectory is from the truth, after the rigid motion that brings it nearest to it (Horn 1987).
 struct TrajectoryError {
-    double distance = 0.0;  ///< root mean square [m]
-    double angle = 0.0;     ///< likewise [rad]
-    double height = 0.0;    ///< of the distance, along z [m]
-    double tilt = 0.0;      ///< of the angle, about level axes, without the alignment [rad]
+    double distance = 0.0;               ///< root mean square [m]
+    double angle = 0.0;                  ///< likewise [rad]
+    double height = 0.0;                 ///< of the distance, along z [m]
+    double tilt = 0.0;                   ///< of the angle, about level axes, without the alignment [rad]
+    Pose mapInArena = Pose::Identity();  ///< the alignment
 };
 [[nodiscard]] TrajectoryError errorOf(const Trajectory& trajectory);
 
@@ -39,5 +41,9 @@ struct MappedDrive {
                                              const ScanCutterSettings& settings = {});
 [[nodiscard]] MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans,
                                  const LiveSettings& settings = {});
+
+/// Root mean square distance of the map's points nearer than 6 m to their scanner from true surfaces [m].
+/// @p byOdometry: the same scans where odometry alone would put them.
+[[nodiscard]] double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces, bool byOdometry);
 
 }  // namespace leitstand::simulation::test

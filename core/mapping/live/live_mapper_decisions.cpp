@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/live_mapper_state.h"
+
+namespace leitstand {
+namespace {
+
+Error unknown(std::uint64_t id) {
+    return Error{fmt::format("key scan {}: expected one of the map", id)};
+}
+
+bool same(const ScanPose& a, const ScanPose& b) {
+    return a.trust == b.trust && a.scanInMap.matrix() == b.scanInMap.matrix();
+}
+
+}  // namespace
+
+LiveKeyScan* LiveMapper::State::find(std::uint64_t id) {
+    const auto found =
+        std::lower_bound(map.scans.begin(), map.scans.end(), id,
+                         [](const LiveKeyScan& scan, std::uint64_t wanted) { return scan.id < wanted; });
+    return found != map.scans.end() && found->id == id ? &*found : nullptr;
+}
+
+void LiveMapper::State::goOn(const std::string& name) {
+    const auto newest = std::find_if(map.scans.rbegin(), map.scans.rend(), [&](const LiveKeyScan& scan) {
+        return scan.scan->robot == name && scan.pose.trust != ScanTrust::SetAside;
+    });
+    if (newest == map.scans.rend()) return;
+    RobotTrack& robot = robots[name];
+    const Pose& inMap = newest->pose.scanInMap;
+    const bool together =
+        robot.odometry && newest->scan->hasOdometry && robot.odometryFrame == newest->odometryFrame;
+    const Pose moved =
+        together ? newest->scan->sensorInOdom.inverse() * robot.sensorInOdom : Pose::Identity();
+    robot.known = true;
+    robot.sensorInMap = inMap * moved;
+    robot.keyInMap = inMap;
+    robot.lost = !newest->counts();
+    robot.way = moved.translation().norm();
+    robot.turn = Eigen::AngleAxisd(moved.linear()).angle();
+}
+
+void LiveMapper::State::apply(std::span<const ScanPose> poses) {
+    std::map<std::string, std::uint64_t> newest;  // key scan of each robot, whatever its trust
+    for (const LiveKeyScan& scan : map.scans) newest[scan.scan->robot] = scan.id;
+    std::vector<std::string> moved;
+    for (const ScanPose& pose : poses) {
+        LiveKeyScan* scan = find(pose.scan);
+        if (scan == nullptr || same(scan->pose, pose)) continue;
+        scan->pose = pose;
+        localStale = true;
+        const std::string& robot = scan->scan->robot;
+        if (newest[robot] == scan->id) moved.push_back(robot);
+    }
+    for (const std::string& robot : moved) goOn(robot);
+}
+
+ScanPosesSample LiveMapper::State::decided(std::vector<ScanPose> poses, Time now) {
+    apply(poses);
+    return {now, station, ScanPosesSample::Cause::Operator, std::move(poses)};
+}
+
+Result<ScanPosesSample> LiveMapper::accept(std::uint64_t id, Time now) {
+    const LiveKeyScan* scan = m_state->find(id);
+    if (scan == nullptr) return unknown(id);
+    ScanPose pose = scan->pose;
+    pose.trust = ScanTrust::Certain;
+    return m_state->decided({pose}, now);
+}
+
+Result<ScanPosesSample> LiveMapper::reject(std::uint64_t id, Time now) {
+    const LiveKeyScan* scan = m_state->find(id);
+    if (scan == nullptr) return unknown(id);
+    ScanPose pose = scan->pose;
+    pose.trust = ScanTrust::SetAside;
+    return m_state->decided({pose}, now);
+}
+
+Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings& settings, Time now) {
+    State& state = *m_state;
+    const LiveKeyScan* scan = state.find(id);
+    if (scan == nullptr) return unknown(id);
+    const Pose guess = settings.guessInMap.value_or(scan->pose.scanInMap);
+    std::vector<LiveKeyScan> others = state.map.scans;
+    std::erase_if(others, [&](const LiveKeyScan& other) { return other.id == id; });
+    const PointCloud cloud = settings.match.reduce == state.settings.match.reduce
+                                 ? *scan->reduced
+                                 : reducedAgain(*scan->scan, settings.match);
+    const Match found = match(cloud, localMap(others, guess, state.settings.local), guess, {}, scan->up,
+                              settings.match, state.settings.fit);
+    ScanPose pose{id,
+                  found.scanInMap,
+                  found.icp.rms,
+                  found.icp.inlierRatio,
+                  found.icp.overlap,
+                  found.icp.certainty,
+                  found.icp.converged,
+                  found.doubts == 0 ? ScanTrust::Certain : ScanTrust::Uncertain,
+                  found.doubts};
+    if (found.doubts != 0) pose.scanInMap = scan->pose.scanInMap;
+    return state.decided({pose}, now);
+}
+
+Result<ScanPosesSample> LiveMapper::rewind(Time moment, Time now) {
+    std::vector<ScanPose> poses;
+    for (const LiveKeyScan& scan : m_state->map.scans) {
+        if (scan.entered <= moment || scan.pose.trust == ScanTrust::SetAside) continue;
+        poses.push_back(scan.pose);
+        poses.back().trust = ScanTrust::SetAside;
+    }
+    if (poses.empty()) return Error{"rewind: no scan entered the map after that moment"};
+    return m_state->decided(std::move(poses), now);
+}
+
+void LiveMapper::restore(const KeyScanSample& sample) {
+    State& state = *m_state;
+    if (!sample.scan || state.find(sample.id) != nullptr) return;
+    LiveKeyScan key;
+    key.id = sample.id;
+    key.scan = sample.scan;
+    key.sensorInBase = sample.sensorInBase;
+    key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
+    key.matched = sample.matched;
+    key.entered = sample.stamp;
+    key.reduced = std::make_shared<const PointCloud>(reducedAgain(*sample.scan, state.settings.match));
+    const std::string robot = sample.scan->robot;
+    const auto place =
+        std::upper_bound(state.map.scans.begin(), state.map.scans.end(), key.id,
+                         [](std::uint64_t id, const LiveKeyScan& scan) { return id < scan.id; });
+    state.map.scans.insert(place, std::move(key));
+    state.nextId = std::max(state.nextId, sample.id + 1);
+    state.localStale = true;
+    RobotTrack& track = state.robots[robot];
+    track.odometry = sample.scan->hasOdometry;
+    track.sensorInOdom = sample.scan->sensorInOdom;
+    track.odometryFrame = -1;
+    state.goOn(robot);
+}
+
+void LiveMapper::follow(std::span<const ScanPose> poses) {
+    std::vector<ScanPose> all;
+    for (const LiveKeyScan& scan : m_state->map.scans) {
+        const auto told = std::find_if(poses.begin(), poses.end(),
+                                       [&](const ScanPose& pose) { return pose.scan == scan.id; });
+        all.push_back(told != poses.end() ? *told : scan.pose);
+        if (told == poses.end()) all.back().trust = ScanTrust::SetAside;
+    }
+    m_state->apply(all);
+}
+
+}  // namespace leitstand

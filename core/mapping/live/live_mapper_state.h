@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/scan_work.h"
+
+namespace leitstand {
+
+/// What is known of a robot's way.
+struct RobotTrack {
+    RobotBody body;
+    bool known = false;                   ///< whether the following is
+    Pose sensorInMap = Pose::Identity();  ///< at the newest scan
+    Pose sensorInOdom = Pose::Identity();
+    int odometryFrame = -1;            ///< negative: of an earlier run of the station
+    bool odometry = false;             ///< whether sensorInOdom was measured
+    bool lost = false;                 ///< the newest scan did not fit
+    double way = 0.0, turn = 0.0;      ///< since a scan was certain [m, rad]
+    Pose keyInMap = Pose::Identity();  ///< newest key scan
+    std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
+};
+
+/// Insides of LiveMapper.
+struct LiveMapper::State {
+    State(std::string name, LiveSettings chosen) : station(std::move(name)), settings(std::move(chosen)) {}
+
+    [[nodiscard]] Pose guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const;
+    [[nodiscard]] const LocalMap& localAt(const Pose& place);
+    [[nodiscard]] Match matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
+                                const Pose& guess, const Step& step);
+    [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
+    [[nodiscard]] bool empty() const;  ///< nothing counts
+    [[nodiscard]] LiveKeyScan* find(std::uint64_t id);
+    /// Puts scans to where and how @p poses say, and robots along with them.
+    void apply(std::span<const ScanPose> poses);
+    [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
+    void goOn(const std::string& robot);
+
+    std::string station;
+    LiveSettings settings;
+    std::map<std::string, RobotTrack> robots;
+    LiveMap map;
+    std::uint64_t nextId = 1;
+    LocalMap local;
+    Pose localPlace = Pose::Identity();
+    bool localStale = true;
+};
+
+}  // namespace leitstand

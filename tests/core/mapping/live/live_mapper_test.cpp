@@ -1,0 +1,238 @@
+#include "core/mapping/live/live_mapper.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mapping/live/scan_work.h"
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::HasSubstr;
+
+const Pose Begin = poseFrom({-1.4, 0, 0.9}, 0, 0, 0);
+const Pose Off = poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25));  ///< so wrong is odometry that slipped
+
+TEST(LiveMapper, TheFirstScanMakesTheMapLevelAndLooksAhead) {
+    MappedRoom room;
+    const Pose tilted = Begin * poseFrom({0, 0, 0}, degrees(4), degrees(-9), degrees(120));
+    const MapUpdate update = room.add(tilted);
+    ASSERT_TRUE(update.keyScan && update.poses);
+    EXPECT_EQ(update.keyScan->id, 1U);
+    const Pose& inMap = update.keyScan->scanInMap;
+    EXPECT_LT(inMap.translation().norm(), 1e-9);
+    EXPECT_TRUE((inMap.linear() * (tilted.linear().transpose() * Eigen::Vector3d::UnitZ()))
+                    .isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
+    EXPECT_NEAR(inMap.linear().col(0).y(), 0.0, 0.02) << "its heading is the map's";
+    const MapUpdate next = room.add(Begin * poseFrom({0.4, 0, 0}, 0, 0, degrees(120)));
+    EXPECT_EQ(next.localisation.doubts, 0) << inWords(next.localisation.doubts);
+    EXPECT_LT(inDegrees(std::acos(next.localisation.baseInMap.linear()(2, 2))), 0.5);
+}
+
+TEST(LiveMapper, ADriveIsMappedToItsTruePosesAndAStandingRobotAddsNothing) {
+    MappedRoom room;
+    room.drive(6);
+    const auto poses = room.poses();
+    ASSERT_EQ(poses.size(), 6U);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const double step = static_cast<double>(i);
+        const Pose truth =
+            Begin.inverse() * poseFrom({-1.4 + 0.4 * step, 0.05 * step, 0.9}, 0, 0, degrees(3) * step);
+        EXPECT_LT(distanceBetween(poses[i].scanInMap, truth), 0.02) << i;
+        EXPECT_LT(inDegrees(angleBetween(poses[i].scanInMap, truth)), 0.3) << i;
+        EXPECT_EQ(poses[i].trust, ScanTrust::Certain);
+        EXPECT_TRUE(i == 0 || poses[i].overlap > 0.6) << i;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const MapUpdate update = room.add(room.last);
+        EXPECT_FALSE(update.keyScan || update.poses);
+        EXPECT_EQ(update.localisation.doubts, 0);
+    }
+    EXPECT_EQ(room.mapper.map()->scans.size(), 6U);
+    EXPECT_TRUE(room.add(room.last * poseFrom({0, 0, 0}, 0, 0, degrees(12))).keyScan) << "turned";
+}
+
+TEST(LiveMapper, AScanThatDoesNotFitIsUncertainAndNothingIsBuiltOnIt) {
+    MappedRoom room;
+    room.drive(4);
+    const MapUpdate wrong = room.add(poseFrom({0.2, 0.15, 0.9}, 0, 0, degrees(12)), Off);
+    EXPECT_EQ(wrong.localisation.trust, ScanTrust::Uncertain);
+    EXPECT_NE(wrong.localisation.doubts, 0);
+    ASSERT_TRUE(wrong.poses);
+    EXPECT_EQ(wrong.poses->poses[0].trust, ScanTrust::Uncertain);
+    EXPECT_TRUE(wrong.keyScan->scanInMap.isApprox(wrong.localisation.guessInMap)) << "where odometry says";
+    EXPECT_TRUE(alike(room.poses(), room.log.poses()));
+}
+
+TEST(LiveMapper, DecisionsAreSamplesThatCanBeTakenBack) {
+    MappedRoom room;
+    room.drive(4);
+    room.add(poseFrom({0.2, 0.15, 0.9}, 0, 0, degrees(12)), Off);
+    const std::uint64_t id = room.poses().back().scan;
+    const auto before = room.poses();
+    ASSERT_EQ(before.back().trust, ScanTrust::Uncertain);
+    const auto takenBack = [&](const Result<ScanPosesSample>& decision) {
+        ASSERT_TRUE(decision);
+        EXPECT_EQ(decision->cause, ScanPosesSample::Cause::Operator);
+        const std::uint64_t said = room.log.say(*decision);
+        const auto after = room.poses();
+        EXPECT_FALSE(alike(after, before));
+        EXPECT_TRUE(alike(after, room.log.poses()));
+        const std::uint64_t undone = room.log.undo(said, room.mapper);
+        EXPECT_TRUE(alike(room.poses(), before));
+        const std::uint64_t again = room.log.undo(undone, room.mapper);  // redo
+        EXPECT_TRUE(alike(room.poses(), after));
+        room.log.undo(again, room.mapper);
+        EXPECT_TRUE(alike(room.poses(), before));
+    };
+    takenBack(room.mapper.accept(id, room.now));
+    takenBack(room.mapper.reject(id, room.now));
+    RetrySettings there;
+    there.guessInMap = Begin.inverse() * poseFrom({0.0, 0.0, 0.9}, 0, 0, degrees(8));
+    takenBack(room.mapper.retry(id, there, room.now));
+    takenBack(room.mapper.rewind(room.now - std::chrono::seconds(5), room.now));
+    EXPECT_FALSE(room.mapper.accept(99, room.now));
+    EXPECT_THAT(room.mapper.reject(99, room.now).error().text, HasSubstr("key scan 99"));
+}
+
+TEST(LiveMapper, ARetryFromTheRightPlaceBringsTheRobotBack) {
+    MappedRoom room;
+    room.drive(4);
+    const Pose place = poseFrom({0.2, 0.15, 0.9}, 0, 0, degrees(12));
+    room.add(place, Off);
+    RetrySettings there;
+    there.guessInMap = Begin.inverse() * poseFrom({0.4, 0.0, 0.9}, 0, 0, degrees(5));
+    const auto decision = room.mapper.retry(room.poses().back().scan, there, room.now);
+    ASSERT_TRUE(decision);
+    EXPECT_EQ(decision->poses[0].trust, ScanTrust::Certain) << inWords(decision->poses[0].doubts);
+    EXPECT_LT(distanceBetween(decision->poses[0].scanInMap, Begin.inverse() * place), 0.03);
+    const Pose next = place * poseFrom({0.4, 0, 0}, 0, 0, 0);
+    const MapUpdate update = room.add(next, Off);
+    EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
+    EXPECT_LT(distanceBetween(update.localisation.baseInMap, Begin.inverse() * next), 0.03);
+}
+
+TEST(LiveMapper, AfterARewindTheRobotGoesOnFromWhatIsLeft) {
+    MappedRoom room;
+    room.drive(3);
+    const Time moment = room.now;
+    room.add(poseFrom({-0.2, 0.1, 0.9}, 0, 0, degrees(9)), Off);
+    room.add(poseFrom({0.2, 0.15, 0.9}, 0, 0, degrees(12)), Off);
+    const auto decision = room.mapper.rewind(moment, room.now);
+    ASSERT_TRUE(decision);
+    EXPECT_EQ(decision->poses.size(), 2U);
+    for (const ScanPose& pose : decision->poses) EXPECT_EQ(pose.trust, ScanTrust::SetAside);
+    EXPECT_FALSE(room.mapper.rewind(moment, room.now)) << "nothing is left to set aside";
+    // Driven back to the last scan that counts, with odometry that knows the way from there.
+    const MapUpdate update = room.add(poseFrom({-0.4, 0.1, 0.9}, 0, 0, degrees(6)));
+    EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
+}
+
+TEST(LiveMapper, TheMapComesAgainFromTheLog) {
+    MappedRoom room;
+    room.drive(5);
+    room.add(poseFrom({0.6, 0.2, 0.9}, 0, 0, degrees(15)), Off);
+    room.log.say(room.mapper.reject(2, room.now).value());
+    LiveMapper again = room.log.readAgain();
+    std::vector<ScanPose> poses;
+    for (const LiveKeyScan& scan : again.map()->scans) poses.push_back(scan.pose);
+    EXPECT_TRUE(alike(poses, room.poses()));
+    ASSERT_EQ(again.map()->scans.size(), room.mapper.map()->scans.size());
+    EXPECT_EQ(again.map()->scans[0].scan, room.mapper.map()->scans[0].scan);
+    // It goes on: the next scan gets the next number.
+    EXPECT_TRUE(again.reject(6, room.now));
+    const Pose next = poseFrom({0.55, 0.2, 0.9}, 0, 0, degrees(14));
+    const MapUpdate update = again.add(scanAt(next, 50), room.now);
+    EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
+    EXPECT_LT(distanceBetween(update.localisation.baseInMap, Begin.inverse() * next), 0.03);
+    ASSERT_TRUE(update.keyScan);
+    EXPECT_EQ(update.keyScan->id, 7U);
+}
+
+TEST(LiveMapper, ASecondRobotEntersWhereItIsPlaced) {
+    MappedRoom room;
+    room.drive(4);
+    const auto crawlerAt = [&](const Pose& sensorInRoom) {
+        LiveScan live = scanAt(sensorInRoom, 70);
+        Scan scan = *live.scan;
+        scan.robot = "crawler";
+        scan.sensorInOdom = Pose::Identity();
+        live.scan = std::make_shared<const Scan>(std::move(scan));
+        return live;
+    };
+    const Pose there = poseFrom({-0.9, 0.3, 0.5}, 0, 0, degrees(40));
+    const MapUpdate nowhere = room.add(crawlerAt(there));
+    EXPECT_FALSE(nowhere.keyScan);
+    EXPECT_TRUE(has(nowhere.localisation.doubts, ScanDoubt::Odometry));
+    room.mapper.place("crawler", Begin.inverse() * there * poseFrom({0.3, -0.2, 0}, 0, 0, degrees(8)));
+    const MapUpdate placed = room.add(crawlerAt(there));
+    EXPECT_EQ(placed.localisation.doubts, 0) << inWords(placed.localisation.doubts);
+    EXPECT_LT(distanceBetween(placed.localisation.baseInMap, Begin.inverse() * there), 0.03);
+}
+
+TEST(LiveMapper, AnOpenCorridorLeavesADirectionOpen) {
+    MappedRoom corridor;
+    const auto scan = [](double x, unsigned seed) {
+        RoomSettings settings;
+        settings.sensorInRoom = poseFrom({x, 0, 0.9}, 0, 0, 0);
+        settings.sweep = Sweep::Yawing;
+        settings.rows = 121;
+        settings.columns = 81;
+        settings.length = 60.0;
+        settings.seed = seed;
+        Scan made = scanCorridor(settings).scan;
+        made.robot = "kurt3d";
+        made.sensorInOdom = settings.sensorInRoom;
+        LiveScan live;
+        live.scan = std::make_shared<const Scan>(std::move(made));
+        return live;
+    };
+    corridor.add(scan(0.0, 1));
+    const MapUpdate update = corridor.add(scan(0.5, 2));
+    EXPECT_TRUE(has(update.localisation.doubts, ScanDoubt::Certainty)) << inWords(update.localisation.doubts);
+    EXPECT_NEAR(update.localisation.baseInMap.translation().x(), 0.5, 1e-6) << "odometry knows";
+}
+
+TEST(ScanCleaning, TheRobotsBodyAndWhatIsCroppedAreLeftOut) {
+    Scan scan;
+    scan.points = {{0.1F, 0.0F, -0.1F},   // on the robot
+                   {0.24F, 0.0F, -0.1F},  // within the margin of its front
+                   {0.5F, 0.0F, -0.1F},   // before it
+                   {0.0F, 0.0F, -0.48F},  // the ground below it
+                   {0.0F, 0.0F, 1.0F},    // above it
+                   {3.0F, 0.0F, 0.0F}};   // a spectator
+    const Pose sensorInBase = poseFrom({0, 0, 0.48}, 0, 0, 0);
+    const RobotBody body{{{0.225, 0.165}, {-0.225, 0.165}, {-0.225, -0.165}, {0.225, -0.165}}, 0.65};
+    leaveOutBody(scan, body, sensorInBase);
+    const auto echoes = [&] {
+        std::string text;
+        for (const Eigen::Vector3f& point : scan.points) text += point.allFinite() ? 'x' : '.';
+        return text;
+    };
+    EXPECT_EQ(echoes(), "..xxxx");
+    MapCrop crop;
+    EXPECT_TRUE(crop.open());
+    crop.polygon = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}};
+    crop.ceiling = 0.8;
+    leaveOutCropped(scan, crop, Pose::Identity());
+    EXPECT_EQ(echoes(), "..xx..");
+    leaveOutCropped(scan, crop, poseFrom({1.7, 0, 0}, 0, 0, 0));
+    EXPECT_EQ(echoes(), "...x..");
+}
+
+TEST(LiveMapper, CroppedPointsAreNeitherMatchedNorMapped) {
+    MappedRoom room;
+    MapCrop crop;
+    crop.ceiling = 0.5;
+    crop.polygon = {{-2, -2}, {3, -2}, {3, 2}, {-2, 2}};
+    room.mapper.setCrop(crop);
+    const MapUpdate update = room.add(Begin);
+    for (const Eigen::Vector3f& point : update.keyScan->scan->points) {
+        ASSERT_TRUE(point.z() <= 0.5F && std::abs(point.y()) <= 2.0F);
+    }
+    EXPECT_EQ(update.keyScan->scan->labels.size(), update.keyScan->scan->points.size());
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,92 @@
+#include "tests/core/mapping/live/mapped_room.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace leitstand::test {
+
+LiveScan scanAt(const Pose& sensorInRoom, unsigned seed, const Pose& drift) {
+    RoomSettings room;
+    room.sensorInRoom = sensorInRoom;
+    room.sweep = Sweep::Yawing;
+    room.rows = 121;
+    room.columns = 81;
+    room.seed = seed;
+    Scan scan = scanRoom(room).scan;
+    scan.robot = "kurt3d";
+    scan.end = Time(std::chrono::seconds(1000 + seed));
+    scan.sensorInOdom = sensorInRoom * drift;
+    LiveScan live;
+    live.up = sensorInRoom.linear().transpose() * Eigen::Vector3d::UnitZ();
+    live.levelKnown = true;
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    return live;
+}
+
+std::uint64_t MapLog::say(Sample sample, std::string topic) {
+    if (const auto* keyScan = std::get_if<KeyScanSample>(&sample)) m_keyScans.push_back(*keyScan);
+    Event event;
+    event.sequence = ++m_sequence;
+    event.topic = std::move(topic);
+    event.sample = std::move(sample);
+    m_fold.add(event);
+    return m_sequence;
+}
+
+void MapLog::say(const MapUpdate& update) {
+    if (update.keyScan) say(*update.keyScan, "/leitstand/key_scans");
+    if (update.poses) say(*update.poses);
+}
+
+std::uint64_t MapLog::undo(std::uint64_t sequence, LiveMapper& mapper) {
+    UndoSample undo;
+    undo.event = sequence;
+    const std::uint64_t said = say(undo, "/leitstand/undo");
+    mapper.follow(poses());
+    return said;
+}
+
+std::vector<ScanPose> MapLog::poses() const {
+    std::vector<ScanPose> poses;
+    for (const auto& [id, scan] : *m_fold.state().keyScans) poses.push_back(scan.pose);
+    return poses;
+}
+
+LiveMapper MapLog::readAgain(const LiveSettings& settings) const {
+    LiveMapper mapper("station", settings);
+    for (const KeyScanSample& keyScan : m_keyScans) mapper.restore(keyScan);
+    mapper.follow(poses());
+    return mapper;
+}
+
+MapUpdate MappedRoom::add(const Pose& sensorInRoom, const Pose& drift) {
+    last = sensorInRoom;
+    return add(scanAt(sensorInRoom, seed++, drift));
+}
+
+MapUpdate MappedRoom::add(const LiveScan& scan) {
+    now += std::chrono::seconds(2);
+    const MapUpdate update = mapper.add(scan, now);
+    log.say(update);
+    return update;
+}
+
+void MappedRoom::drive(int scans) {
+    for (int i = 0; i < scans; ++i) add(poseFrom({-1.4 + 0.4 * i, 0.05 * i, 0.9}, 0, 0, degrees(3) * i));
+}
+
+std::vector<ScanPose> MappedRoom::poses() const {
+    std::vector<ScanPose> poses;
+    for (const LiveKeyScan& scan : mapper.map()->scans) poses.push_back(scan.pose);
+    return poses;
+}
+
+bool alike(const std::vector<ScanPose>& a, const std::vector<ScanPose>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ScanPose& one, const ScanPose& other) {
+        return one.scan == other.scan && one.trust == other.trust && one.doubts == other.doubts &&
+               distanceBetween(one.scanInMap, other.scanInMap) < 1e-3 &&
+               angleBetween(one.scanInMap, other.scanInMap) < 1e-3;
+    });
+}
+
+}  // namespace leitstand::test
