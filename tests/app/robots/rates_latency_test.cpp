@@ -11,6 +11,7 @@
 
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/process.h"
+#include "tests/transport/link/link_station.h"
 
 namespace leitstand::test {
 namespace {
@@ -115,6 +116,29 @@ TEST_F(RobotsLatency, BothInRealTimeHoldAllTheirRatesWithinOneCore) {
 #endif
     EXPECT_THAT(m_kurt3dSaid.errors(), testing::IsEmpty());
     EXPECT_THAT(m_crawlerSaid.errors(), testing::IsEmpty());
+}
+
+// Stations judge a link by what comes steadily: nothing may fail while a robot comes into being.
+TEST(RobotLinkLatency, FromTheFirstSecondOnItIsConnected) {
+    const TestDomain domain;
+    const auto node = nodeIn(domain);
+    LinkStation kurt3d(*node, shippedRobot("kurt3d")), crawler(*node, shippedRobot("crawler"));
+    const RobotProcess first(domain, "kurt3d", {"--arena", "yellow", "--seed", "7"}),
+        second(domain, "crawler", {"--arena", "yellow", "--seed", "7"});
+    ASSERT_TRUE(kurt3d.hearsPongs(16) && crawler.hearsPongs(16)) << "some eight seconds";
+    for (const LinkStation* station : {&kurt3d, &crawler}) {
+        const LinkStatus status = station->status();
+        EXPECT_THAT(station->states(), testing::Not(testing::Contains(LinkState::Degraded)))
+            << toString(status.reasons);
+        EXPECT_EQ(status.state, LinkState::Connected);
+        EXPECT_EQ(status.reconnects, 0);
+        for (const StreamStatus& stream : status.streams) {
+            EXPECT_FALSE(stream.stale) << stream.topic;
+        }
+        ASSERT_TRUE(status.clock);
+        std::printf("%s: %.2f Mbit/s, round trip %.1f ms\n", status.robot.c_str(), status.megabitsPerSecond,
+                    status.roundTrip ? 1e3 * status.roundTrip->median : 0.0);
+    }
 }
 
 }  // namespace
