@@ -42,4 +42,10 @@ void NearObstacles::lookThrough(const Eigen::Vector2d& origin, double heading, d
     });
 }
 
+void NearObstacles::forgetMixed(const OwnBodyMask& mask, double within) {
+    std::erase_if(m_all, [&](const One& one) {
+        return one.shot.norm() < within && !one.shot.isZero() && mask.isNear(one.shot, one.at);
+    });
+}
+
 }  // namespace leitstand

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
+#include "core/perception/own_body_mask.h"
 
 namespace leitstand {
 
@@ -16,10 +17,14 @@ public:
         Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< odometry's frame [m]
         double top = 0.0;                                 ///< height of what stands there [m]
         Time at{};
+        Eigen::Vector3d shot =
+            Eigen::Vector3d::Zero();  ///< from the scanner to it then; base_link's axes [m]
     };
     void add(const One& one);
     /// A raw scan from @p origin to @p heading [rad] saw the ground free from @p from to @p to [m] away.
     void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
+    /// What turns out to be mixed with the robot's own edges, which @p mask has learned since.
+    void forgetMixed(const OwnBodyMask& mask, double within);
     [[nodiscard]] const std::vector<One>& all() const { return m_all; }
     void clear() { m_all.clear(); }
 

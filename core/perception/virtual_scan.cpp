@@ -118,7 +118,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
             points.push_back({flat(one.inOdom - scanner).norm(), one.inOdom.z() - base->translation().z(),
                               flat(one.inOdom)});
         }
-        addProfile(std::move(points), flat(scanner), at);
+        addProfile(std::move(points), *base, scanner, at);
     };
 
     if (cloud.organised() && hasUprightRows(cloud, sensorInBase.linear())) {
@@ -128,6 +128,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
             for (std::size_t k = 0; k < columns; ++k) indices[k] = row * columns + k;
             if (indices.back() < cloud.points.size()) addRaw(indices, timeOf(indices.front()));
         }
+        m_near.forgetMixed(m_ownBody, m_settings.mixedWithin);
         return;
     }
     std::vector<std::vector<std::size_t>> raws(m_rays.size());
@@ -140,9 +141,12 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
     for (const auto& indices : raws) {
         if (!indices.empty()) addRaw(indices, timeOf(indices.back()));
     }
+    m_near.forgetMixed(m_ownBody, m_settings.mixedWithin);
 }
 
-void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vector2d& origin, Time at) {
+void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
+                             const Eigen::Vector3d& scanner, Time at) {
+    const Eigen::Vector2d origin = flat(scanner);
     // Which way a raw scan looks is told by its farther points: near the axis directions are noise.
     Eigen::Vector2d towards = Eigen::Vector2d::Zero();
     for (const ProfilePoint& point : points) towards += point.where - origin;
@@ -169,6 +173,12 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Eigen::Vect
         ray.top = contour.innerTop;
     }
     remember(points, ray, origin, heading);
+    if (contour.inner && contour.inner->distance < NearBy) {
+        const double height = base.translation().z() + contour.inner->height - scanner.z();
+        const Eigen::Vector2d away = contour.inner->where - origin;
+        const Eigen::Vector3d shot = base.linear().transpose() * Eigen::Vector3d(away.x(), away.y(), height);
+        m_near.add({*ray.inner, ray.top, at, shot});
+    }
     if (follows) clearBetween(m_before->heading, heading, at);
     put(ray, heading);
     m_before = Before{std::move(points), heading, at};
@@ -183,7 +193,6 @@ void VirtualScan::remember(std::span<const ProfilePoint> points, const Ray& ray,
     }
     const double farthest = ray.inner ? (*ray.inner - origin).norm() - Behind : (ray.far - origin).norm();
     m_near.lookThrough(origin, heading, nearest, farthest, ray.at);
-    if (ray.inner && (*ray.inner - origin).norm() < NearBy) m_near.add({*ray.inner, ray.top, ray.at});
 }
 
 void VirtualScan::put(const Ray& ray, double heading) {

@@ -68,7 +68,8 @@ private:
         double heading = 0.0;  ///< in odom [rad]
         Time at{};
     };
-    void addProfile(std::vector<ProfilePoint> points, const Eigen::Vector2d& origin, Time at);
+    void addProfile(std::vector<ProfilePoint> points, const Pose& base, const Eigen::Vector3d& scanner,
+                    Time at);
     void remember(std::span<const ProfilePoint> points, const Ray& ray, const Eigen::Vector2d& origin,
                   double heading);
     static void addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top);

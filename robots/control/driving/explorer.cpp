@@ -71,6 +71,14 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
     m_emptyPlans = m_way.empty() ? m_emptyPlans + 1 : 0;
 }
 
+bool Explorer::looksAgain(const Pose& baseInOdom, Time now) {
+    if (!m_doubted) {
+        m_doubted = now;
+        m_memory.doubt(baseInOdom.translation().head<2>(), 1.5);
+    }
+    return secondsBetween(*m_doubted, now) < m_settings.lookFirst;
+}
+
 std::optional<Eigen::Vector2d> Explorer::aim(const Pose& baseInOdom) const {
     if (m_way.empty()) return std::nullopt;
     const Eigen::Vector2d here = baseInOdom.translation().head<2>();
@@ -94,6 +102,7 @@ std::optional<DriveVelocity> Explorer::recover(const VirtualScanView& view, cons
     const Eigen::Vector2d here = baseInOdom.translation().head<2>();
     if (!wantsToMove || !m_progressAt || (here - m_progress).norm() > Progress) {
         if (m_progressAt && (here - m_progress).norm() > 3.0 * Progress) m_recoveries = 0;
+        if (m_progressAt && (here - m_progress).norm() > Progress) m_doubted.reset();
         m_progress = here;
         m_progressAt = now;
         return std::nullopt;
@@ -144,6 +153,10 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
     }
     plan(baseInOdom, now);
     step.way = m_way;
+    if (m_emptyPlans >= EmptyPlans && looksAgain(baseInOdom, now)) {
+        step.reason = "finds no way: looks again";
+        return step;
+    }
     if (m_emptyPlans >= EmptyPlans) {
         step.done = !m_goal;
         step.failed = m_goal.has_value();

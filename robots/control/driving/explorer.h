@@ -57,6 +57,7 @@ private:
     [[nodiscard]] std::optional<DriveVelocity> recover(const VirtualScanView& view, const Pose& baseInOdom,
                                                        Time now, bool wantsToMove);
     void plan(const Pose& baseInOdom, Time now);
+    [[nodiscard]] bool looksAgain(const Pose& baseInOdom, Time now);
     [[nodiscard]] std::optional<Eigen::Vector2d> aim(const Pose& baseInOdom) const;
 
     FuzzyDrive m_drive;
@@ -67,6 +68,7 @@ private:
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
     Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
     int m_emptyPlans = 0;
+    std::optional<Time> m_doubted;  ///< found no way, and looks again since
     int m_recoveries = 0;
     DriveVelocity m_recovery;
 };

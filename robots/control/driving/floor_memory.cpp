@@ -10,6 +10,7 @@ namespace {
 constexpr std::int64_t Half = std::int64_t{1} << 30U;
 constexpr int HitEvidence = 3, MostEvidence = 6, LeastEvidence = -3;
 constexpr std::size_t MostCells = 400'000;  // some 9000 m2
+constexpr double Beside = 0.8;              // of the robot: its body hides the ground [m]
 constexpr double Escape = 0.6;              // so far it may drive out of where obstacles are too near [m]
 
 std::int64_t keyAt(std::int64_t x, std::int64_t y) {
@@ -79,7 +80,8 @@ void FloorMemory::addEvidence(Key key, int evidence) {
     }
 }
 
-void FloorMemory::seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+void FloorMemory::seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                           const std::unordered_set<Key>& held) {
     const double length = (to - from).norm();
     std::optional<Key> last;
     for (double along = 0.0; along <= length; along += 0.5 * m_settings.cell) {
@@ -87,7 +89,7 @@ void FloorMemory::seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& t
         if (last == key) continue;
         last = key;
         m_cells[key].seen = true;
-        if (along > m_settings.blind || along == 0.0) addEvidence(key, -1);
+        if (!held.contains(key)) addEvidence(key, -1);
     }
 }
 
@@ -96,6 +98,11 @@ void FloorMemory::see(const VirtualScanView& view, const Pose& baseInOdom) {
     if (!here.allFinite() || m_cells.size() > MostCells) return;
     const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
     const Eigen::Rotation2Dd turn(std::atan2(ahead.y(), ahead.x()));
+    // What the scan still holds for an obstacle beside the wheels, where nobody can look, stays.
+    std::unordered_set<Key> held;
+    for (const VirtualObstacle& one : view.obstacles) {
+        if (one.where.norm() < Beside) held.insert(keyOf(here + turn * one.where));
+    }
     for (std::size_t i = 0; i < view.sectors.size(); ++i) {
         const VirtualSector& sector = view.sectors[i];
         if (sector.age > m_settings.maxAge) continue;
@@ -104,7 +111,7 @@ void FloorMemory::see(const VirtualScanView& view, const Pose& baseInOdom) {
         if (sector.inner) length = std::min(length, sector.inner->norm() - m_settings.cell);
         if (length <= 0.0) continue;
         const Eigen::Vector2d along(std::cos(direction), std::sin(direction));
-        seeAlong(here, here + turn * (length * along));
+        seeAlong(here, here + turn * (length * along), held);
     }
     for (const VirtualObstacle& one : view.obstacles) {
         if (one.age <= m_settings.maxAge && one.where.norm() < m_settings.sight + 1.0)
@@ -132,6 +139,14 @@ std::vector<FloorMemory::Key> FloorMemory::around(const Eigen::Vector2d& place, 
 
 void FloorMemory::giveUp(const Eigen::Vector2d& place, double radius) {
     for (const Key key : around(place, radius)) m_cells[key].givenUp = true;
+}
+
+void FloorMemory::doubt(const Eigen::Vector2d& place, double radius) {
+    for (auto& [key, cell] : m_cells) cell.givenUp = false;
+    for (const Key key : around(place, radius)) {
+        const Cell* cell = find(key);
+        if (cell != nullptr && cell->evidence > 0) addEvidence(key, LeastEvidence - MostEvidence);
+    }
 }
 
 void FloorMemory::shun(const Eigen::Vector2d& place, double radius) {

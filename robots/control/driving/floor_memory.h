@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,7 +19,6 @@ struct FloorMemorySettings {
     double sight = 3.0;       ///< floor is remembered as seen up to there [m]
     double clearance = 0.25;  ///< from obstacles, that the robot's middle needs: half its width at least [m]
     double comfort = 0.40;    ///< from obstacles, that it keeps where there is space [m]
-    double blind = 0.6;       ///< nearer, the robot hides the ground: what was seen there stays [m]
     double maxAge = 0.5;      ///< of sectors that are entered: they were seen from about here [s]
 };
 
@@ -33,6 +33,8 @@ public:
     void giveUp(const Eigen::Vector2d& place, double radius);
     /// Ways keep off the ground about @p place, where there is another; in odom [m].
     void shun(const Eigen::Vector2d& place, double radius);
+    /// Obstacles about @p place are looked for anew, and what was given up anywhere is tried again.
+    void doubt(const Eigen::Vector2d& place, double radius);
     void clear();
 
     /// The way from @p from over seen floor to the nearest border of the unseen; in odom [m]. Empty: none.
@@ -65,7 +67,8 @@ private:
     [[nodiscard]] std::vector<Key> around(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] static double weightOf(const Cell* cell, bool tight);
     void addEvidence(Key key, int evidence);
-    void seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                  const std::unordered_set<Key>& held);
     [[nodiscard]] bool isBorder(Key key) const;
     /// Dijkstra's cheapest way from @p from to the first cell that is a @p goal; over the unseen as well,
     /// when

@@ -13,6 +13,8 @@ namespace {
 constexpr double Pi = std::numbers::pi;
 constexpr double InSight = 0.5;   // cues so young show it now [s]
 constexpr double Deepest = 0.4;   // of a victim, before and behind what is seen in its middle [m]
+constexpr double Beside = 0.12;   // of the heat: walls go on there [rad]
+constexpr double Blurred = 0.15;  // heights of heat are as sure as that [m]
 constexpr double Farthest = 9.0;  // surfaces beyond are not those of a victim that was seen [m]
 
 double secondsBetween(Time from, Time to) {
@@ -147,31 +149,49 @@ std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue,
     const double band = 0.5 * cue.width + m_settings.bandMargin;
     struct Seen {
         Target target;
-        double off, range;
+        double off, range;  ///< off: left positive [rad]
+        bool lies;          ///< low, and the heat is at its height
     };
     std::vector<Seen> seen;
     for (const VirtualObstacle& one : view.obstacles) {
         const Eigen::Vector2d away = one.where - origin;
         const double off = std::atan2(towards.x() * away.y() - towards.y() * away.x(), towards.dot(away));
-        if (std::abs(off) > band || away.norm() > Farthest) continue;
+        if (std::abs(off) > band + Beside || away.norm() > Farthest) continue;
         const double distance = fromFront(m_drive.settings().safety.body, one.where);
-        seen.push_back({{one.where, distance, one.age, one.top}, std::abs(off), away.norm()});
+        const double height = heightAt(cue, flat(baseInOdom) * one.where, baseInOdom);
+        const bool lies = one.top <= m_settings.lying && height > -Blurred && height < one.top + Blurred;
+        seen.push_back({{one.where, distance, one.age, one.top}, off, away.norm(), lies});
     }
     if (seen.empty()) return std::nullopt;
+    // Past the edge of a wall: the heat is on what lies behind.
+    const auto inBand = [band](const Seen& one) { return std::abs(one.off) <= band; };
+    const auto lying =
+        std::count_if(seen.begin(), seen.end(), [&](const Seen& one) { return one.lies && inBand(one); });
+    if (lying > 1) std::erase_if(seen, [](const Seen& one) { return !one.lies; });
     // What the middle of the heat is on; what else is in the band may stand before or behind it.
     const double range = std::min_element(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
-                             return a.off < b.off;
+                             return std::abs(a.off) < std::abs(b.off);
                          })->range;
     std::vector<Target> found;
+    bool left = false, right = false, beyond = false;
     for (const Seen& one : seen) {
-        if (std::abs(one.range - range) < Deepest) found.push_back(one.target);
+        if (std::abs(one.range - range) > Deepest) continue;
+        if (!inBand(one)) {
+            beyond = true;
+            continue;
+        }
+        found.push_back(one.target);
+        left = left || one.off >= 0.0;
+        right = right || one.off <= 0.0;
     }
+    if (found.empty()) return std::nullopt;
     found = wholeVictim(std::move(found), view);
     std::sort(found.begin(), found.end(),
               [](const Target& a, const Target& b) { return a.distance < b.distance; });
     // The second nearest of one surface: a single point is too near by its noise.
     const bool second = found.size() > 3 && found[1].distance < found[0].distance + 0.05;
     Target nearest = found[second ? 1 : 0];
+    nearest.certain = (left && right) || !beyond;
     for (const Target& one : found) {
         if (one.distance < nearest.distance + 0.15) nearest.age = std::max(nearest.age, one.age);
     }
@@ -180,7 +200,7 @@ std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue,
 
 bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const {
     const auto surface = target(cue, view, baseInOdom);
-    if (!surface) return false;
+    if (!surface || !surface->certain) return false;
     const Eigen::Vector2d place = flat(baseInOdom) * surface->inBase;
     if (heightAt(cue, place, baseInOdom) > m_settings.highest) return false;
     return !isKnown(place) && std::none_of(m_givenUp.begin(), m_givenUp.end(), [&](const auto& other) {

@@ -86,6 +86,7 @@ private:
         double distance = 0.0;                             ///< from the body's front [m]
         double age = 0.0;                                  ///< of the measurement [s]
         double top = 0.0;                                  ///< height of what stands there [m]
+        bool certain = false;                              ///< the heat does not pass by its edge
     };
     void take(const HeatCue& cue);
     /// How high the heat is where it meets the vertical through @p place in odom; over the robot's ground

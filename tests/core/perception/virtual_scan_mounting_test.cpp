@@ -125,8 +125,8 @@ TEST(VirtualScan, WhatTheRobotHidesBesideItselfIsNotForgotten) {
 
 TEST(NearObstacles, StayUntilTheyAreLookedThroughOrOld) {
     NearObstacles near;
-    near.add({{1.0, 0.0}, 0.2, atSecond(1.0)});
-    near.add({{1.01, 0.0}, 0.3, atSecond(2.0)});
+    near.add({{1.0, 0.0}, 0.2, atSecond(1.0), {}});
+    near.add({{1.01, 0.0}, 0.3, atSecond(2.0), {}});
     ASSERT_EQ(near.all().size(), 1U) << "the same";
     EXPECT_DOUBLE_EQ(near.all()[0].top, 0.3);
     const Eigen::Vector2d here(0.0, 0.0);
@@ -137,9 +137,15 @@ TEST(NearObstacles, StayUntilTheyAreLookedThroughOrOld) {
     EXPECT_EQ(near.all().size(), 1U) << "beside, behind, hidden, not as far";
     near.lookThrough(here, 0.0, 0.3, 3.0, atSecond(3.0));
     EXPECT_TRUE(near.all().empty());
-    near.add({{0.4, 0.4}, 0.2, atSecond(4.0)});
+    near.add({{0.4, 0.4}, 0.2, atSecond(4.0), {}});
     near.lookThrough(here, degrees(180), 0.3, 3.0, atSecond(35.0));
     EXPECT_TRUE(near.all().empty());
+    OwnBodyMask mask;
+    mask.add({0.2, 0.0, -0.15}, atSecond(36.0));
+    near.add({{0.3, 0.0}, 0.2, atSecond(36.0), {0.3, 0.0, -0.225}});
+    near.add({{0.3, 0.2}, 0.2, atSecond(36.0), {0.3, 0.2, -0.225}});
+    near.forgetMixed(mask, 1.0);
+    EXPECT_EQ(near.all().size(), 1U) << "one was beside the robot's own edge";
 }
 
 /// A sweep of a scanner whose plane is tilted about y: rows of half a degree, points of 1 degree to the
