@@ -227,6 +227,7 @@ ModeDecision ModeMachine::decide(Time now) const {
     decision.mode = m_mode;
     decision.reason = m_reason;
     decision.linkLost = m_link != Link::Good;
+    decision.heardNow = m_heard && now - *m_heard < std::chrono::milliseconds(200);
     decision.waitsForNeutral = isManual(m_mode) && !m_neutral;
     switch (m_mode) {
         case DriveMode::Stopped:

@@ -71,6 +71,7 @@ struct ModeDecision {
     std::string reason;      ///< why it is so, in words
     bool changed = false;    ///< mode or reason are new: to be published
     bool linkLost = false;
+    bool heardNow = false;         ///< of the station, in the last 0.2 s
     bool waitsForNeutral = false;  ///< the sticks have to be let go of first
 };
 

@@ -167,7 +167,8 @@ void Kurt3dAgent::lookForHeat(Driver driver, Time now) {
 DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, Time now) {
     const auto here = m_odometry.at(now);
     if (!here) return {};
-    m_trail.moved(*here, !decision.linkLost, decision.driver == Driver::Returner);
+    // The link was good where the station was heard last, not where its silence was found too long.
+    m_trail.moved(*here, decision.heardNow, decision.driver == Driver::Returner);
     switch (decision.driver) {
         case Driver::Explorer:
             return explore(m_goal, now);
