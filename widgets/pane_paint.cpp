@@ -20,7 +20,7 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
     painter.save();
     const int height = paneHeadHeight(painter.font());
     QColor veil = colours.window;
-    veil.setAlpha(190);
+    veil.setAlpha(225);
     painter.fillRect(QRect(pane.left(), pane.top(), pane.width(), height), veil);
     painter.fillRect(QRect(pane.left(), pane.top(), Edge, pane.height()), colours.robot(head.face.place));
 

@@ -121,8 +121,7 @@ void paintRing(QPainter& painter, const QRectF& picture, const std::vector<Proxi
         painter.save();
         painter.setFont(sized(painter.font(), loud ? 17 : 13, true));
         paintRimmedText(painter, box, Qt::AlignCenter,
-                        OverlayTexts::tr("%1 m").arg(numberText(part.distance, 2)),
-                        loud ? QColor(Qt::white) : QColor(255, 255, 255, 190));
+                        OverlayTexts::tr("%1 m").arg(numberText(part.distance, 2)), Qt::white);
         painter.restore();
     }
 }
@@ -178,8 +177,8 @@ void paintPan(QPainter& painter, const QRectF& picture, const CameraOverlay& ove
 
 void paintRimmedText(QPainter& painter, const QRectF& box, int flags, const QString& text,
                      const QColor& colour) {
-    painter.setPen(Rim);
-    for (const QPointF& step : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1), QPointF(1, 1)})
+    painter.setPen(QColor(0, 0, 0, 190));
+    for (const QPointF& step : {QPointF(-1, -1), QPointF(1, -1), QPointF(-1, 1), QPointF(1, 1)})
         painter.drawText(box.translated(step), flags, text);
     painter.setPen(colour);
     painter.drawText(box, flags, text);

@@ -90,10 +90,11 @@ void CameraPane::paintPicture(QPainter& painter, Freshness freshness) {
     painter.restore();
 }
 
-void CameraPane::paintThermal(QPainter& painter) const {
+void CameraPane::paintThermal(QPainter& painter, bool live) const {
     const QRectF area = pictureArea();
     const QRectF open = area.adjusted(0, std::max(0.0, paneHeadHeight(font()) - area.top()), 0, 0);
     paintHeat(painter, area, *m_thermal, m_heat);
+    if (!live) return;  // what is grey has no temperatures
     paintThermalScale(painter, open, m_thermalRange, m_palette);
     if (!m_pointer) return;
     const QPointF at = inPicture(*m_pointer);
@@ -104,11 +105,12 @@ void CameraPane::paintThermal(QPainter& painter) const {
 void CameraPane::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const ThemeColours& colours = coloursOf(presentTheme());
-    painter.fillRect(rect(), colours.pane);
+    // Dark in every theme: what is drawn over pictures is made for that.
+    painter.fillRect(rect(), coloursOf(Theme::Dark).pane);
     const Freshness freshness = freshnessOf(m_head.age, m_head.limits);
     paintPicture(painter, freshness);
     const bool seen = freshness == Freshness::Live || freshness == Freshness::Stale;
-    if (seen && m_thermal) paintThermal(painter);
+    if (seen && m_thermal) paintThermal(painter, freshness == Freshness::Live);
     // The mode, the horizon and what is near have ages of their own: they stay when pictures do not come.
     const QRectF area = m_picture.isNull() ? QRectF(rect()) : pictureArea();
     paintCameraOverlay(painter, area, paneHeadHeight(font()), m_overlay);

@@ -64,7 +64,7 @@ protected:
 
 private:
     void paintPicture(QPainter& painter, Freshness freshness);
-    void paintThermal(QPainter& painter) const;
+    void paintThermal(QPainter& painter, bool live) const;
     [[nodiscard]] QPointF inPicture(const QPointF& pixel) const;  ///< 0 to 1
 
     PaneHead m_head;

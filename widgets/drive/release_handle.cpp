@@ -9,7 +9,8 @@
 namespace leitstand {
 namespace {
 
-constexpr int Tick = 30;  ///< [ms]
+constexpr int Tick = 30;    ///< [ms]
+constexpr int Height = 20;  ///< [px]
 
 bool holdsBy(const QKeyEvent& event) {
     return event.key() == Qt::Key_Space || event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
@@ -44,14 +45,14 @@ QString ReleaseHandle::text() const {
 
 QSize ReleaseHandle::sizeHint() const {
     const QFontMetrics metrics(sized(font(), 12, true));
-    return {metrics.horizontalAdvance(m_line.face.letter + text()) + 34, 22};
+    return {metrics.horizontalAdvance(m_line.face.letter + text()) + 34, Height};
 }
 
 QSize ReleaseHandle::minimumSizeHint() const {
     const QFontMetrics metrics(sized(font(), 12, true));
     return {
         metrics.horizontalAdvance(m_line.face.letter + m_line.text.section(QStringLiteral(" · "), 0, 0)) + 34,
-        22};
+        Height};
 }
 
 void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {

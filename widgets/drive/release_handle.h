@@ -17,6 +17,7 @@ public:
 
     void show(const StopLine& line);
     using QWidget::show;
+    [[nodiscard]] bool isHeld() const { return m_hold.isHeld(); }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

@@ -19,7 +19,7 @@ public:
         // A click on it never takes the keys from driving.
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
-        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
     }
     [[nodiscard]] QSize sizeHint() const override {
         const int text = QFontMetrics(sized(font(), 14, true)).horizontalAdvance(this->text());
@@ -65,11 +65,12 @@ StopButton::StopButton(QWidget* parent) : QWidget(parent), m_handles(new QGridLa
         tr("Stops all robots and holds them until each is released (Esc, always and everywhere).\n"
            "A function of this program, no certified emergency stop."));
     connect(button, &QAbstractButton::pressed, this, &StopButton::stopRequested);
-    m_handles->setSpacing(3);
+    m_handles->setSpacing(2);
     m_handles->setContentsMargins(0, 0, 0, 0);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    setFixedHeight(42);  // two handles: the window shall not move when a stop comes
     layout->addLayout(m_handles);
     layout->addWidget(button);
 }

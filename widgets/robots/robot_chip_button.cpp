@@ -92,7 +92,7 @@ void RobotChipButton::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(sized(font(), 13));
     const auto fits = [this](const QString& text) { return widthFor(text) <= width(); };
     const auto text = std::find_if(m_chip.texts.begin(), m_chip.texts.end(), fits);
-    painter.setPen(m_chip.tone == Tone::Normal ? colours.muted : toneColour(m_chip.tone, colours));
+    painter.setPen(toneColour(m_chip.tone, colours));
     const QRectF room(x, 0, width() - x - 4, height());
     const QString shown = text != m_chip.texts.end() ? *text
                           : m_chip.texts.isEmpty()   ? QString()

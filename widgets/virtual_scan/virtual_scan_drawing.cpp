@@ -30,6 +30,14 @@ bool isOneWall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return (a - b).norm() < 0.25 + 0.12 * std::min(a.norm(), b.norm());
 }
 
+QString nearestText(const Proximity& nearest) {
+    return DrawingTexts::tr("%1 m").arg(numberText(nearest.distance, 2));
+}
+
+QFont nearestFont(const QPainter& painter) {
+    return sized(painter.font(), 14, true);
+}
+
 double ringStep(double range) {
     return range <= 2.5 ? 0.5 : range <= 4.0 ? 1.0 : range <= 10.0 ? 2.0 : 5.0;
 }
@@ -50,7 +58,7 @@ QColor VirtualScanDrawing::ink(QColor colour, double alpha) const {
     return colour;
 }
 
-void VirtualScanDrawing::rings(const QRectF& area, double range) const {
+void VirtualScanDrawing::rings(const QRectF& area, double range, const QRectF& taken) const {
     const double step = ringStep(range);
     const QFontMetricsF metrics(m_painter.font());
     for (int i = 1; i <= 12; ++i) {
@@ -63,7 +71,7 @@ void VirtualScanDrawing::rings(const QRectF& area, double range) const {
         // to the upper right, off the way ahead
         const QPointF at = m_origin + radius * QPointF(std::sin(0.6), -std::cos(0.6));
         const QRectF box(at.x() - 20, at.y() - 0.5 * metrics.height(), 40, metrics.height());
-        if (!area.contains(box)) continue;
+        if (!area.contains(box) || box.intersects(taken)) continue;
         m_painter.setPen(ink(m_colours.muted, 0.85));
         m_painter.drawText(box, Qt::AlignCenter, text);
     }
@@ -166,30 +174,35 @@ void VirtualScanDrawing::robot(const std::vector<Eigen::Vector2d>& footprint, co
     m_painter.drawPolygon(arrow);
 }
 
-void VirtualScanDrawing::nearest(const Proximity& nearest, const QRectF& area) const {
-    if (!nearest.where) return;
-    const QString text = DrawingTexts::tr("%1 m").arg(numberText(nearest.distance, 2));
-    const QColor colour = nearest.nearness == Nearness::Touching ? m_colours.act
-                          : nearest.nearness == Nearness::Near   ? m_colours.attention
-                                                                 : m_colours.text;
+QRectF VirtualScanDrawing::nearestBox(const Proximity& nearest, const QRectF& area) const {
+    if (!nearest.where) return {};
+    const QFontMetricsF metrics(nearestFont(m_painter));
     const QPointF at = pixelOf(*nearest.where);
-    m_painter.save();
-    m_painter.setPen(QPen(ink(colour), 1.5));
-    m_painter.setBrush(Qt::NoBrush);
-    if (area.contains(at)) m_painter.drawEllipse(at, 6.0, 6.0);
-    m_painter.setFont(sized(m_painter.font(), 14, true));
-    const QFontMetricsF metrics(m_painter.font());
-    QRectF box(0, 0, metrics.horizontalAdvance(text) + 8.0, metrics.height() + 2.0);
+    QRectF box(0, 0, metrics.horizontalAdvance(nearestText(nearest)) + 8.0, metrics.height() + 2.0);
     // Beside the point, away from the robot, and always within sight.
     box.moveCenter(at);
     box.moveLeft(at.x() >= m_origin.x() ? at.x() + 10.0 : at.x() - 10.0 - box.width());
     box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
     box.moveTop(std::clamp(box.top(), area.top(), area.bottom() - box.height()));
+    return box;
+}
+
+void VirtualScanDrawing::nearest(const Proximity& nearest, const QRectF& area) const {
+    if (!nearest.where) return;
+    const QColor colour = nearest.nearness == Nearness::Touching ? m_colours.act
+                          : nearest.nearness == Nearness::Near   ? m_colours.attention
+                                                                 : m_colours.text;
+    const QRectF box = nearestBox(nearest, area);
+    m_painter.save();
+    m_painter.setPen(QPen(ink(colour), 1.5));
+    m_painter.setBrush(Qt::NoBrush);
+    if (const QPointF at = pixelOf(*nearest.where); area.contains(at)) m_painter.drawEllipse(at, 6.0, 6.0);
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(ink(m_colours.pane, 0.8));
     m_painter.drawRoundedRect(box, 3, 3);
+    m_painter.setFont(nearestFont(m_painter));
     m_painter.setPen(ink(colour));
-    m_painter.drawText(box, Qt::AlignCenter, text);
+    m_painter.drawText(box, Qt::AlignCenter, nearestText(nearest));
     m_painter.restore();
 }
 

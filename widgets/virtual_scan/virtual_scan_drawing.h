@@ -20,12 +20,14 @@ public:
     VirtualScanDrawing(QPainter& painter, const ThemeColours& colours, const QPointF& origin, double scale,
                        bool grey);
 
-    void rings(const QRectF& area, double range) const;  ///< with their metres
+    /// With their metres, but none in @p taken.
+    void rings(const QRectF& area, double range, const QRectF& taken) const;
     void surroundings(const VirtualScanView& view) const;
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
     void nearest(const Proximity& nearest, const QRectF& area) const;  ///< its distance in figures
 
+    [[nodiscard]] QRectF nearestBox(const Proximity& nearest, const QRectF& area) const;  ///< of its figures
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
 
 private:

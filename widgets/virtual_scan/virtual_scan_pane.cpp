@@ -47,6 +47,11 @@ void VirtualScanPane::show(const std::optional<VirtualScanView>& view, const Dri
     m_view = view;
     m_commanded = commanded;
     m_head.age = {.arrival = age};
+    const auto ring = view ? proximityRing(*view, m_body, commanded) : std::vector<Proximity>{};
+    const Proximity* nearest = nearestOf(ring);
+    setAccessibleDescription(nearest == nullptr
+                                 ? ageText(m_head.age)
+                                 : tr("nearest obstacle %1 m").arg(numberText(nearest->distance, 2)));
     update();
 }
 
@@ -75,18 +80,16 @@ void VirtualScanPane::paintEvent(QPaintEvent* /*event*/) {
     painter.setClipRect(area.adjusted(0, 0, 4, 4));
     const QFont body = painter.font();
     painter.setFont(sized(body, 11));
-    if (m_view && freshness != Freshness::Never) drawing.surroundings(*m_view);
-    drawing.rings(area, m_range);
-    if (freshness == Freshness::Live && m_view)
+    const bool seen = m_view && freshness != Freshness::Never;
+    std::vector<Proximity> ring;
+    if (seen && freshness != Freshness::Lost) ring = proximityRing(*m_view, m_body, m_commanded);
+    const Proximity* nearest = nearestOf(ring);
+    if (seen) drawing.surroundings(*m_view);
+    drawing.rings(area, m_range, nearest != nullptr ? drawing.nearestBox(*nearest, area) : QRectF());
+    if (seen && freshness == Freshness::Live)
         drawing.path(predictedPath(m_body, m_commanded, Lookahead, &*m_view));
     drawing.robot(m_footprint, m_body);
-    if (m_view && freshness != Freshness::Never && freshness != Freshness::Lost) {
-        const auto ring = proximityRing(*m_view, m_body, m_commanded);
-        if (const Proximity* nearest = nearestOf(ring)) {
-            drawing.nearest(*nearest, area);
-            setAccessibleDescription(tr("nearest obstacle %1 m").arg(numberText(nearest->distance, 2)));
-        }
-    }
+    if (nearest != nullptr) drawing.nearest(*nearest, area);
     painter.setClipping(false);
     painter.setFont(body);
     paintLoss(painter, rect(), m_head, colours);

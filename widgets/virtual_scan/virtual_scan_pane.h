@@ -24,7 +24,7 @@ public:
     void show(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded, double age);
     using QWidget::show;
 
-    static constexpr double NearestRange = 1.5, FarthestRange = 20.0, UsualRange = 6.0;  ///< [m]
+    static constexpr double NearestRange = 1.5, FarthestRange = 20.0, UsualRange = 4.0;  ///< [m]
     [[nodiscard]] double range() const { return m_range; }  ///< as far as is seen ahead [m]
     void setRange(double metres);                           ///< within the bounds
 

@@ -28,8 +28,12 @@ bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
 
 /// What has to be known before the robot moves, the most pressing first.
 std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, const StopLine& stop) {
-    if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen)
-        return {mode.reason, Tone::Attention};
+    if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen) {
+        const QString said = stop.stage == StopStage::None
+                                 ? mode.reason
+                                 : DriveTexts::tr("stop %1 · %2").arg(stop.text, mode.reason);
+        return {said, mode.kind == ModeKind::Lost ? Tone::Attention : Tone::Muted};
+    }
     if (stop.stage != StopStage::None) {
         if (!stop.details.isEmpty()) return {stop.text + QStringLiteral(" · ") + stop.details, stop.tone};
         if (stop.stage == StopStage::Standing && stop.releasable)

@@ -35,7 +35,7 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
     chip.link = robot.link.state;
     const ModeLabel label = modeLabelOf(robot, said.mode);
     chip.mode = label.kind;
-    chip.tone = toneOf(robot.link);
+    chip.tone = chip.link == LinkState::Lost ? Tone::Attention : Tone::Muted;
     const QString mode = label.text.toLower(), battery = batteryOf(said);
     const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
     QString trip = talks ? roundTripText(robot.link) : QString();

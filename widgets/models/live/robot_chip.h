@@ -15,7 +15,7 @@ struct RobotChip {
     RobotFace face;
     LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
     ModeKind mode = ModeKind::Stopped;
-    Tone tone = Tone::Normal;
+    Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark tells of what is less
     /// What is told of it, the longest first; each leaves out something more. Mode and battery are in all.
     QStringList texts;
     QString details;  ///< every word of it, for tooltips and screen readers

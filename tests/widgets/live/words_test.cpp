@@ -1,0 +1,239 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <QLocale>
+
+#include "core/base/pose.h"
+#include "tests/widgets/live/sample_robot.h"
+#include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/link_text.h"
+#include "widgets/models/live/robot_chip.h"
+#include "widgets/models/live/stop_line.h"
+
+namespace leitstand {
+namespace {
+
+using test::at;
+using test::SampleRobot;
+using test::sampleRobot;
+using test::setMode;
+using test::setStop;
+using testing::HasSubstr;
+using Choice = GrantFigures::Choice;
+
+DriveState stateOf(const SampleRobot& robot, double now = 0.0) {
+    return driveStateOf(robot.face, robot.description, robot.view, robot.said, robot.gas, at(now));
+}
+ModeLabel labelOf(const SampleRobot& robot) {
+    return modeLabelOf(robot.view, robot.said.mode);
+}
+
+class LiveWords : public testing::Test {
+protected:
+    void SetUp() override { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
+    SampleRobot robot = sampleRobot();
+};
+
+TEST_F(LiveWords, AModeHasItsKind) {
+    EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Teleoperation, "TELEOPERATION", {}}));
+    setMode(robot, "victim_approach", true, "body heat in sight");
+    EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Autonomous, "VICTIM APPROACH", "body heat in sight"}));
+    setMode(robot, "stopped");
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
+    setMode(robot, "wall_following", true);
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "WALL FOLLOWING");
+    robot.said.mode.reset();
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Teleoperation);
+    robot.view.drive.driving = false;
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
+}
+
+TEST_F(LiveWords, ALostLinkComesBeforeAStopAndAStopBeforeTheMode) {
+    setStop(robot, true, true);
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Stop);
+    robot.view.link.state = LinkState::Lost;
+    robot.view.link.silence = 4.2;
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Lost);
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("stop standing"));
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("silent for 4.2 s"));
+    EXPECT_EQ(stateOf(robot).nearest.value, QString(QChar(0x2013))) << "nothing is near that is not known";
+    robot.view.link.state = LinkState::NeverSeen;
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
+}
+
+TEST_F(LiveWords, AStopGoesFromSentToStanding) {
+    const auto line = [this] { return stopLineOf(robot.face, robot.view); };
+    EXPECT_EQ(line().stage, StopStage::None);
+    setStop(robot, false, false);
+    EXPECT_EQ(line().stage, StopStage::Sent);
+    EXPECT_FALSE(line().releasable);
+    robot.view.stop.unanswered = std::chrono::milliseconds(1500);
+    EXPECT_THAT(line().text.toStdString(), HasSubstr("no answer for 1.5 s"));
+    EXPECT_EQ(line().tone, Tone::Act);
+    robot.view.stop.unanswered = {};
+    setStop(robot, true, false);
+    EXPECT_EQ(line().stage, StopStage::Acknowledged);
+    EXPECT_EQ(line().text.toStdString(), "acknowledged · moves");
+    robot.view.stop.standingKnown = false;
+    EXPECT_EQ(line().text.toStdString(), "acknowledged · motion unknown");
+    setStop(robot, true, true);
+    EXPECT_EQ(line().stage, StopStage::Standing);
+    EXPECT_EQ(line().tone, Tone::Normal);
+    EXPECT_TRUE(line().releasable);
+    robot.view.stop.releasing = true;
+    EXPECT_EQ(line().stage, StopStage::Releasing);
+    EXPECT_FALSE(line().releasable);
+}
+
+TEST_F(LiveWords, OnlyTheHolderReleasesAndIsToldWhyNot) {
+    setStop(robot, true, true);
+    robot.view.grant.mine = false;
+    EXPECT_FALSE(stopLineOf(robot.face, robot.view).releasable);
+    EXPECT_THAT(stopLineOf(robot.face, robot.view).details.toStdString(), HasSubstr("grant"));
+    robot.view.grant.mine = true;
+    robot.view.stop.sent = robot.view.stop.acknowledged = false;
+    robot.view.stop.stoppedBy = "other";
+    EXPECT_TRUE(stopLineOf(robot.face, robot.view).releasable);
+    EXPECT_THAT(stopLineOf(robot.face, robot.view).details.toStdString(), HasSubstr("another station"));
+    robot.view.stop.refused = "not the holder";
+    EXPECT_THAT(stopLineOf(robot.face, robot.view).details.toStdString(), HasSubstr("not the holder"));
+    robot.view.stop = {};
+    robot.view.stop.supported = false;
+    robot.view.stop.sent = true;
+    EXPECT_EQ(stopLineOf(robot.face, robot.view).text.toStdString(), "held by zeros");
+    EXPECT_TRUE(stopLineOf(robot.face, robot.view).releasable);
+}
+
+TEST_F(LiveWords, TheHintSaysWhatKeepsItFromMoving) {
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "you drive");
+    robot.view.drive.needsNeutral = true;
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "sticks must be neutral first");
+    EXPECT_EQ(stateOf(robot).hintTone, Tone::Attention);
+    robot.view.drive.focus = false;
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("not on this robot"));
+    robot.view.drive.listening = false;
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("does not hear"));
+    robot.view.drive.drivable = false;
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "takes no drive commands");
+    EXPECT_EQ(stateOf(robot).grant.choice, Choice::None);
+}
+
+TEST_F(LiveWords, AGrantIsAskedForGivenUpAndAnswered) {
+    GrantView grant;
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "nobody has the grant");
+    grant.mine = true;
+    EXPECT_EQ(grantFiguresOf(grant).choice, Choice::GiveUp);
+    grant.requestedBy = "b";
+    grant.requestedByTitle = "Van";
+    EXPECT_EQ(grantFiguresOf(grant).choice, Choice::Answer);
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "Van asks to drive");
+    grant = {};
+    grant.holder = "b";
+    grant.holderTitle = "Van";
+    EXPECT_EQ(grantFiguresOf(grant).choice, Choice::Ask);
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "Van drives");
+    grant.silent = true;
+    EXPECT_THAT(grantFiguresOf(grant).text.toStdString(), HasSubstr("silent"));
+    grant.lostTo = "b";
+    EXPECT_EQ(grantFiguresOf(grant).tone, Tone::Attention);
+    grant.asked = true;
+    EXPECT_EQ(grantFiguresOf(grant).choice, Choice::Asked);
+    grant.refusedBy = "b";
+    EXPECT_EQ(grantFiguresOf(grant).choice, Choice::Ask);
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "Van keeps it");
+}
+
+TEST_F(LiveWords, FiguresAreMutedOrGoneWhenTheyAreOld) {
+    EXPECT_EQ(stateOf(robot).speed.value.toStdString(), "0.42");
+    EXPECT_EQ(stateOf(robot).turn.value.toStdString(), "−8");
+    EXPECT_EQ(stateOf(robot, 2.0).speed.value, QString(QChar(0x2013)));
+    EXPECT_FALSE(stateOf(robot, 2.0).attitude.known);
+    EXPECT_EQ(stateOf(robot).gas.value.tone, Tone::Normal);
+    EXPECT_EQ(stateOf(robot, 6.0).gas.value.tone, Tone::Muted);
+    EXPECT_EQ(stateOf(robot, 6.0).gas.caption.toStdString(), "no data for 6 s");
+    EXPECT_EQ(stateOf(robot, 12.0).battery.left.toStdString(), "no data for 12 s");
+}
+
+TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
+    const auto toneAt = [this](double roll, double pitch) {
+        robot.said.odometry->sample = test::odometryOf(0, 0, degrees(roll), degrees(pitch));
+        return stateOf(robot).attitude.tone;
+    };
+    EXPECT_EQ(toneAt(6, -3), Tone::Normal);
+    EXPECT_EQ(stateOf(robot).attitude.text.toStdString(), "roll 6° · pitch −3°");
+    EXPECT_EQ(toneAt(-18, 0), Tone::Attention);
+    EXPECT_EQ(toneAt(0, 23), Tone::Act);
+    // the inertial unit is asked first, and as it is mounted
+    robot.description.streams.emplace_back().role = StreamRole::Imu;
+    robot.description.streams.back().sensor = "imu";
+    robot.description.sensors["imu"].sensorInBase = poseFrom({0, 0, 0.1}, degrees(90), 0, 0);
+    ImuSample imu;
+    imu.orientation = Eigen::Quaterniond(poseFrom({0, 0, 0}, degrees(10), 0, 0.3).linear() *
+                                         poseFrom({0, 0, 0}, degrees(90), 0, 0).linear());
+    robot.said.imu = Latest<ImuSample>{9, at(0), imu};
+    EXPECT_NEAR(stateOf(robot).attitude.roll, degrees(10), 1e-9);
+    EXPECT_NEAR(stateOf(robot).attitude.pitch, 0.0, 1e-9);
+}
+
+TEST_F(LiveWords, BatteryTellsMinutesAndWarnsWhenLow) {
+    EXPECT_EQ(stateOf(robot).battery.charge.value.toStdString(), "71");
+    EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "38 min at this load");
+    robot.said.battery->sample.fraction = 0.2;
+    EXPECT_EQ(stateOf(robot).battery.charge.tone, Tone::Attention);
+    robot.said.battery->sample.fraction = 0.05;
+    EXPECT_EQ(stateOf(robot).battery.charge.tone, Tone::Act);
+    robot.said.battery->sample.current = Unknown;
+    EXPECT_TRUE(stateOf(robot).battery.left.isEmpty());
+    robot.said.battery.reset();
+    EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "not told");
+}
+
+TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
+    EXPECT_EQ(stateOf(robot).gas.arrow.toStdString(), "↑");
+    EXPECT_EQ(stateOf(robot).gas.value.value.toStdString(), "1,180");
+    GasTrend falling;
+    for (int i = 0; i < 30; ++i) falling.add(at(i - 30), 2000.0 - 20.0 * i);
+    EXPECT_NEAR(falling.risePerMinute(), -1200.0, 1e-6);
+    GasTrend steady;
+    for (int i = 0; i < 300; ++i) steady.add(at(i - 300), 500.0);
+    EXPECT_NEAR(steady.risePerMinute(), 0.0, 1e-9);
+    EXPECT_LE(steady.samples(at(0)).size(), 121u);
+    steady.add(at(-400), 800.0);
+    EXPECT_EQ(steady.samples(at(-400)).size(), 1u) << "a clock that went back begins anew";
+    robot.said.gas->sample.ppm = 2400;
+    EXPECT_EQ(stateOf(robot).gas.value.tone, Tone::Attention);
+}
+
+TEST_F(LiveWords, LinksSayTheWorstReason) {
+    EXPECT_EQ(stateOf(robot).link.toStdString(), "22 ms · 0\u202f% loss");
+    robot.view.link.state = LinkState::Degraded;
+    robot.view.link.reasons = {{LinkReason::Kind::Stale, 1.4, StreamRole::Odometry, {}, {}},
+                               {LinkReason::Kind::Slow, 0.38, StreamRole::Diagnostics, {}, {}}};
+    EXPECT_EQ(stateOf(robot).linkReason.toStdString(), "odometry 1.4 s old");
+    EXPECT_EQ(stateOf(robot).linkTone, Tone::Attention);
+    EXPECT_EQ(linkReasonText({LinkReason::Kind::Loss, 0.12, StreamRole::Points, {}, {}}).toStdString(),
+              "12\u202f% of 3D scans lost");
+    EXPECT_EQ(linkReasonText({LinkReason::Kind::Late, 2.0, StreamRole::Picture, "left", {}}).toStdString(),
+              "left pictures 2.0 s late");
+    EXPECT_EQ(linkReasonText({LinkReason::Kind::NoAnswer, 3.1, StreamRole::Pong, {}, {}}).toStdString(),
+              "no answer for 3.1 s");
+    EXPECT_EQ(linkReasonText({LinkReason::Kind::Silent, 3.1, StreamRole::Pong, {}, {}}).toStdString(),
+              "silent for 3.1 s");
+}
+
+TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBattery) {
+    const RobotChip chip = robotChipOf(robot.face, robot.view, robot.said);
+    EXPECT_EQ(chip.texts.first().toStdString(),
+              "Kurt3D\u200222 ms · 0\u202f% loss · 71\u202f% · teleoperation");
+    EXPECT_EQ(chip.texts.last().toStdString(), "71\u202f% · teleoperation");
+    for (qsizetype i = 1; i < chip.texts.size(); ++i)
+        EXPECT_LT(chip.texts[i].size(), chip.texts[i - 1].size());
+    robot.view.link.state = LinkState::Lost;
+    robot.view.link.silence = 4.2;
+    const RobotChip lost = robotChipOf(robot.face, robot.view, robot.said);
+    EXPECT_EQ(lost.tone, Tone::Attention);
+    EXPECT_EQ(lost.texts.last().toStdString(), "71\u202f% · link lost");
+    EXPECT_THAT(lost.details.toStdString(), HasSubstr("silent for 4.2 s"));
+}
+
+}  // namespace
+}  // namespace leitstand
