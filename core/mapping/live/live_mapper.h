@@ -38,7 +38,7 @@ struct MapUpdate {
 
 /// How a scan is registered again.
 struct RetrySettings {
-    MatchSettings match;
+    MatchSettings match;             ///< its wide schedule counts
     std::optional<Pose> guessInMap;  ///< of the scan; empty: where it is
 };
 

@@ -93,7 +93,7 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
                                  ? *scan->reduced
                                  : reducedAgain(*scan->scan, settings.match);
     const Match found = match(cloud, localMap(others, guess, state.settings.local), guess, {}, scan->up,
-                              settings.match, state.settings.fit);
+                              settings.match, state.settings.fit, settings.match.wide);
     ScanPose pose{id,
                   found.scanInMap,
                   found.icp.rms,

@@ -23,7 +23,7 @@ struct LocalMap {
 struct LocalMapSettings {
     int scans = 12;       ///< the nearest, of those that count
     double turned = 1.5;  ///< a key scan that looks the other way is so much farther [m / rad]
-    double voxel = 0.07;  ///< the cloud is thinned to this [m]
+    double voxel = 0.05;  ///< the cloud is thinned to this [m]
 };
 
 /// The local map about @p place.

@@ -60,7 +60,10 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
 }
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
-    const PointCloud all = pointsInRange(scan, knnNormals(scan.points), settings.minRange, settings.maxRange);
+    constexpr double Finer = 0.5;  // of the grid: normals of all points would take many times as long
+    PointCloud all = pointsInRange(scan, {}, settings.minRange, settings.maxRange);
+    all = voxelGrid(all, Finer * settings.reduce, VoxelPoint::Centroid);
+    all.normals = knnNormals(all.points, 12);
     return voxelGrid(all, settings.reduce, VoxelPoint::Centroid);
 }
 
@@ -89,6 +92,21 @@ double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& sca
 
 Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
             const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings, const FitSettings& fit) {
+    using Schedules = std::vector<const std::vector<double>*>;
+    const Schedules schedules = step.trusted ? Schedules{&settings.near, &settings.tight, &settings.wide}
+                                             : Schedules{&settings.wide, &settings.near, &settings.tight};
+    Match first;
+    for (const std::vector<double>* schedule : schedules) {
+        Match one = match(cloud, local, guess, step, up, settings, fit, *schedule);
+        if (one.doubts == 0) return one;
+        if (schedule == schedules.front()) first = one;
+    }
+    return first;
+}
+
+Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
+            const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings, const FitSettings& fit,
+            const std::vector<double>& schedule) {
     Match result;
     result.scanInMap = guess;
     const auto doubtIf = [&](bool wrong, ScanDoubt doubt) {
@@ -98,7 +116,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     doubtIf(!local.search, ScanDoubt::Overlap);
     if (result.doubts != 0) return result;
     IcpSettings icp;
-    icp.maxDistances = step.trusted ? settings.near : settings.wide;
+    icp.maxDistances = schedule;
     icp.maxIterations = settings.maxIterations;
     icp.threads = 1;
     icp.minStep = 5e-4;

@@ -42,11 +42,16 @@ struct Step {
     double way = 0.0, turn = 0.0;  ///< since a scan was certain [m, rad]
 };
 
-/// Matches @p cloud with @p local, starting at @p guess. @p up: against gravity, in the scan's frame; empty:
+/// Matches @p cloud with @p local, starting at @p guess: by the schedule that the step asks for, and where
+/// that leaves doubts by the others. @p up: against gravity, in the scan's frame; empty:
 /// unknown.
 [[nodiscard]] Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
                           const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings,
                           const FitSettings& fit);
+/// The same with @p schedule of pair distances only.
+[[nodiscard]] Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
+                          const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings,
+                          const FitSettings& fit, const std::vector<double>& schedule);
 
 /// Share of @p cloud's points at @p scanInMap that are farther than @p distance [m] from all of @p local.
 [[nodiscard]] double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& scanInMap,

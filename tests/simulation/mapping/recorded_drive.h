@@ -25,6 +25,13 @@ struct RecordedDrive {
     [[nodiscard]] Pose baseInArena(Time stamp) const;
 };
 
+/// Kurt3D with the tilting scanner of 2004 drives half a metre, stops and sweeps, @p stops times.
+[[nodiscard]] RecordedDrive stopScanGo(std::uint64_t seed, int stops);
+
+/// A radio gap from @p from to @p to seconds after the beginning: odometry and inertial unit are lost in it,
+/// slices come after it, all at once, every other one twice.
+[[nodiscard]] RecordedDrive withRadioGap(RecordedDrive drive, double from, double to);
+
 /// Kurt3D explores the yellow arena of @p seed for @p seconds; when nothing is left to explore it is driven
 /// to and fro by hand.
 [[nodiscard]] RecordedDrive exploredYellow(std::uint64_t seed, double seconds);

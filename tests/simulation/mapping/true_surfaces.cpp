@@ -6,7 +6,7 @@
 namespace leitstand::simulation::test {
 namespace {
 
-constexpr double Spacing = 0.025;  ///< of samples on triangles [m]
+constexpr double Spacing = 0.04;  ///< of samples on triangles [m]
 
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 Eigen::Vector3d nearestOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,

@@ -16,7 +16,7 @@ class TrueSurfaces {
 public:
     explicit TrueSurfaces(const Arena& arena);
 
-    /// Distance of @p point from the nearest surface, arena's frame [m]; at most 2 cm too much.
+    /// Distance of @p point from the nearest surface, arena's frame [m]; at most 3 cm too much.
     [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 
 private:
