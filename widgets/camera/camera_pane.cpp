@@ -24,7 +24,7 @@ void CameraPane::setCamera(const RobotFace& face, const QString& title) {
     m_head.face = face;
     m_head.title = title;
     m_head.age = {};
-    m_picture = m_grey = {};
+    m_picture = m_scaled = {};
     m_thermal.reset();
     m_heat.clear();
     m_overlay = {};
@@ -34,7 +34,7 @@ void CameraPane::setCamera(const RobotFace& face, const QString& title) {
 
 void CameraPane::setPicture(const QImage& picture) {
     m_picture = picture;
-    m_grey = {};
+    m_scaled = {};
     m_thermal.reset();
     m_heat.clear();
     update();
@@ -43,7 +43,7 @@ void CameraPane::setPicture(const QImage& picture) {
 void CameraPane::setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range,
                             ThermalPalette palette) {
     m_picture = picture ? imageOf(*picture, range, palette) : QImage();
-    m_grey = {};
+    m_scaled = {};
     m_thermal = std::move(picture);
     m_thermalRange = range;
     m_palette = palette;
@@ -56,10 +56,16 @@ void CameraPane::setHeat(const std::vector<HeatBlob>& blobs) {
 }
 
 void CameraPane::setAge(const DataAge& age, const QString& note) {
+    const bool sameLook = lossText(m_head.age, m_head.limits) == lossText(age, m_head.limits) &&
+                          freshnessOf(m_head.age, m_head.limits) == freshnessOf(age, m_head.limits);
     m_head.age = age;
     m_head.note = note;
     setAccessibleDescription(ageText(age, m_head.limits));
-    update();
+    if (sameLook) {
+        update(0, 0, width(), paneHeadHeight(font()));
+    } else {
+        update();
+    }
 }
 
 void CameraPane::setOverlay(const CameraOverlay& overlay) {
@@ -79,15 +85,28 @@ QPointF CameraPane::inPicture(const QPointF& pixel) const {
     return {(pixel.x() - area.left()) / area.width(), (pixel.y() - area.top()) / area.height()};
 }
 
+void CameraPane::scalePicture(const QSize& size, bool grey) {
+    if (m_scaled.size() == size && m_scaledGrey == grey) return;
+    QImage scaled(size, QImage::Format_RGB32);
+    QPainter painter(&scaled);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRect({0, 0}, size),
+                      grey ? m_picture.convertToFormat(QImage::Format_Grayscale8) : m_picture);
+    painter.end();
+    m_scaled = std::move(scaled);
+    m_scaledGrey = grey;
+}
+
 void CameraPane::paintPicture(QPainter& painter, Freshness freshness) {
     if (m_picture.isNull() || freshness == Freshness::Never) return;
-    if (freshness != Freshness::Live && m_grey.isNull())
-        m_grey = m_picture.convertToFormat(QImage::Format_Grayscale8);
-    painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    // Scaled once a picture: what lies over it changes more often.
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QRectF area = pictureArea();
+    scalePicture((ratio * area.size()).toSize().expandedTo({1, 1}), freshness != Freshness::Live);
+    m_scaled.setDevicePixelRatio(ratio);
     painter.setOpacity(freshness == Freshness::Live ? 1.0 : freshness == Freshness::Stale ? 0.55 : 0.15);
-    painter.drawImage(pictureArea(), freshness == Freshness::Live ? m_picture : m_grey);
-    painter.restore();
+    painter.drawImage((area.topLeft() * ratio).toPoint() / ratio, m_scaled);
+    painter.setOpacity(1.0);
 }
 
 void CameraPane::paintThermal(QPainter& painter, bool live) const {

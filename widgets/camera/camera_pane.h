@@ -64,12 +64,14 @@ protected:
 
 private:
     void paintPicture(QPainter& painter, Freshness freshness);
+    void scalePicture(const QSize& size, bool grey);
     void paintThermal(QPainter& painter, bool live) const;
     [[nodiscard]] QPointF inPicture(const QPointF& pixel) const;  ///< 0 to 1
 
     PaneHead m_head;
     QImage m_picture;
-    QImage m_grey;  ///< of m_picture, made when it is needed
+    QImage m_scaled;  ///< m_picture as it is painted, made when it is needed
+    bool m_scaledGrey = false;
     std::shared_ptr<const ThermalPicture> m_thermal;
     ThermalRange m_thermalRange;
     ThermalPalette m_palette = ThermalPalette::Inferno;

@@ -1,8 +1,11 @@
 #include "widgets/virtual_scan/virtual_scan_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <unordered_map>
 
 #include <QCoreApplication>
 #include <QPainterPath>
@@ -18,11 +21,26 @@ struct DrawingTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::VirtualScanPane)
 };
 
-/// How visible something of @p age [s] is: fresh within a turn of the scanner, faint but never gone later.
-double strengthOf(double age) {
-    constexpr double Fresh = 2.5, Old = 10.0, Least = 0.25;
-    if (!std::isfinite(age)) return 0.0;
-    return std::clamp(1.0 - (1.0 - Least) * (age - Fresh) / (Old - Fresh), Least, 1.0);
+constexpr std::size_t Strengths = 6;
+
+/// How visible something of @p age [s] is: fresh (Strengths) within a turn of the scanner, faint but never
+/// gone (1) later; 0: it was never looked at.
+std::size_t strengthOf(double age) {
+    constexpr double Fresh = 2.5, Old = 10.0;
+    if (!std::isfinite(age)) return 0;
+    const double share = std::clamp((Old - age) / (Old - Fresh), 0.0, 1.0);
+    return 1 + static_cast<std::size_t>(std::lround(share * (Strengths - 1)));
+}
+
+double alphaOf(std::size_t strength) {
+    constexpr double Least = 0.25;
+    return strength == 0 ? 0.0 : Least + (1.0 - Least) * static_cast<double>(strength - 1) / (Strengths - 1);
+}
+
+/// Goes on with @p path where it ends at @p from.
+void addLine(QPainterPath& path, const QPointF& from, const QPointF& to) {
+    if (path.isEmpty() || path.currentPosition() != from) path.moveTo(from);
+    path.lineTo(to);
 }
 
 /// Whether two neighbouring outer points are one wall rather than a near and a far one.
@@ -61,9 +79,10 @@ QColor VirtualScanDrawing::ink(QColor colour, double alpha) const {
 void VirtualScanDrawing::rings(const QRectF& area, double range, const QRectF& taken) const {
     const double step = ringStep(range);
     const QFontMetricsF metrics(m_painter.font());
-    for (int i = 1; i <= 12; ++i) {
+    const double corner = std::hypot(std::max(m_origin.x() - area.left(), area.right() - m_origin.x()),
+                                     std::max(m_origin.y() - area.top(), area.bottom() - m_origin.y()));
+    for (int i = 1; i * step * m_scale < corner; ++i) {
         const double radius = i * step * m_scale;
-        if (m_origin.y() - radius < area.top() - area.height()) break;
         m_painter.setPen(QPen(ink(m_colours.line), 1.0));
         m_painter.setBrush(Qt::NoBrush);
         m_painter.drawEllipse(m_origin, radius, radius);
@@ -78,9 +97,10 @@ void VirtualScanDrawing::rings(const QRectF& area, double range, const QRectF& t
 }
 
 void VirtualScanDrawing::freeSpace(const VirtualScanView& view) const {
-    // A wedge per sector, as long as it was looked into, as strong as it is fresh.
+    // A wedge per sector, as long as it was looked into; wedges of one strength at once.
     const double half = std::numbers::pi / static_cast<double>(view.sectors.size());
-    m_painter.setPen(Qt::NoPen);
+    std::array<QPainterPath, Strengths + 1> wedges;
+    for (QPainterPath& path : wedges) path.setFillRule(Qt::WindingFill);
     for (int i = 0; i < static_cast<int>(view.sectors.size()); ++i) {
         const VirtualSector& sector = view.sectors[static_cast<std::size_t>(i)];
         const auto& end = sector.outer ? sector.outer : sector.inner;
@@ -91,47 +111,67 @@ void VirtualScanDrawing::freeSpace(const VirtualScanView& view) const {
         for (const double side : {-half, half})
             wedge << pixelOf(length *
                              Eigen::Vector2d(std::cos(direction + side), std::sin(direction + side)));
-        m_painter.setBrush(ink(m_colours.wall, 0.11 * strengthOf(sector.age)));
-        m_painter.drawPolygon(wedge);
+        wedges[strengthOf(sector.age)].addPolygon(wedge);
     }
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
+    for (std::size_t i = 1; i <= Strengths; ++i)
+        m_painter.fillPath(wedges[i], ink(m_colours.wall, 0.11 * alphaOf(i)));
+    m_painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
 void VirtualScanDrawing::walls(const VirtualScanView& view) const {
+    std::array<QPainterPath, Strengths + 1> seen, edges;
     const std::size_t count = view.sectors.size();
     for (std::size_t i = 0; i < count; ++i) {
         const VirtualSector& a = view.sectors[i];
         const VirtualSector& b = view.sectors[(i + 1) % count];
         if (!a.outer) continue;
-        const double strength = strengthOf(std::max(a.age, std::isfinite(b.age) ? b.age : 0.0));
-        const QColor colour = ink(m_colours.wall, strength);
-        if (b.outer && isOneWall(*a.outer, *b.outer)) {
-            m_painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
-            m_painter.drawLine(pixelOf(*a.outer), pixelOf(*b.outer));
-            continue;
-        }
-        m_painter.setPen(QPen(colour, 2.5, Qt::SolidLine, Qt::RoundCap));
-        m_painter.drawPoint(pixelOf(*a.outer));
-        if (!b.outer) continue;
-        m_painter.setPen(QPen(ink(m_colours.wall, 0.35 * strength), 1.0));  // an edge, nothing that was seen
-        m_painter.drawLine(pixelOf(*a.outer), pixelOf(*b.outer));
+        const std::size_t strength = strengthOf(std::max(a.age, std::isfinite(b.age) ? b.age : 0.0));
+        const QPointF from = pixelOf(*a.outer);
+        const bool oneWall = b.outer && isOneWall(*a.outer, *b.outer);
+        // What stands alone is a dot; what joins two walls is an edge, nothing that was seen.
+        addLine(seen[strength], from, oneWall ? pixelOf(*b.outer) : from + QPointF(1.5, 0.0));
+        if (b.outer && !oneWall) addLine(edges[strength], from, pixelOf(*b.outer));
+    }
+    m_painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 1; i <= Strengths; ++i) {
+        m_painter.setPen(QPen(ink(m_colours.wall, 0.35 * alphaOf(i)), 1.0));
+        m_painter.drawPath(edges[i]);
+        m_painter.setPen(QPen(ink(m_colours.wall, alphaOf(i)), 2.0));
+        m_painter.drawPath(seen[i]);
     }
 }
 
 void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
-    constexpr double Size = 4.0;  // [px]
-    for (const VirtualObstacle& one : view.obstacles) {
-        m_painter.setPen(
-            QPen(ink(m_colours.obstacle, strengthOf(one.age)), Size, Qt::SolidLine, Qt::RoundCap));
-        m_painter.drawPoint(pixelOf(one.where));
-    }
+    constexpr int Size = 4;  // [px]
+    std::array<QPainterPath, Strengths + 1> lines;
     const std::size_t count = view.sectors.size();
     for (std::size_t i = 0; i < count; ++i) {
         const VirtualSector& a = view.sectors[i];
         const VirtualSector& b = view.sectors[(i + 1) % count];
         if (!a.inner || !b.inner || (*a.inner - *b.inner).norm() > 0.12 + 0.06 * a.inner->norm()) continue;
-        m_painter.setPen(QPen(ink(m_colours.obstacle, strengthOf(std::max(a.age, b.age))), Size,
-                              Qt::SolidLine, Qt::RoundCap));
-        m_painter.drawLine(pixelOf(*a.inner), pixelOf(*b.inner));
+        addLine(lines[strengthOf(std::max(a.age, b.age))], pixelOf(*a.inner), pixelOf(*b.inner));
+    }
+    // There may be thousands of points: one for each few pixels, the freshest.
+    std::unordered_map<std::int64_t, std::size_t> dots;
+    const QRectF area = m_painter.clipBoundingRect();
+    for (const VirtualObstacle& one : view.obstacles) {
+        const QPointF at = pixelOf(one.where) / (Size - 1);
+        if (!area.contains(at * (Size - 1))) continue;
+        std::size_t& strength = dots[(static_cast<std::int64_t>(std::floor(at.y())) << 32) +
+                                     static_cast<std::int64_t>(std::floor(at.x()))];
+        strength = std::max(strength, strengthOf(one.age));
+    }
+    for (const auto& [cell, strength] : dots) {
+        const QPointF at((Size - 1) * static_cast<double>(cell & 0xFFFFFFFF),
+                         (Size - 1) * static_cast<double>(cell >> 32));
+        m_painter.fillRect(QRectF(at, QSizeF(Size, Size)), ink(m_colours.obstacle, alphaOf(strength)));
+    }
+    m_painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 1; i <= Strengths; ++i) {
+        m_painter.setPen(
+            QPen(ink(m_colours.obstacle, alphaOf(i)), Size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        m_painter.drawPath(lines[i]);
     }
 }
 

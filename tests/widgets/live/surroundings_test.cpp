@@ -94,6 +94,7 @@ TEST(HorizonLine, GoesTheOtherWayThanTheCamera) {
     // Looking to the left of a robot that rolls to the right, the camera looks up.
     EXPECT_NEAR(horizonOf(degrees(15), 0, degrees(90), 0).offset, std::tan(degrees(15)), 1e-9);
     EXPECT_FALSE(horizonOf(0, 0, 0, degrees(90)).visible);
+    EXPECT_FALSE(horizonOf(std::nan(""), 0, 0, 0).visible);
 }
 
 }  // namespace

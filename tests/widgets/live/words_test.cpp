@@ -153,6 +153,22 @@ TEST_F(LiveWords, FiguresAreMutedOrGoneWhenTheyAreOld) {
     EXPECT_EQ(stateOf(robot, 12.0).battery.left.toStdString(), "no data for 12 s");
 }
 
+TEST_F(LiveWords, WhatIsNoNumberIsADash) {
+    const QString dash(QChar(0x2013));
+    robot.said.odometry->sample = test::odometryOf(Unknown, Unknown, Unknown, Unknown);
+    robot.said.gas->sample.ppm = Unknown;
+    robot.said.battery->sample = {};
+    robot.view.around->obstacles = {{Eigen::Vector2d(Unknown, 1.0), 0.0}};
+    robot.view.drive.velocity = {Unknown, 0.0, Unknown};
+    const DriveState state = stateOf(robot);
+    EXPECT_EQ(state.speed.value, dash);
+    EXPECT_EQ(state.turn.value, dash);
+    EXPECT_EQ(state.nearest.value, dash);
+    EXPECT_EQ(state.gas.value.value, dash);
+    EXPECT_EQ(state.battery.charge.value, dash);
+    EXPECT_FALSE(state.attitude.known);
+}
+
 TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     const auto toneAt = [this](double roll, double pitch) {
         robot.said.odometry->sample = test::odometryOf(0, 0, degrees(roll), degrees(pitch));

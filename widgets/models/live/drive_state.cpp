@@ -59,8 +59,9 @@ void fillMotion(DriveState& state, const RobotDescription& description, const Ro
     state.nearest = {Dash, DriveTexts::tr("m"), Tone::Muted};
     if (isFresh(said.odometry, now, 1.0)) {
         const OdometrySample& odometry = said.odometry->sample;
-        state.speed = {numberText(odometry.linear.x(), 2), state.speed.unit, Tone::Normal};
-        state.turn = {numberText(inDegrees(odometry.angular.z()), 0), state.turn.unit, Tone::Normal};
+        const double speed = odometry.linear.x(), turn = inDegrees(odometry.angular.z());
+        if (std::isfinite(speed)) state.speed = {numberText(speed, 2), state.speed.unit, Tone::Normal};
+        if (std::isfinite(turn)) state.turn = {numberText(turn, 0), state.turn.unit, Tone::Normal};
     }
     if (!robot.around || robot.link.state == LinkState::Lost) return;
     const auto ring = proximityRing(*robot.around, boxAround(description.footprint), robot.drive.velocity);
@@ -155,7 +156,7 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
     }
     figures.samples = trend.samples(now);
     figures.caption = DriveTexts::tr("last 2 min · alarm at %1").arg(numberText(GasFigures::Alarm, 0));
-    if (!said.gas) {
+    if (!said.gas || !std::isfinite(said.gas->sample.ppm)) {
         figures.caption = DriveTexts::tr("no data yet");
         return figures;
     }
@@ -198,6 +199,7 @@ std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& de
     }
     const double roll = std::atan2(baseInLevel(2, 1), baseInLevel(2, 2));
     const double pitch = std::asin(std::clamp(-baseInLevel(2, 0), -1.0, 1.0));
+    if (!std::isfinite(roll) || !std::isfinite(pitch)) return std::nullopt;
     return std::pair(roll, pitch);
 }
 

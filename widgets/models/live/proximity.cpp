@@ -44,7 +44,7 @@ std::vector<Proximity> proximityRing(const VirtualScanView& view, const BodyBox&
         if (view.sectors[static_cast<std::size_t>(i)].age <= limits.maxAge) ++seen[part];
     }
     for (const VirtualObstacle& one : view.obstacles) {
-        if (!(one.age <= limits.maxAge)) continue;
+        if (!(one.age <= limits.maxAge) || !one.where.allFinite()) continue;
         Proximity& part = ring[partOf(std::atan2(one.where.y(), one.where.x()))];
         const double distance = distanceFrom(body, one.where);
         if (part.where && distance >= part.distance) continue;

@@ -40,7 +40,7 @@ Horizon horizonOf(double roll, double pitch, double pan, double tilt) {
         (AngleAxisd(pan, Vector3d::UnitZ()) * AngleAxisd(tilt, Vector3d::UnitY())).toRotationMatrix();
     // A pixel (x, y) looks along (1, -x, -y) of the camera; it is on the horizon where that is level.
     const Vector3d up = (baseInLevel * cameraInBase).transpose() * Vector3d::UnitZ();
-    if (std::abs(up.z()) < 0.05) return {0.0, 0.0, false};
+    if (!(std::abs(up.z()) >= 0.05)) return {0.0, 0.0, false};
     return {up.x() / up.z(), -up.y() / up.z(), true};
 }
 
