@@ -13,6 +13,8 @@ namespace {
 constexpr double Pi = std::numbers::pi;
 constexpr int EmptyPlans = 6;      // so many without a way mean that there is none
 constexpr int MostRecoveries = 2;  // at one place, before the aim is given up
+constexpr int MostDoubts = 2;      // without new floor in between
+constexpr double NewFloor = 4.0;   // [m2]
 constexpr double Progress = 0.15;  // [m]
 
 double secondsBetween(Time from, Time to) {
@@ -73,10 +75,14 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
 
 bool Explorer::looksAgain(const Pose& baseInOdom, Time now) {
     if (!m_doubted) {
+        const double seen = m_memory.seenArea();
+        m_doubts = seen > m_seenThen + NewFloor ? 1 : m_doubts + 1;
+        m_seenThen = seen;
         m_doubted = now;
+        if (m_doubts > MostDoubts) return false;
         m_memory.doubt(baseInOdom.translation().head<2>(), 1.5);
     }
-    return secondsBetween(*m_doubted, now) < m_settings.lookFirst;
+    return m_doubts <= MostDoubts && secondsBetween(*m_doubted, now) < m_settings.lookFirst;
 }
 
 std::optional<Eigen::Vector2d> Explorer::aim(const Pose& baseInOdom) const {

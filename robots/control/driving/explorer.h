@@ -69,6 +69,8 @@ private:
     Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
     int m_emptyPlans = 0;
     std::optional<Time> m_doubted;  ///< found no way, and looks again since
+    int m_doubts = 0;               ///< since it saw something new
+    double m_seenThen = 0.0;        ///< at the last doubt [m2]
     int m_recoveries = 0;
     DriveVelocity m_recovery;
 };

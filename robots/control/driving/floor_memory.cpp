@@ -142,11 +142,14 @@ void FloorMemory::giveUp(const Eigen::Vector2d& place, double radius) {
 }
 
 void FloorMemory::doubt(const Eigen::Vector2d& place, double radius) {
-    for (auto& [key, cell] : m_cells) cell.givenUp = false;
-    for (const Key key : around(place, radius)) {
-        const Cell* cell = find(key);
-        if (cell != nullptr && cell->evidence > 0) addEvidence(key, LeastEvidence - MostEvidence);
+    std::vector<Key> doubted;
+    for (auto& [key, cell] : m_cells) {
+        cell.givenUp = false;
+        // Walls stay: nobody ever looked through them.
+        const bool near = (middleOf(key) - place).norm() < radius;
+        if (cell.evidence > 0 && (cell.seen || near)) doubted.push_back(key);
     }
+    for (const Key key : doubted) addEvidence(key, LeastEvidence - MostEvidence);
 }
 
 void FloorMemory::shun(const Eigen::Vector2d& place, double radius) {

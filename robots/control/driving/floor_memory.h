@@ -33,7 +33,8 @@ public:
     void giveUp(const Eigen::Vector2d& place, double radius);
     /// Ways keep off the ground about @p place, where there is another; in odom [m].
     void shun(const Eigen::Vector2d& place, double radius);
-    /// Obstacles about @p place are looked for anew, and what was given up anywhere is tried again.
+    /// Obstacles about @p place, and those on floor that was seen free once, are looked for anew: the drift
+    /// of odometry closes ways. What was given up is tried again.
     void doubt(const Eigen::Vector2d& place, double radius);
     void clear();
 
