@@ -43,9 +43,9 @@ void addLine(QPainterPath& path, const QPointF& from, const QPointF& to) {
     path.lineTo(to);
 }
 
-/// Whether two neighbouring outer points are one wall rather than a near and a far one.
-bool isOneWall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return (a - b).norm() < 0.25 + 0.12 * std::min(a.norm(), b.norm());
+/// Whether two outer points @p apart sectors are one wall rather than a near and a far one.
+bool isOneWall(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::size_t apart) {
+    return (a - b).norm() < static_cast<double>(apart) * (0.25 + 0.12 * std::min(a.norm(), b.norm()));
 }
 
 QString nearestText(const Proximity& nearest) {
@@ -124,11 +124,14 @@ void VirtualScanDrawing::walls(const VirtualScanView& view) const {
     const std::size_t count = view.sectors.size();
     for (std::size_t i = 0; i < count; ++i) {
         const VirtualSector& a = view.sectors[i];
-        const VirtualSector& b = view.sectors[(i + 1) % count];
         if (!a.outer) continue;
+        // Seen at a flat angle, a wall leaves sectors out.
+        std::size_t apart = 1;
+        while (apart < 3 && !view.sectors[(i + apart) % count].outer) ++apart;
+        const VirtualSector& b = view.sectors[(i + apart) % count];
         const std::size_t strength = strengthOf(std::max(a.age, std::isfinite(b.age) ? b.age : 0.0));
         const QPointF from = pixelOf(*a.outer);
-        const bool oneWall = b.outer && isOneWall(*a.outer, *b.outer);
+        const bool oneWall = b.outer && isOneWall(*a.outer, *b.outer, apart);
         // What stands alone is a dot; what joins two walls is an edge, nothing that was seen.
         addLine(seen[strength], from, oneWall ? pixelOf(*b.outer) : from + QPointF(1.5, 0.0));
         if (b.outer && !oneWall) addLine(edges[strength], from, pixelOf(*b.outer));
@@ -150,6 +153,7 @@ void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
         const VirtualSector& a = view.sectors[i];
         const VirtualSector& b = view.sectors[(i + 1) % count];
         if (!a.inner || !b.inner || (*a.inner - *b.inner).norm() > 0.12 + 0.06 * a.inner->norm()) continue;
+        if (!standsBeforeWall(view, *a.inner) || !standsBeforeWall(view, *b.inner)) continue;
         addLine(lines[strengthOf(std::max(a.age, b.age))], pixelOf(*a.inner), pixelOf(*b.inner));
     }
     // There may be thousands of points: one for each few pixels, the freshest.
@@ -157,7 +161,7 @@ void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
     const QRectF area = m_painter.clipBoundingRect();
     for (const VirtualObstacle& one : view.obstacles) {
         const QPointF at = pixelOf(one.where) / (Size - 1);
-        if (!area.contains(at * (Size - 1))) continue;
+        if (!area.contains(at * (Size - 1)) || !standsBeforeWall(view, one.where)) continue;
         std::size_t& strength = dots[(static_cast<std::int64_t>(std::floor(at.y())) << 32) +
                                      static_cast<std::int64_t>(std::floor(at.x()))];
         strength = std::max(strength, strengthOf(one.age));

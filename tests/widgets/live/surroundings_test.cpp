@@ -82,6 +82,15 @@ TEST(PredictedPath, IsTheStripOfTheBodyUntilItTouches) {
     EXPECT_TRUE(predictedPath(Body, {0, 0, 1.0}, 2.0).isEmpty());
 }
 
+TEST(OuterContour, IsNoObstacle) {
+    const VirtualScanView view = test::corridor();
+    for (const double x : {-0.8, 0.0, 1.3, 3.0, 4.4}) {
+        EXPECT_FALSE(standsBeforeWall(view, {x, -0.8})) << x;
+        EXPECT_TRUE(standsBeforeWall(view, {x, -0.2})) << x;
+    }
+    EXPECT_TRUE(standsBeforeWall(VirtualScanView{}, {1, 0}));
+}
+
 TEST(HorizonLine, GoesTheOtherWayThanTheCamera) {
     const Horizon level = horizonOf(0, 0, 0, 0);
     EXPECT_NEAR(level.offset, 0.0, 1e-12);

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/core/perception/virtual_world.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/drive/drive_strip.h"
@@ -117,6 +118,33 @@ TEST_P(Panes, TheVirtualScanShowsWallsObstaclesAndItsAge) {
     pane.show(std::nullopt, {}, INFINITY);
     (void)pictureOf(pane, {400, 400}, {});
     EXPECT_THAT(wordsOf(pane), Contains("no data yet"));
+}
+
+TEST_P(Panes, WallsAreNoObstaclesOfTheirOwnAsAScannerSeesThem) {
+    VirtualWorld world;
+    world.blocks = {{{6, -1, 0}, {6.1, 1, 2}},      {{-2.1, -1, 0}, {-2, 1, 2}},
+                    {{-2, 0.8, 0}, {1.5, 0.9, 2}},  {{2.5, 0.8, 0}, {6, 0.9, 2}},
+                    {{1.5, 2.5, 0}, {2.5, 2.6, 2}}, {{-2, -0.9, 0}, {6, -0.8, 2}}};
+    const auto look = [&](const QString& name) {
+        VirtualScanSettings settings;
+        settings.body = boxAround(robot.description.footprint);
+        VirtualScan scanned(settings);
+        scan(world, scanned, standing(), 0.0, 2.4);
+        VirtualScanPane pane;
+        pane.setRobot(robot.face, robot.description.footprint);
+        pane.show(scanned.view(Pose::Identity(), atSecond(2.4)), {0.3, 0.0, 0.0}, 0.1);
+        // the lower left has walls, but neither figures nor the robot
+        const QImage picture = pictureOf(pane, {480, 480}, name);
+        const QPoint box = pane.pixelOf({1.7, 0.15}).toPoint();
+        return std::pair(
+            countOf(picture.copy(0, 345, 200, 135), colours().obstacle, 30),
+            countOf(picture.copy(QRect(box - QPoint(20, 20), QSize(41, 41))), colours().obstacle, 30));
+    };
+    EXPECT_LT(look(QStringLiteral("scan-walls")).first, 10);
+    world.blocks.push_back({{1.7, -0.1, 0}, {2.0, 0.3, 0.4}});
+    const auto [walls, box] = look(QStringLiteral("scan-box"));
+    EXPECT_LT(walls, 10);
+    EXPECT_GT(box, 30);
 }
 
 TEST_P(Panes, WhatWasLookedAtLongAgoIsFainter) {

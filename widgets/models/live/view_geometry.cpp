@@ -32,6 +32,28 @@ PredictedPath predictedPath(const BodyBox& body, const DriveVelocity& velocity, 
     return path;
 }
 
+bool standsBeforeWall(const VirtualScanView& view, const Eigen::Vector2d& point) {
+    constexpr int Beside = 3;  // sectors: a wall that is looked along is spread over them
+    const double near = 0.15 + 0.03 * point.norm();
+    const int count = static_cast<int>(view.sectors.size());
+    if (count == 0) return true;
+    const int middle = view.sectorOf(std::atan2(point.y(), point.x()));
+    const Eigen::Vector2d* before = nullptr;
+    for (int i = middle - Beside; i <= middle + Beside; ++i) {
+        const VirtualSector& sector = view.sectors[static_cast<std::size_t>((i % count + count) % count)];
+        if (!sector.outer) continue;
+        const Eigen::Vector2d& outer = *sector.outer;
+        if ((outer - point).norm() < near) return false;
+        if (before != nullptr && (outer - *before).norm() < 1.2) {
+            const Eigen::Vector2d along = outer - *before;
+            const double share = std::clamp((point - *before).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            if ((*before + share * along - point).norm() < near) return false;
+        }
+        before = &outer;
+    }
+    return true;
+}
+
 Horizon horizonOf(double roll, double pitch, double pan, double tilt) {
     using Eigen::AngleAxisd, Eigen::Vector3d;
     const Eigen::Matrix3d baseInLevel =

@@ -20,6 +20,10 @@ struct PredictedPath {
 [[nodiscard]] PredictedPath predictedPath(const BodyBox& body, const DriveVelocity& velocity, double seconds,
                                           const VirtualScanView* view = nullptr);
 
+/// Whether @p point (base_link) stands before the outer contour of @p view: the inner contour has the walls
+/// too, which are no obstacles of their own. Without an outer contour there everything does.
+[[nodiscard]] bool standsBeforeWall(const VirtualScanView& view, const Eigen::Vector2d& point);
+
 /// The horizon in the picture of a camera, in units of its focal length: y = offset + slope * x, from the
 /// middle, x to the right, y down.
 struct Horizon {
