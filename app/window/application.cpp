@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QLocale>
 
+#include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
@@ -70,6 +71,7 @@ int runStation(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
     // The texts are English, so the numbers are, too.
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    if (options.live) return runLive(options);
     return picture ? takeScreenshot(options) : showWindow(options);
 }
 

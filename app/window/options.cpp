@@ -50,10 +50,47 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         ->type_name("WxH")
         ->needs(screenshot)
         ->check([&options](const std::string& text) { return parseSize(text, options.size); });
+    auto* live =
+        app.add_flag("--live", options.live, "Drive robots that are in the domain: open the station on them");
+    auto* demo = app.add_flag("--demo", options.demo,
+                              "Drive a simulated Kurt3D and Crawler, which are started beside the station");
+    const auto onRobots = [&](CLI::Option* option, CLI::Option* with) {
+        option->group("Live robots");
+        if (with != nullptr) option->excludes(with);
+        return option;
+    };
+    onRobots(live, demo);
+    onRobots(demo, nullptr);
+    onRobots(
+        app.add_option("--robot", options.robots, "Robot files, or names of shipped ones (kurt3d, crawler)"),
+        demo)
+        ->type_name("YAML...");
+    onRobots(app.add_option(
+                 "--mission", options.mission,
+                 "Folder to record into; one that exists is gone on with (a new one, named by the time)"),
+             nullptr)
+        ->type_name("FOLDER");
+    onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)
+        ->check(CLI::Range(0, 132))
+        ->type_name("N");
+    onRobots(app.add_option("--interface", options.interfaces,
+                            "Network interfaces to use, by name or address (all)"),
+             nullptr)
+        ->type_name("NAME...");
+    onRobots(app.add_option(
+                 "--keys", options.keys,
+                 "Take part in a secured domain with the identity of this folder (see leitstandctl keys)"),
+             demo)
+        ->type_name("DIR");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? 0 : UsageError;
+    }
+    options.live = options.live || options.demo;
+    if (options.live && !options.scans.empty()) {
+        std::fputs("leitstand: --live and --demo take no scans\n", stderr);
+        return UsageError;
     }
     return options;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <QSize>
 
@@ -17,6 +18,14 @@ struct Options {
     std::optional<MapLook> look;
     std::optional<Theme> theme;
     QSize size{1280, 800};  ///< of the window on a screenshot [px]
+    // The station on live robots:
+    bool live = false;                    ///< in place of a window for scans
+    bool demo = false;                    ///< with simulated robots of its own
+    std::vector<std::string> robots;      ///< files or names; empty: Kurt3D and the Crawler
+    std::string mission;                  ///< folder; empty: a new one
+    std::string keys;                     ///< folder of an identity; empty: no security
+    int domain = 0;                       ///< DDS domain
+    std::vector<std::string> interfaces;  ///< network cards; empty: all
 };
 
 /// The options of @p argc, @p argv, or, after printing help, version or what is wrong with them, the exit

@@ -9,6 +9,7 @@
 
 #include "app/session/log/mission_feed.h"
 #include "app/session/log/sequencer.h"
+#include "app/session/station/live_mapping.h"
 #include "app/session/station/robot_line.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
@@ -17,6 +18,12 @@
 #include "transport/link/stop_sender.h"
 
 namespace leitstand {
+namespace {
+
+/// The station that has it registers; the others would make a second map of the same scans.
+const GrantId MapGrant{GrantSample::Kind::Map, {}};
+
+}  // namespace
 
 struct Station::State {
     StationSettings settings;
@@ -27,6 +34,7 @@ struct Station::State {
     std::unique_ptr<StopSender> stops;
     std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
     std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<LiveMapping> mapping;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
@@ -36,6 +44,7 @@ struct Station::State {
     Result<void> start();
     Result<void> control();
     Result<void> lineTo(const RobotDescription& robot);
+    void map();
     void listen();
     void refresh(const std::string& robot);  ///< empty: all
     void say(const std::string& text) const {
@@ -59,7 +68,10 @@ Station::State::~State() {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
     if (feed) feed->end();
-    mission.reset();  // its thread looks at the lines
+    // Events that wait still go into the log; what would come of them in the map does not.
+    if (mapping) mapping->end();
+    mission.reset();  // its thread looks at the lines and hands over to the mapping
+    mapping.reset();
     lines.clear();
     stops.reset();
     grants.reset();
@@ -114,6 +126,22 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
     return {};
 }
 
+void Station::State::map() {
+    LiveMappingListener listening;
+    listening.onMap = listener.onMap;
+    listening.onUpdate = [this](const MapUpdate& update) {
+        const auto log = [this](const auto& sample, std::string_view topic) {
+            if (const auto kept = mission->say(sample, topic); !kept) say(kept.error().text);
+        };
+        if (update.keyScan) log(*update.keyScan, station_topic::KeyScans);
+        if (update.poses) log(*update.poses, station_topic::ScanPoses);
+        if (update.localisation && listener.onLocalised) listener.onLocalised(*update.localisation);
+    };
+    mapping = std::make_unique<LiveMapping>(settings.mission.robots, memory->identity().id, settings.mapping,
+                                            std::move(listening));
+    grants->ask(MapGrant);
+}
+
 void Station::State::listen() {
     feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
         for (const auto& [name, line] : lines) line->link().onSample(sample);
@@ -152,6 +180,7 @@ Result<void> Station::State::start() {
     log.onEvent = [this](const Event& event) {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
+        if (grants->mayAct(MapGrant)) mapping->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     auto recorded = LiveMission::open(settings.mission, std::move(log));
@@ -161,6 +190,7 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
+    map();
     {
         const std::lock_guard lock(mutex);
         open = true;

@@ -10,6 +10,8 @@
 #include "app/session/domain/domain_settings.h"
 #include "app/session/log/live_mission.h"
 #include "core/base/result.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/map.h"
 #include "core/mission/event.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_view.h"
@@ -22,13 +24,16 @@ struct StationSettings {
     /// Where everything is recorded; its robots are those of the station. Its station is set from the memory.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
+    LiveSettings mapping = {};     ///< how the station that holds the map's grant registers
 };
 
 /// Who is told what happens. Called on threads of the station's, which they must not hold up; any may be
 /// empty. May call the station's functions, but not destroy it.
 struct StationListener {
-    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
-    std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
+    std::function<void(const std::string&)> onMessage = {};     ///< for the operator, in words
+    std::function<void(const Event&)> onEvent = {};             ///< as of LiveMission
+    std::function<void(const MapPtr&)> onMap = {};              ///< the map has grown or moved
+    std::function<void(const Localisation&)> onLocalised = {};  ///< a scan told where a robot is in the map
 };
 
 /// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds

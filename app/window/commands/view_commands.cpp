@@ -35,13 +35,13 @@ T chosenBy(const QAction* action) {
 
 }  // namespace
 
-ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent)
+ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Qt::KeyboardModifiers lookKeys)
     : QObject(parent),
       m_state(state),
       m_looks(new QActionGroup(this)),
       m_colourings(new QActionGroup(this)),
       m_themes(new QActionGroup(this)) {
-    addLooks();
+    addLooks(lookKeys);
     addColourings();
     addThemes();
     addCameras(view);
@@ -51,15 +51,16 @@ ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent)
     showState();
 }
 
-void ViewCommands::addLooks() {
-    addChoice(
-        *m_looks, MapLook::Points,
-        {"lookPoints", tr("&Points"), tr("Shows the scans' points"), QKeySequence(Qt::Key_1), "points"});
+void ViewCommands::addLooks(Qt::KeyboardModifiers keys) {
+    addChoice(*m_looks, MapLook::Points,
+              {"lookPoints", tr("&Points"), tr("Shows the scans' points"), QKeySequence(keys | Qt::Key_1),
+               "points"});
     addChoice(*m_looks, MapLook::Voxels,
-              {"lookVoxels", tr("&Voxels"), tr("Shows the map as cubes"), QKeySequence(Qt::Key_2), "voxels"});
+              {"lookVoxels", tr("&Voxels"), tr("Shows the map as cubes"), QKeySequence(keys | Qt::Key_2),
+               "voxels"});
     addChoice(*m_looks, MapLook::Top,
               {"lookTop", tr("&Floor plan"), tr("Shows the map from above with a 1 m grid"),
-               QKeySequence(Qt::Key_3), "top"});
+               QKeySequence(keys | Qt::Key_3), "top"});
     connect(m_looks, &QActionGroup::triggered, this, [this](const QAction* action) {
         m_state.alter([action](MapViewSettings& view) { view.look = chosenBy<MapLook>(action); });
     });

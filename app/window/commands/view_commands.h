@@ -17,8 +17,9 @@ class MapView;
 class ViewCommands final : public QObject {
     Q_OBJECT
 public:
-    /// The commands change @p state and move the camera of @p view; both must outlive them.
-    ViewCommands(ViewState& state, MapView& view, QObject* parent);
+    /// The commands change @p state and move the camera of @p view; both must outlive them. Looks are on 1 to
+    /// 3 with @p lookKeys.
+    ViewCommands(ViewState& state, MapView& view, QObject* parent, Qt::KeyboardModifiers lookKeys = {});
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
@@ -32,7 +33,7 @@ public:
     [[nodiscard]] QAction& measure() const { return *m_measure; }
 
 private:
-    void addLooks();
+    void addLooks(Qt::KeyboardModifiers keys);
     void addColourings();
     void addThemes();
     void addCameras(MapView& view);

@@ -4,35 +4,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
-#include <QLocale>
 #include <QSettings>
 #include <QTableView>
 
 #include "tests/app/session/scan_folder.h"
 
 namespace leitstand::test {
-namespace {
-
-/// One application for all tests of the process.
-class QtEnvironment final : public testing::Environment {
-public:
-    void SetUp() override {
-        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-        static int argc = 1;
-        static char name[] = "gui_tests";
-        static char* argv[] = {name, nullptr};
-        m_application = std::make_unique<QApplication>(argc, argv);
-        QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
-    }
-    void TearDown() override { m_application.reset(); }
-
-private:
-    std::unique_ptr<QApplication> m_application;
-};
-
-[[maybe_unused]] const auto* const environment = testing::AddGlobalTestEnvironment(new QtEnvironment);
-
-}  // namespace
 
 WindowPage::WindowPage(const WindowState& state) : m_window(std::make_unique<MainWindow>(state)) {
     m_window->show();

@@ -1,0 +1,126 @@
+#include "app/session/station/live_mapping.h"
+
+#include <chrono>
+#include <optional>
+#include <variant>
+
+#include "app/session/log/sequencer.h"
+
+namespace leitstand {
+
+MapPtr shownMap(const LiveMap& live) {
+    auto map = std::make_shared<Map>();
+    for (const LiveKeyScan& one : live.scans) {
+        if (one.pose.trust == ScanTrust::SetAside) continue;
+        MapScan scan;
+        scan.scan = one.scan;
+        scan.poseInMap = scan.guessInMap = one.pose.scanInMap;
+        scan.pointsUsed = one.reduced ? one.reduced->size() : 0;
+        for (const Label label : one.scan->labels) ++scan.labelCounts[static_cast<std::size_t>(label)];
+        scan.registered = one.matched != 0;
+        scan.icp.converged = one.pose.converged;
+        scan.icp.stop = one.pose.converged ? IcpStop::Converged : IcpStop::IterationLimit;
+        scan.icp.rms = one.pose.rms;
+        scan.icp.inlierRatio = one.pose.inlierRatio;
+        scan.icp.overlap = one.pose.overlap;
+        scan.icp.certainty = one.counts() ? one.pose.certainty : 0.0;
+        map->scans.push_back(std::move(scan));
+    }
+    return map;
+}
+
+LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
+                         const LiveSettings& settings, LiveMappingListener listener)
+    : m_listener(std::move(listener)), m_mapper(station, settings) {
+    for (const RobotDescription& robot : robots) {
+        m_robots.emplace(robot.name, Robot(robot));
+        m_mapper.setBody(robot.name, {robot.footprint, robot.height});
+    }
+    m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+LiveMapping::~LiveMapping() = default;
+
+void LiveMapping::end() {
+    m_thread.request_stop();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+void LiveMapping::take(const Event& event) {
+    const bool wanted = std::holds_alternative<OdometrySample>(event.sample) ||
+                        std::holds_alternative<ImuSample>(event.sample) ||
+                        std::holds_alternative<CloudSample>(event.sample) ||
+                        event.role == StreamRole::StaticTransforms;
+    if (!wanted || !m_robots.contains(event.robot)) return;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.push_back(event);
+    }
+    m_came.notify_all();
+}
+
+ScanCutter& LiveMapping::cutterOf(Robot& robot, const Event& event) {
+    return robot.cutters.try_emplace(event.topic, event.robot).first->second;
+}
+
+void LiveMapping::work(const Event& event) {
+    Robot& robot = m_robots.at(event.robot);
+    if (event.role == StreamRole::StaticTransforms) {
+        robot.poses.add(event);
+    } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        for (auto& [topic, cutter] : robot.cutters) cutter.add(*odometry, event.received);
+    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+        const Pose unit = robot.poses.inBase(event.sensor, imu->header.frame);
+        for (auto& [topic, cutter] : robot.cutters) cutter.add(*imu, unit, event.received);
+    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
+        cutterOf(robot, event).add(*cloud, sensor, event.received);
+    }
+}
+
+void LiveMapping::registerDone(Time now) {
+    for (auto& [name, robot] : m_robots) {
+        for (auto& [topic, cutter] : robot.cutters) {
+            for (const LiveScan& scan : cutter.take(now)) {
+                const MapUpdate update = m_mapper.add(scan, now);
+                if (m_listener.onUpdate) m_listener.onUpdate(update);
+                if (m_listener.onMap && (update.keyScan || update.poses))
+                    m_listener.onMap(shownMap(*m_mapper.map()));
+            }
+        }
+    }
+}
+
+std::optional<Time> LiveMapping::due() const {
+    std::optional<Time> first;
+    for (const auto& [name, robot] : m_robots) {
+        for (const auto& [topic, cutter] : robot.cutters) {
+            const auto one = cutter.due();
+            if (one && (!first || *one < *first)) first = one;
+        }
+    }
+    return first;
+}
+
+void LiveMapping::run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        std::deque<Event> taken;
+        {
+            std::unique_lock lock(m_mutex);
+            const auto came = [this] { return !m_waiting.empty(); };
+            if (const auto until = due()) {
+                m_came.wait_until(lock, stop, *until, came);
+            } else {
+                m_came.wait(lock, stop, came);
+            }
+            taken.swap(m_waiting);
+        }
+        for (const Event& event : taken) {
+            if (stop.stop_requested()) return;
+            work(event);
+        }
+        registerDone(stationTime());
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/session/scans/sensor_poses.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/map.h"
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+/// Called on the mapping's thread, which they must not hold up.
+struct LiveMappingListener {
+    std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
+    std::function<void(const MapPtr&)> onMap = {};        ///< after a scan entered or moved
+};
+
+/// Registers what robots scan while they drive, on a thread of its own. Any thread.
+class LiveMapping {
+public:
+    LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
+                const LiveSettings& settings, LiveMappingListener listener);
+    ~LiveMapping();
+    LiveMapping(const LiveMapping&) = delete;
+    LiveMapping& operator=(const LiveMapping&) = delete;
+
+    void end();                     ///< what waits is left; nobody is told anything any more
+    void take(const Event& event);  ///< odometry, inertial unit, fixed frames, 3D scans; others are passed by
+
+private:
+    struct Robot {
+        explicit Robot(const RobotDescription& description) : poses(description) {}
+        SensorPoses poses;
+        std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
+    };
+    void run(const std::stop_token& stop);
+    void work(const Event& event);
+    void registerDone(Time now);
+    [[nodiscard]] std::optional<Time> due() const;
+    ScanCutter& cutterOf(Robot& robot, const Event& event);
+
+    const LiveMappingListener m_listener;
+    LiveMapper m_mapper;  ///< of the thread, as the robots
+    std::map<std::string, Robot> m_robots;
+    std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::deque<Event> m_waiting;  ///< under the mutex
+    std::jthread m_thread;        ///< last: joined first
+};
+
+/// @p map as the map view takes it: scans that were not set aside.
+[[nodiscard]] MapPtr shownMap(const LiveMap& map);
+
+}  // namespace leitstand

@@ -1,0 +1,132 @@
+#include "app/window/live/live_application.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include <QApplication>
+#include <QDateTime>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/window/live/demo_robots.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/live_window.h"
+#include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
+#include "widgets/map_view/map_view.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
+
+void complain(const std::string& text) {
+    std::fprintf(stderr, "leitstand: %s\n", text.c_str());
+}
+
+fs::path under(QStandardPaths::StandardLocation place, const QString& name) {
+    return fs::path(QStandardPaths::writableLocation(place).toStdString()) / "leitstand" / name.toStdString();
+}
+
+/// A new mission's folder, named by the time.
+fs::path newMission() {
+    return under(QStandardPaths::GenericDataLocation,
+                 QStringLiteral("missions/") +
+                     QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")));
+}
+
+Result<std::vector<RobotDescription>> robotsOf(const std::vector<std::string>& names) {
+    std::vector<RobotDescription> robots;
+    for (const std::string& name : names) {
+        const auto file = findRobotFile(name);
+        if (!file) return file.error();
+        auto robot = readRobot(*file);
+        if (!robot) return robot.error();
+        robots.push_back(std::move(robot).value());
+    }
+    return robots;
+}
+
+/// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
+bool waitUntilShown(const LiveWindow& window) {
+    QEventLoop loop;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (window.missing().isEmpty()) loop.quit();
+    });
+    look.start(100);
+    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
+    loop.exec();
+    return window.missing().isEmpty();
+}
+
+int takePicture(LiveWindow& window, const Options& options) {
+    window.resize(options.size);
+    window.show();
+    if (!waitUntilShown(window)) {
+        complain("no picture after 60 s: " + window.missing().toStdString());
+        return 1;
+    }
+    QApplication::processEvents();
+    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+        complain(options.screenshot + ": the picture could not be written");
+        return 1;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int runLive(const Options& options) {
+    const auto robots =
+        robotsOf(options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots);
+    if (!robots) return complain(robots.error().text), 1;
+    const bool picture = !options.screenshot.empty();
+    const QTemporaryDir passing;  // a picture's mission is nobody's
+    StationSettings settings;
+    settings.domain.domain = options.domain;
+    settings.domain.interfaces = options.interfaces;
+    // Simulated robots are nobody else's: nothing leaves this computer unless it is asked for.
+    if (options.demo && options.interfaces.empty()) settings.domain.interfaces = {"lo"};
+    settings.domain.keys = options.keys;
+    settings.mission.robots = *robots;
+    settings.mission.title = QSysInfo::machineHostName().toStdString();
+    settings.mission.version = LEITSTAND_VERSION;
+    settings.mission.folder = !options.mission.empty() ? fs::path(options.mission)
+                              : picture                ? fs::path(passing.path().toStdString()) / "mission"
+                                                       : newMission();
+    settings.memory = picture ? fs::path(passing.path().toStdString()) / "station.yaml"
+                              : under(QStandardPaths::GenericConfigLocation, QStringLiteral("station.yaml"));
+    auto bridge = LiveBridge::open(settings);
+    if (!bridge) return complain(bridge.error().text), 1;
+    WindowState remembered = picture ? WindowState{} : loadWindowState();
+    if (options.look) remembered.view.look = *options.look;
+    if (options.theme) remembered.view.theme = *options.theme;
+    LiveWindow window(**bridge, remembered.view);
+    std::optional<DemoRobots> demo;
+    if (options.demo) {
+        DemoSettings simulated;
+        simulated.domain = options.domain;
+        simulated.interface = QString::fromStdString(settings.domain.interfaces.front());
+        demo.emplace(simulated);
+        QObject::connect(&*demo, &DemoRobots::failed, &window, &LiveWindow::tell);
+        QObject::connect(&*demo, &DemoRobots::failed,
+                         [](const QString& why) { complain(why.toStdString()); });
+        demo->start();
+    }
+    if (picture) return takePicture(window, options);
+    window.resize(remembered.firstSize);
+    window.show();
+    std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
+    std::fflush(stdout);
+    return QApplication::exec();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/window/options.h"
+
+namespace leitstand {
+
+/// The station on live robots, as @p options ask: on robots that are there, or with simulated ones started
+/// beside it. Needs a QApplication. Returns the exit status.
+[[nodiscard]] int runLive(const Options& options);
+
+}  // namespace leitstand

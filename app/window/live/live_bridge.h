@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/session/station/picture_feed.h"
+#include "app/session/station/station.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// The station as the GUI thread sees it: what its threads tell arrives here as signals.
+class LiveBridge final : public QObject {
+    Q_OBJECT
+public:
+    /// Errors as of Station::open().
+    [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
+    ~LiveBridge() override;
+
+    [[nodiscard]] Station& station() { return *m_station; }
+
+signals:
+    void told(const QString& text);                        ///< for the operator, in English
+    void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
+    void mapChanged(const leitstand::MapPtr& map);
+    void localised(const leitstand::Localisation& where);
+    void ticked();  ///< 30 times a second: ask the station for the newest
+
+private:
+    LiveBridge();
+    template <class Call>
+    void hop(Call call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    }
+
+    QTimer m_tick;
+    std::unique_ptr<PictureFeed> m_pictures;
+    std::unique_ptr<Station> m_station;  ///< last: its threads end first
+};
+
+}  // namespace leitstand

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QObject>
+
+namespace leitstand {
+
+/// Esc stops, always and everywhere: whatever has the keyboard, dialogs too.
+class StopKey final : public QObject {
+    Q_OBJECT
+public:
+    explicit StopKey(QObject* parent);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void pressed();
+};
+
+}  // namespace leitstand

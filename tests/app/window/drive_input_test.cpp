@@ -1,0 +1,114 @@
+#include "app/window/live/drive_input.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
+namespace leitstand::test {
+namespace {
+
+RobotDescription robot() {
+    RobotDescription description;
+    description.name = "kurt3d";
+    description.maxSpeed = 0.5;
+    description.maxTurnRate = 1.0;
+    return description;
+}
+
+class DriveInputTest : public testing::Test {
+protected:
+    DriveInputTest() {
+        m_input.setRobot(robot());
+        QObject::connect(&m_input, &DriveInput::sticks,
+                         [this](const DriveVelocity& velocity) { m_sticks = velocity; });
+        m_window.show();
+    }
+    void hold(Qt::Key key) { QTest::keyPress(&m_window, key); }
+    void let(Qt::Key key) { QTest::keyRelease(&m_window, key); }
+    /// The sticks once they were told anew.
+    [[nodiscard]] DriveVelocity sticks() {
+        QSignalSpy spy(&m_input, &DriveInput::sticks);
+        EXPECT_TRUE(spy.wait(2'000));
+        return m_sticks;
+    }
+
+    QWidget m_window;
+    DriveInput m_input{m_window};
+    DriveVelocity m_sticks;
+};
+
+TEST_F(DriveInputTest, KeysDriveOnlyInTheDriveFocus) {
+    hold(Qt::Key_W);
+    EXPECT_TRUE(isZero(m_sticks));
+    let(Qt::Key_W);
+    m_input.setFocus(true);
+    EXPECT_TRUE(isZero(sticks()));
+    hold(Qt::Key_W);
+    EXPECT_GT(sticks().forward, 0.2);
+    hold(Qt::Key_A);
+    EXPECT_GT(sticks().turn, 0.2) << "left is counter-clockwise";
+    let(Qt::Key_W);
+    EXPECT_EQ(sticks().forward, 0.0);
+    let(Qt::Key_A);
+    EXPECT_TRUE(isZero(sticks()));
+}
+
+TEST_F(DriveInputTest, ArrowsShiftAndCtrl) {
+    m_input.setFocus(true);
+    hold(Qt::Key_Up);
+    const double usual = sticks().forward;
+    hold(Qt::Key_Shift);
+    EXPECT_LT(sticks().forward, usual);
+    let(Qt::Key_Shift);
+    hold(Qt::Key_Control);
+    EXPECT_DOUBLE_EQ(sticks().forward, 0.5);
+}
+
+TEST_F(DriveInputTest, SpaceLetsGoAndAKeyThatIsStillHeldDoesNotDriveOn) {
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    ASSERT_GT(sticks().forward, 0.0);
+    hold(Qt::Key_Space);
+    EXPECT_TRUE(isZero(sticks()));
+    // The keyboard repeats the key that is held.
+    QKeyEvent repeated(QEvent::KeyPress, Qt::Key_W, Qt::NoModifier, "w", true);
+    QCoreApplication::sendEvent(&m_window, &repeated);
+    EXPECT_TRUE(isZero(sticks()));
+}
+
+TEST_F(DriveInputTest, TheFocusEndsWithTheWindowsAndTheSticksAreZero) {
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    ASSERT_GT(sticks().forward, 0.0);
+    QSignalSpy ended(&m_input, &DriveInput::focusChanged);
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QCoreApplication::sendEvent(&m_window, &deactivated);
+    ASSERT_EQ(ended.count(), 1);
+    EXPECT_FALSE(m_input.hasFocus());
+    EXPECT_TRUE(isZero(m_sticks)) << "told at once";
+    m_input.setFocus(true);
+    EXPECT_TRUE(isZero(sticks())) << "keys of before are forgotten";
+}
+
+TEST_F(DriveInputTest, ARobotsFileBindsOtherKeys) {
+    RobotDescription other = robot();
+    other.bindings = {{"forward", "I"}, {"left", "nonsense key"}};
+    m_input.setRobot(other);
+    m_input.setFocus(true);
+    hold(Qt::Key_I);
+    EXPECT_GT(sticks().forward, 0.0);
+}
+
+TEST_F(DriveInputTest, AnotherRobotEndsTheFocus) {
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    ASSERT_GT(sticks().forward, 0.0);
+    m_input.setRobot(robot());
+    EXPECT_FALSE(m_input.hasFocus());
+    EXPECT_TRUE(isZero(m_sticks));
+}
+
+}  // namespace
+}  // namespace leitstand::test
