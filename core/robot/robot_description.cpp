@@ -100,6 +100,20 @@ std::string toString(TfPrefix prefix) {
     return {};
 }
 
+std::string toString(SensorMotion motion) {
+    switch (motion) {
+        case SensorMotion::Unsaid:
+            return "unsaid";
+        case SensorMotion::Fixed:
+            return "fixed";
+        case SensorMotion::Turning:
+            return "turning";
+        case SensorMotion::Tilting:
+            return "tilting";
+    }
+    return {};
+}
+
 std::string toString(DriveType drive) {
     switch (drive) {
         case DriveType::Differential:

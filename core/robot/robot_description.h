@@ -78,10 +78,15 @@ struct StreamDescription {
     friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
 
+/// How a laser scanner is moved.
+enum class SensorMotion : std::uint8_t { Unsaid, Fixed, Turning, Tilting };
+[[nodiscard]] std::string toString(SensorMotion motion);
+
 /// A sensor and where it sits.
 struct SensorDescription {
-    std::string frame;                     ///< frame_id of its samples
-    Pose sensorInBase = Pose::Identity();  ///< used where tf does not tell
+    std::string frame = {};                      ///< frame_id of its samples
+    Pose sensorInBase = Pose::Identity();        ///< used where tf does not tell
+    SensorMotion motion = SensorMotion::Unsaid;  ///< tells what a simulated robot carries
 };
 
 enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };

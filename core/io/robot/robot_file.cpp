@@ -123,6 +123,7 @@ void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& 
         one.numbers("rotation", rotation, 3, 360.0, " degrees");
         sensor.sensorInBase = poseFrom({position[0], position[1], position[2]}, degrees(rotation[0]),
                                        degrees(rotation[1]), degrees(rotation[2]));
+        one.choice("motion", sensor.motion, detail::motionWords());
         robot.sensors.emplace(name, sensor);
     }
 }

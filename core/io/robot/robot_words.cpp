@@ -14,6 +14,13 @@ Words<T> wordsUpTo(T last) {
 
 }  // namespace
 
+const Words<SensorMotion>& motionWords() {
+    static const Words<SensorMotion> words = {{"fixed", SensorMotion::Fixed},
+                                              {"turning", SensorMotion::Turning},
+                                              {"tilting", SensorMotion::Tilting}};
+    return words;
+}
+
 const Words<StreamRole>& roleWords() {
     static const Words<StreamRole> words = wordsUpTo(StreamRole::Ping);
     return words;

@@ -17,6 +17,7 @@ using Words = std::vector<std::pair<std::string, T>>;
 [[nodiscard]] const Words<Qos::Durability>& durabilityWords();
 [[nodiscard]] const Words<StampSource>& stampWords();
 [[nodiscard]] const Words<DriveType>& driveWords();
+[[nodiscard]] const Words<SensorMotion>& motionWords();
 [[nodiscard]] const Words<TfPrefix>& prefixWords();
 [[nodiscard]] const Words<LinkLossRule>& linkLossWords();
 

@@ -43,6 +43,7 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
     entry(out, "frame", sensor.frame);
     list(out, "position", {number(position.x()), number(position.y()), number(position.z())});
     list(out, "rotation", {angle(roll), angle(pitch), angle(yaw)});
+    if (sensor.motion != SensorMotion::Unsaid) entry(out, "motion", toString(sensor.motion));
     out << YAML::EndMap;
 }
 

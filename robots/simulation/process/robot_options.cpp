@@ -40,6 +40,8 @@ void addRobots(CLI::App& app, int& exitCode) {
         CLI::App* command = app.add_subcommand(kind, "Drives a simulated " + kind + " in real time");
         command->add_option("--arena", options->arena, "yellow, orange, red, or an arena file (yellow)");
         command->add_option("--seed", options->seed, "Of the arena and of all noise (1)");
+        command->add_option("--robot", options->file,
+                            "Its file (YAML), or the name of a shipped one (" + kind + ")");
         command->add_option("--name", options->name, "Of the robot and its topics (" + kind + ")");
         command->add_option("--domain", options->domain, "DDS domain (0); the truth is on the one 100 above")
             ->check(CLI::Range(0, 132));

@@ -15,7 +15,8 @@ struct RobotOptions {
     std::string kind;              ///< "kurt3d", "crawler"
     std::string arena = "yellow";  ///< a grade, or a file
     std::uint64_t seed = 1;
-    std::string name;  ///< empty: kind
+    std::string file;  ///< of the robot, or a shipped one's name; empty: kind
+    std::string name;  ///< empty: as its file says
     int domain = 0;
     std::vector<std::string> interfaces, peers;
     std::string keys;           ///< folder of its identity; empty: unsecured

@@ -35,7 +35,7 @@ constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 2};
 volatile std::sig_atomic_t stopped = 0;
 
 Result<RobotDescription> describe(const RobotOptions& options) {
-    const auto file = findRobotFile(options.kind);
+    const auto file = findRobotFile(options.file.empty() ? options.kind : options.file);
     if (!file) return file.error();
     auto robot = readRobot(*file);
     if (!robot || options.name.empty()) return robot;
@@ -54,6 +54,13 @@ Result<RobotDescription> describe(const RobotOptions& options) {
         return Error{"--name: " + text.substr(begin, text.find('\n', begin) - begin)};
     }
     return named;
+}
+
+/// How the file has the scanner of that stream moved.
+SensorMotion motionOf(const RobotDescription& robot, StreamRole role) {
+    const StreamDescription* stream = robot.stream(role);
+    const auto sensor = robot.sensors.find(stream == nullptr ? std::string() : stream->sensor);
+    return sensor == robot.sensors.end() ? SensorMotion::Unsaid : sensor->second.motion;
 }
 
 Result<FuzzySystem> fuzzyRules() {
@@ -145,8 +152,10 @@ Result<void> runRobot(const RobotOptions& options) {
     HardwareSettings fitting;
     fitting.mayDraw = [&pace] { return pace.mayDraw(Pace::Clock::now()); };
     fitting.seed = options.seed;
-    fitting.scanner = options.tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
-    fitting.turningLaser = options.turningLaser;
+    const bool tilting = options.tilting || motionOf(*robot, StreamRole::Points) == SensorMotion::Tilting;
+    fitting.scanner = tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
+    fitting.turningLaser =
+        options.turningLaser || motionOf(*robot, StreamRole::Ranges) == SensorMotion::Turning;
     const auto hardware = options.kind == "kurt3d" ? makeKurt3dHardware(world, number, *robot, fitting)
                                                    : makeCrawlerHardware(world, number, *robot, fitting);
     const auto agent = agentFor(options, *hardware, *robot);

@@ -123,6 +123,7 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
         {{"kurt3d", "--turning-laser"}, 2, "--turning-laser"},
         {{"crawler", "--tilting"}, 2, "--tilting"},
         {{"arena", "yellow"}, 2, "--out"},
+        {{"kurt3d", "--robot", "dragon"}, 1, "dragon"},
         {{"kurt3d", "--arena", "blue"},
          1,
          "blue: cannot be opened; expected yellow, orange, red or an arena"},
@@ -166,6 +167,31 @@ TEST(RobotProcesses, TheCrawlersTurningLaserGivesSlices) {
     };
     EXPECT_TRUE(waitUntil(fan));
     EXPECT_THAT(said.errors(), testing::IsEmpty());
+}
+
+/// The robot's shipped file with @p words added to its sensor @p sensor.
+std::string fileWith(const std::string& robot, const std::string& sensor, const std::string& words) {
+    std::string text = readText(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + robot + ".yaml");
+    const std::string begin = "  " + sensor + ": {";
+    const auto at = text.find(begin);
+    if (at == std::string::npos) throw std::runtime_error(robot + ".yaml has no " + sensor);
+    return text.insert(at + begin.size(), words + ", ");
+}
+
+TEST(RobotProcesses, TheRobotsFileSaysWhatItCarries) {
+    const TemporaryFolder folder;
+    writeText(folder / "tilting.yaml", fileWith("kurt3d", "scanner", "motion: tilting"));
+    writeText(folder / "turning.yaml", fileWith("crawler", "laser", "motion: turning"));
+    const TestDomain domain;
+    const auto node = nodeIn(domain);
+    RobotListener kurt3dSaid(*node, shippedRobot("kurt3d")), crawlerSaid(*node, shippedRobot("crawler"));
+    RobotProcess kurt3d(domain, "kurt3d", {"--robot", (folder / "tilting.yaml").string()});
+    RobotProcess crawler(domain, "crawler", {"--robot", (folder / "turning.yaml").string()});
+    ASSERT_TRUE(kurt3dSaid.hears("/kurt3d/points") && crawlerSaid.hears("/crawler/points"));
+    const auto sweep = kurt3dSaid.all<CloudSample>("/kurt3d/points").front();
+    EXPECT_EQ(sweep.rows, 241);
+    EXPECT_EQ(sweep.columns, 181);
+    EXPECT_EQ(crawlerSaid.all<CloudSample>("/crawler/points").front().columns, 445);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
     for (const auto& [name, sensor] : a.sensors) {
         ASSERT_TRUE(b.sensors.contains(name)) << name;
         EXPECT_EQ(sensor.frame, b.sensors.at(name).frame);
+        EXPECT_EQ(sensor.motion, b.sensors.at(name).motion);
         EXPECT_TRUE(sensor.sensorInBase.isApprox(b.sensors.at(name).sensorInBase, 1e-9)) << name;
     }
 }
