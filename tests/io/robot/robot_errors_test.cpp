@@ -129,8 +129,8 @@ TEST(RobotErrors, TellNumbersThatAreNoneOrOfAnotherUnit) {
             "sensors.imu.position: expected 3 numbers from -10 to 10 m, found a list of 2"),
         top("sensors: {imu: {position: [1, 2, 300]}}",
             "sensors.imu.position: expected 3 numbers from -10 to 10 m, found \"300\""),
-        top("sensors: {laser: {motion: tumbling}}",
-            "sensors.laser.motion: expected fixed, turning or tilting, found \"tumbling\""),
+        top("sensors: {laser: {motion: spiral}}",
+            "sensors.laser.motion: expected fixed, turning or tilting, found \"spiral\""),
         top("sensors: {imu: {rotation: [1, 2, x]}}",
             "sensors.imu.rotation: expected 3 numbers from -360 to 360 degrees, found \"x\""),
     });
