@@ -21,8 +21,8 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
     step.measured = robot.odometryFrame >= 0;
     step.trusted = step.measured && !live.bridged && !robot.lost;
-    step.way = robot.way + moved.translation().norm();
-    step.turn = robot.turn + Eigen::AngleAxisd(moved.linear()).angle();
+    step.way = robot.way + std::max(live.way, moved.translation().norm());
+    step.turn = robot.turn + std::max(live.turn, Eigen::AngleAxisd(moved.linear()).angle());
     return robot.sensorInMap * moved;
 }
 

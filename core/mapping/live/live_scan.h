@@ -20,7 +20,8 @@ struct LiveScan {
     bool extrapolated = false;  ///< odometry was not there in time: the end of the scan's motion is guessed
     bool bridged = false;       ///< odometry is missing within the scan
     int odometryFrame = 0;      ///< sensorInOdom of scans of another number has another origin
-    int slices = 0;             ///< that it is made of
+    double way = 0.0, turn = 0.0;  ///< of the robot since the end of the scan before, to and fro [m, rad]
+    int slices = 0;                ///< that it is made of
 };
 
 }  // namespace leitstand

@@ -142,6 +142,21 @@ std::optional<Motion> MotionBuffer::at(Time stamp) const {
     return Motion{levelled(pose, stamp), step > LongestStep ? MotionSource::Bridged : MotionSource::Measured};
 }
 
+Travel MotionBuffer::travelled(Time from, Time to) const {
+    Travel travel;
+    if (!(from < to)) return travel;
+    const auto last = after(to);
+    for (auto entry = after(from); entry != last && std::next(entry) != last; ++entry) {
+        const Entry& next = *std::next(entry);
+        if (next.frame != entry->frame) continue;
+        travel.way += distanceBetween(entry->baseInOdom, next.baseInOdom);
+        const Eigen::Vector3d ahead =
+            entry->baseInOdom.linear().transpose() * next.baseInOdom.linear().col(0);
+        travel.turn += std::abs(std::atan2(ahead.y(), ahead.x()));
+    }
+    return travel;
+}
+
 bool MotionBuffer::covers(Time stamp) const {
     return !m_entries.empty() && m_entries.back().stamp >= stamp;
 }

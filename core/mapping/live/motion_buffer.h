@@ -25,6 +25,12 @@ struct Motion {
     MotionSource source = MotionSource::Measured;
 };
 
+/// How far a robot went, to and fro.
+struct Travel {
+    double way = 0.0;   ///< [m]
+    double turn = 0.0;  ///< of its heading [rad]
+};
+
 /// How a robot moved in the last minutes: position and heading by its odometry, level by gyros and gravity.
 /// Stamps are the robot's clock, which may jump, and the odometry may begin anew. One thread at a time.
 class MotionBuffer {
@@ -42,6 +48,8 @@ public:
     [[nodiscard]] std::optional<Motion> at(Time stamp) const;
     /// Whether odometry of @p stamp or later came.
     [[nodiscard]] bool covers(Time stamp) const;
+    /// What the odometry went between the two stamps; nothing where it began anew.
+    [[nodiscard]] Travel travelled(Time from, Time to) const;
     /// The direction upwards in base_link, by the inertial unit; empty without one.
     [[nodiscard]] std::optional<Eigen::Vector3d> up(Time stamp) const { return m_level.at(stamp); }
     /// Rises when the robot's clock jumped back: what was told before is of another time.

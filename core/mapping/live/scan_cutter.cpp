@@ -144,6 +144,12 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
         live.up = scan->sensorInOdom.linear().transpose() * Eigen::Vector3d::UnitZ();
         live.levelKnown = true;
     }
+    if (m_lastEnd) {
+        const Travel travel = m_motion.travelled(*m_lastEnd, scan->end);
+        live.way = travel.way;
+        live.turn = travel.turn;
+    }
+    m_lastEnd = m_lastEnd ? std::max(*m_lastEnd, scan->end) : scan->end;
     live.scan = std::make_shared<const Scan>(std::move(*scan));
     m_done.push_back(std::move(live));
 }
@@ -154,6 +160,7 @@ void ScanCutter::startAnew() {
     close(m_late);
     close(m_row);
     m_row.end.reset();
+    m_lastEnd.reset();
     m_known.clear();
 }
 

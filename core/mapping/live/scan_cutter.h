@@ -83,6 +83,7 @@ private:
     std::multimap<Time, std::string> m_known;  ///< stamps and frames of the slices of the last minutes
     Row m_row, m_late;
     std::vector<LiveScan> m_done;
+    std::optional<Time> m_lastEnd;  ///< of the newest scan
     std::uint64_t m_odometry = 0, m_doubled = 0;
     int m_clockJumps = 0;
 };

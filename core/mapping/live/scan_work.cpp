@@ -98,7 +98,8 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     Match first;
     for (const std::vector<double>* schedule : schedules) {
         Match one = match(cloud, local, guess, step, up, settings, fit, *schedule);
-        if (one.doubts == 0) return one;
+        // One that fits worse has only not found what the first one did.
+        if (one.doubts == 0 && one.icp.overlap >= first.icp.overlap) return one;
         if (schedule == schedules.front()) first = one;
     }
     return first;

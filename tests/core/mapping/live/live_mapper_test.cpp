@@ -65,6 +65,18 @@ TEST(LiveMapper, AScanThatDoesNotFitIsUncertainAndNothingIsBuiltOnIt) {
     EXPECT_TRUE(alike(room.poses(), room.log.poses()));
 }
 
+TEST(LiveMapper, OdometryMayBeWrongByAShareOfItsWayToAndFro) {
+    for (const double way : {0.4, 1.2}) {
+        MappedRoom room;
+        room.drive(3);
+        LiveScan scan =
+            scanAt(poseFrom({-0.2, 0.15, 0.9}, 0, 0, degrees(9)), 30, poseFrom({0, 0.38, 0}, 0, 0, 0));
+        scan.way = way;
+        const auto doubts = room.add(scan).localisation.doubts;
+        EXPECT_EQ(doubts, way < 1.0 ? static_cast<int>(ScanDoubt::Jump) : 0) << inWords(doubts);
+    }
+}
+
 TEST(LiveMapper, DecisionsAreSamplesThatCanBeTakenBack) {
     MappedRoom room;
     room.drive(4);

@@ -55,6 +55,18 @@ TEST(MotionBuffer, StrayStampsAndPosesThatAreNoneAreLeftOut) {
     EXPECT_TRUE(buffer.at(at(725))->baseInOdom.isApprox(moving(725), 1e-4));
 }
 
+TEST(MotionBuffer, TellsHowFarItWentToAndFro) {
+    MotionBuffer buffer;
+    for (int ms = 0; ms <= 2000; ms += 50) {
+        const int there = ms <= 1000 ? ms : 2000 - ms;
+        buffer.add(odometryAt(at(ms), moving(there)));
+    }
+    const Travel travel = buffer.travelled(at(0), at(2000));
+    EXPECT_NEAR(travel.way, 1.0, 0.05);
+    EXPECT_NEAR(travel.turn, degrees(60), degrees(3));
+    EXPECT_EQ(buffer.travelled(at(2000), at(0)).way, 0.0);
+}
+
 TEST(MotionBuffer, DisorderIsNoJump) {
     MotionBuffer buffer;
     for (const int ms : {0, 50, 150, 100, 250, 300, 200, 350}) buffer.add(odometryAt(at(ms), moving(ms)));
