@@ -148,7 +148,8 @@ TEST(LiveMapper, TheMapComesAgainFromTheLog) {
     room.log.say(room.mapper.reject(2, room.now).value());
     LiveMapper again = room.log.readAgain();
     std::vector<ScanPose> poses;
-    for (const LiveKeyScan& scan : again.map()->scans) poses.push_back(scan.pose);
+    const LiveMapPtr map = again.map();
+    for (const LiveKeyScan& scan : map->scans) poses.push_back(scan.pose);
     EXPECT_TRUE(alike(poses, room.poses()));
     ASSERT_EQ(again.map()->scans.size(), room.mapper.map()->scans.size());
     EXPECT_EQ(again.map()->scans[0].scan, room.mapper.map()->scans[0].scan);

@@ -77,7 +77,8 @@ void MappedRoom::drive(int scans) {
 
 std::vector<ScanPose> MappedRoom::poses() const {
     std::vector<ScanPose> poses;
-    for (const LiveKeyScan& scan : mapper.map()->scans) poses.push_back(scan.pose);
+    const LiveMapPtr map = mapper.map();
+    for (const LiveKeyScan& scan : map->scans) poses.push_back(scan.pose);
     return poses;
 }
 
