@@ -30,11 +30,17 @@ MapPtr shownMap(const LiveMap& live) {
 }
 
 LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
-                         const LiveSettings& settings, LiveMappingListener listener)
+                         const LiveSettings& settings, LiveMappingListener listener,
+                         const std::vector<KeyScanSample>& earlier, const std::vector<ScanPose>& poses)
     : m_listener(std::move(listener)), m_mapper(station, settings) {
     for (const RobotDescription& robot : robots) {
         m_robots.emplace(robot.name, Robot(robot));
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
+    }
+    for (const KeyScanSample& scan : earlier) m_mapper.restore(scan);
+    if (!earlier.empty()) {
+        m_mapper.follow(poses);
+        if (m_listener.onMap) m_listener.onMap(shownMap(*m_mapper.map()));
     }
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

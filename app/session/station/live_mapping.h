@@ -28,8 +28,10 @@ struct LiveMappingListener {
 /// Registers what robots scan while they drive, on a thread of its own. Any thread.
 class LiveMapping {
 public:
+    /// @p earlier: key scans of the mission's earlier sessions; @p poses: where they are now.
     LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
-                const LiveSettings& settings, LiveMappingListener listener);
+                const LiveSettings& settings, LiveMappingListener listener,
+                const std::vector<KeyScanSample>& earlier = {}, const std::vector<ScanPose>& poses = {});
     ~LiveMapping();
     LiveMapping(const LiveMapping&) = delete;
     LiveMapping& operator=(const LiveMapping&) = delete;

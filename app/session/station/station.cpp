@@ -1,9 +1,11 @@
 #include "app/session/station/station.h"
 
 #include <atomic>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -11,8 +13,10 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/robot_line.h"
+#include "core/io/bag/bag_reader.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
+#include "transport/convert/decode.h"
 #include "transport/dds/node.h"
 #include "transport/link/grant_keeper.h"
 #include "transport/link/stop_sender.h"
@@ -22,6 +26,31 @@ namespace {
 
 /// The station that has it registers; the others would make a second map of the same scans.
 const GrantId MapGrant{GrantSample::Kind::Map, {}};
+
+/// Key scans in the log of the mission @p folder; none where there is no mission yet.
+std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
+    std::vector<KeyScanSample> scans;
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored)) return scans;
+    const auto bag = BagReader::open(folder);
+    if (!bag) return scans;  // LiveMission says why
+    BagQuery query;
+    query.topics = {std::string(station_topic::KeyScans)};
+    BagCursor cursor = (*bag)->read(query);
+    while (const auto raw = cursor.next()) {
+        const auto event = decodeStationEvent(*raw);
+        if (!event) continue;
+        if (const auto* scan = std::get_if<KeyScanSample>(&event->sample)) scans.push_back(*scan);
+    }
+    return scans;
+}
+
+/// Where the key scans of @p mission are now.
+std::vector<ScanPose> posesOf(const MissionState& mission) {
+    std::vector<ScanPose> poses;
+    for (const auto& [id, scan] : *mission.keyScans) poses.push_back(scan.pose);
+    return poses;
+}
 
 }  // namespace
 
@@ -44,7 +73,7 @@ struct Station::State {
     Result<void> start();
     Result<void> control();
     Result<void> lineTo(const RobotDescription& robot);
-    void map();
+    void map(const std::vector<KeyScanSample>& earlier);
     void listen();
     void refresh(const std::string& robot);  ///< empty: all
     void say(const std::string& text) const {
@@ -126,7 +155,7 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
     return {};
 }
 
-void Station::State::map() {
+void Station::State::map(const std::vector<KeyScanSample>& earlier) {
     LiveMappingListener listening;
     listening.onMap = listener.onMap;
     listening.onUpdate = [this](const MapUpdate& update) {
@@ -135,10 +164,10 @@ void Station::State::map() {
         };
         if (update.keyScan) log(*update.keyScan, station_topic::KeyScans);
         if (update.poses) log(*update.poses, station_topic::ScanPoses);
-        if (update.localisation && listener.onLocalised) listener.onLocalised(*update.localisation);
+        if (listener.onLocalised) listener.onLocalised(update.localisation);
     };
     mapping = std::make_unique<LiveMapping>(settings.mission.robots, memory->identity().id, settings.mapping,
-                                            std::move(listening));
+                                            std::move(listening), earlier, posesOf(*mission->state()));
     grants->ask(MapGrant);
 }
 
@@ -183,6 +212,7 @@ Result<void> Station::State::start() {
         if (grants->mayAct(MapGrant)) mapping->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
+    const std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
     auto recorded = LiveMission::open(settings.mission, std::move(log));
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();
@@ -190,7 +220,7 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
-    map();
+    map(earlier);
     {
         const std::lock_guard lock(mutex);
         open = true;

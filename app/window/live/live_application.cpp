@@ -13,11 +13,10 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "app/session/station/choose_robots.h"
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
-#include "core/io/robot/robot_file.h"
-#include "core/io/robot/shipped_robots.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -40,18 +39,6 @@ fs::path newMission() {
     return under(QStandardPaths::GenericDataLocation,
                  QStringLiteral("missions/") +
                      QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")));
-}
-
-Result<std::vector<RobotDescription>> robotsOf(const std::vector<std::string>& names) {
-    std::vector<RobotDescription> robots;
-    for (const std::string& name : names) {
-        const auto file = findRobotFile(name);
-        if (!file) return file.error();
-        auto robot = readRobot(*file);
-        if (!robot) return robot.error();
-        robots.push_back(std::move(robot).value());
-    }
-    return robots;
 }
 
 /// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
@@ -86,7 +73,7 @@ int takePicture(LiveWindow& window, const Options& options) {
 
 int runLive(const Options& options) {
     const auto robots =
-        robotsOf(options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots);
+        chooseRobots(options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots);
     if (!robots) return complain(robots.error().text), 1;
     const bool picture = !options.screenshot.empty();
     const QTemporaryDir passing;  // a picture's mission is nobody's

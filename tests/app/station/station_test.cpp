@@ -214,5 +214,26 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     ASSERT_TRUE(waitUntil([&] { return view().stop.acknowledged && view().stop.standing; }));
 }
 
+TEST_F(StationTest, ARestartedStationGoesOnWithItsMap) {
+    const ChildProcess process(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--domain",
+                                                 std::to_string(m_domain.number())});
+    const auto description =
+        must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+    auto station = stationFor({description});
+    ASSERT_TRUE(waitUntil([&] { return !station->mission()->keyScans->empty(); }, 60s)) << m_words.all();
+    station.reset();
+    StationSettings again;
+    again.domain.domain = m_domain.number();
+    again.mission.folder = m_folder / "station-mission";
+    again.mission.robots = {description};
+    again.memory = m_folder / "station.yaml";
+    std::atomic<std::size_t> shown = 0;
+    StationListener listener;
+    listener.onMap = [&](const MapPtr& map) { shown = map->scans.size(); };
+    const auto resumed = must(Station::open(again, std::move(listener)));
+    EXPECT_GE(shown, 1u) << "at once, before any scan";
+    EXPECT_FALSE(resumed->mission()->keyScans->empty());
+}
+
 }  // namespace
 }  // namespace leitstand::test
