@@ -168,7 +168,8 @@ Result<void> LiveMission::State::say(const Sample& sample, std::string_view topi
 
 void LiveMission::AlarmRelay::raise(const BagAlarm& alarm) {
     const std::lock_guard lock(mutex);
-    if (state == nullptr) return;
+    // While the log is closed it takes no more events, and those would count as lost.
+    if (state == nullptr || state->ending) return;
     const bool filling = alarm.kind == BagAlarm::Kind::DiskFilling || alarm.kind == BagAlarm::Kind::DiskSlow;
     const AlarmSample sample{
         .stamp = stationTime(),
