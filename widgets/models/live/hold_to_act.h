@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
 
 #include "core/robot/link_status.h"
 
@@ -13,29 +12,27 @@ public:
     explicit HoldToAct(std::chrono::nanoseconds length = std::chrono::seconds(1)) : m_length(length) {}
 
     void begin(SteadyTime now) {
-        if (!m_since) m_since = now;
+        if (!m_held) m_since = now;
+        m_held = true;
     }
-    void end() {
-        m_since.reset();
-        m_done = false;
-    }
-    [[nodiscard]] bool isHeld() const { return m_since.has_value(); }
+    void end() { m_held = m_done = false; }
+    [[nodiscard]] bool isHeld() const { return m_held; }
     /// Share of the time that is over, 0 to 1.
     [[nodiscard]] double progress(SteadyTime now) const {
-        if (!m_since) return 0.0;
-        const double share = std::chrono::duration<double>(now - *m_since) / m_length;
+        if (!m_held) return 0.0;
+        const double share = std::chrono::duration<double>(now - m_since) / m_length;
         return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
     }
     /// True once, when the time is over; it must be let go before it can happen again.
     [[nodiscard]] bool due(SteadyTime now) {
-        if (!m_since || m_done || now - *m_since < m_length) return false;
+        if (!m_held || m_done || now - m_since < m_length) return false;
         return m_done = true;
     }
 
 private:
     std::chrono::nanoseconds m_length;
-    std::optional<SteadyTime> m_since;
-    bool m_done = false;
+    SteadyTime m_since = {};
+    bool m_held = false, m_done = false;
 };
 
 }  // namespace leitstand
