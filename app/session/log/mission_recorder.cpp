@@ -7,8 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "app/session/log/link_line.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
 #include "transport/link/link_client.h"
@@ -25,12 +24,6 @@ bool isHousekeeping(const std::string& topic) {
 bool isOfAnotherLog(const std::string& topic) {
     return topic == station_topic::Checkpoints || topic == station_topic::Sessions ||
            topic == station_topic::Undo;
-}
-
-/// "kurt3d: degraded: odometry 1.4 s old"
-std::string linkLine(const LinkStatus& link) {
-    const std::string reasons = toString(link.reasons);
-    return fmt::format("{}: {}{}{}", link.robot, toString(link.state), reasons.empty() ? "" : ": ", reasons);
 }
 
 }  // namespace

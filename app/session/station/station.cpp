@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/session/log/link_line.h"
 #include "app/session/log/mission_feed.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/live_mapping.h"
@@ -140,11 +141,7 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
                                stops->holdsByZeros(name)};
     };
     LinkListener watch;
-    watch.onState = [this](const LinkStatus& link) {
-        const std::string reasons = toString(link.reasons);
-        say(fmt::format("{}: {}{}{}", link.robot, toString(link.state), reasons.empty() ? "" : ": ",
-                        reasons));
-    };
+    watch.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
     watch.onClockOffset = [this](const ClockOffsetSample& offset) {
         const std::lock_guard lock(mutex);
         if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
@@ -164,7 +161,6 @@ void Station::State::map(const std::vector<KeyScanSample>& earlier) {
         };
         if (update.keyScan) log(*update.keyScan, station_topic::KeyScans);
         if (update.poses) log(*update.poses, station_topic::ScanPoses);
-        if (listener.onLocalised) listener.onLocalised(update.localisation);
     };
     mapping = std::make_unique<LiveMapping>(settings.mission.robots, memory->identity().id, settings.mapping,
                                             std::move(listening), earlier, posesOf(*mission->state()));
@@ -209,7 +205,8 @@ Result<void> Station::State::start() {
     log.onEvent = [this](const Event& event) {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
-        if (grants->mayAct(MapGrant)) mapping->take(event);
+        // Where sensors sit is said once, before the grant is there.
+        if (event.role == StreamRole::StaticTransforms || grants->mayAct(MapGrant)) mapping->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     const std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);

@@ -30,10 +30,9 @@ struct StationSettings {
 /// Who is told what happens. Called on threads of the station's, which they must not hold up; any may be
 /// empty. May call the station's functions, but not destroy it.
 struct StationListener {
-    std::function<void(const std::string&)> onMessage = {};     ///< for the operator, in words
-    std::function<void(const Event&)> onEvent = {};             ///< as of LiveMission
-    std::function<void(const MapPtr&)> onMap = {};              ///< the map has grown or moved
-    std::function<void(const Localisation&)> onLocalised = {};  ///< a scan told where a robot is in the map
+    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
+    std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
+    std::function<void(const MapPtr&)> onMap = {};           ///< the map has grown or moved
 };
 
 /// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds

@@ -26,7 +26,6 @@ signals:
     void told(const QString& text);                        ///< for the operator, in English
     void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
     void mapChanged(const leitstand::MapPtr& map);
-    void localised(const leitstand::Localisation& where);
     void ticked();  ///< 30 times a second: ask the station for the newest
 
 private:

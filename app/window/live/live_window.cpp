@@ -141,6 +141,7 @@ void LiveWindow::addCommands() {
     auto* view = new ViewCommands(m_view, mapView(), this, Qt::AltModifier);  // 1, 2 ... select robots
     view->fill(*menuBar()->addMenu(tr("&View")));
     view->setScans(0);
+    view->before().setVisible(false);  // scans of a live map have one pose
     connect(&m_bridge, &LiveBridge::mapChanged, view,
             [view](const MapPtr& map) { view->setScans(static_cast<int>(map->scans.size())); });
     (new HelpCommands(*this))->fill(*menuBar()->addMenu(tr("&Help")));

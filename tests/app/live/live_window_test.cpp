@@ -63,6 +63,13 @@ protected:
         if (said == mission->robots.end() || !said->second->odometry) return 0.0;
         return said->second->odometry->sample.linear.x();
     }
+    /// For people: a picture of the window in the folder LEITSTAND_PICTURES.
+    void lookAt(const QString& name) {
+        const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
+        if (folder.isEmpty()) return;
+        EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); }));
+        m_window->grab().save(folder + "/live_" + name + ".png");
+    }
     void press(Qt::Key key) { QTest::keyClick(m_window.get(), key); }
 
     const TestDomain m_domain;
@@ -90,9 +97,8 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
 }
 
-TEST_F(LiveWindowTest, AMapGrowsAndIsInTheLog) {
+TEST_F(LiveWindowTest, AScanIsRegisteredDrawnAndInTheLog) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    EXPECT_FALSE(m_window->mapView().grab().isNull());
     EXPECT_TRUE(soon([&] { return !m_bridge->station().mission()->keyScans->empty(); }));
 }
 
@@ -112,6 +118,7 @@ TEST_F(LiveWindowTest, CameraAndMapChangePlaces) {
     const int before = camera->width() * camera->height();
     press(Qt::Key_X);
     EXPECT_TRUE(soon([&] { return camera->width() * camera->height() < before / 2; }));
+    lookAt("swapped");
     press(Qt::Key_X);
     EXPECT_TRUE(soon([&] { return camera->width() * camera->height() > before / 2; }));
 }
