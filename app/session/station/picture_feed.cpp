@@ -1,23 +1,13 @@
 #include "app/session/station/picture_feed.h"
 
 #include <algorithm>
-#include <span>
-#include <string_view>
 
 #include <fmt/format.h>
 
+#include "core/perception/content_hash.h"
 #include "core/perception/picture_decoding.h"
 
 namespace leitstand {
-namespace {
-
-std::uint64_t fingerprintOf(std::span<const std::byte> bytes) {
-    return std::hash<std::string_view>{}(
-        {reinterpret_cast<const char*>(bytes.data()), bytes.size()});  // bytes may be read as char
-}
-
-}  // namespace
-
 PictureFeed::PictureFeed(std::vector<RobotDescription> robots, Listener listener)
     : m_robots(std::move(robots)),
       m_listener(std::move(listener)),
@@ -66,7 +56,7 @@ void PictureFeed::decode(const Event& event) {
     shown->sensor = event.sensor;
     shown->stamp = sample.header.stamp;
     shown->received = event.received;
-    shown->fingerprint = fingerprintOf(sample.content.bytes);
+    shown->fingerprint = contentHash(sample.content.bytes);
     const auto fail = [&](const std::string& why) {
         std::string& told = m_problems[{event.robot, event.sensor}];
         if (told == why) return;

@@ -23,7 +23,7 @@ struct ShownPicture {
     std::string robot, sensor;                      ///< sensor: StreamDescription::sensor
     std::variant<Picture, ThermalPicture> content;  ///< thermal where the camera measures
     Time stamp{}, received{};                       ///< robot's and station's clock
-    std::uint64_t fingerprint = 0;  ///< of the sample's bytes: equal when a driver repeats one picture
+    std::uint64_t fingerprint = 0;                  ///< contentHash() of the sample's bytes
 };
 using ShownPicturePtr = std::shared_ptr<const ShownPicture>;
 
