@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/robot/pad/pad_capture.h"
+
+namespace leitstand::test {
+namespace {
+
+using Kind = PadControl::Kind;
+
+TEST(PadBindings, BothEndsOfAStickAreBoundTogether) {
+    PadBindings bindings = defaultBindings(PadLayout::Plain);
+    ASSERT_TRUE(bind(bindings, PadAction::Forward, padAxis(1, -1)));
+    EXPECT_EQ(bindings.at(PadAction::Back), padAxis(1, 1));
+    ASSERT_TRUE(bind(bindings, PadAction::Back, padButton(4)));
+    EXPECT_EQ(bindings.at(PadAction::Forward), padAxis(1, -1)) << "a button has no other end";
+    ASSERT_TRUE(bind(bindings, PadAction::Back, padAxis(5, 1, -1.0)));
+    EXPECT_EQ(bindings.at(PadAction::Forward), padAxis(1, -1)) << "a trigger neither";
+}
+
+TEST(PadBindings, AControlDoesOneThing) {
+    PadBindings bindings = defaultBindings(PadLayout::Standard);
+    ASSERT_TRUE(bind(bindings, PadAction::Slow, padButton(standard_button::Y)));
+    EXPECT_EQ(controlOf(bindings, "robot.next").kind, Kind::None);
+    ASSERT_TRUE(bind(bindings, "robot.next", padButton(standard_button::Y)));
+    EXPECT_EQ(bindings.at(PadAction::Slow).kind, Kind::None);
+    ASSERT_TRUE(bind(bindings, "robot.next", padButton(standard_button::X)));
+    EXPECT_EQ(controlOf(bindings, "robot.next"), padButton(standard_button::X)) << "moved, not doubled";
+    ASSERT_TRUE(bind(bindings, PadAction::PanLeft, padAxis(standard_axis::LeftY, 1)));
+    EXPECT_EQ(bindings.at(PadAction::Forward).kind, Kind::None);
+    EXPECT_EQ(bindings.at(PadAction::Back).kind, Kind::None);
+    EXPECT_EQ(bindings.at(PadAction::PanRight), padAxis(standard_axis::LeftY, -1));
+}
+
+TEST(PadBindings, NobodyTakesTheControlThatStops) {
+    PadBindings bindings = defaultBindings(PadLayout::Standard);
+    const PadBindings before = bindings;
+    EXPECT_FALSE(bind(bindings, PadAction::Turbo, padButton(standard_button::B)));
+    EXPECT_FALSE(bind(bindings, "robot.next", padButton(standard_button::B)));
+    EXPECT_EQ(bindings, before);
+    ASSERT_TRUE(bind(bindings, PadAction::Stop, padAxis(7, 1)));
+    EXPECT_FALSE(bind(bindings, PadAction::Forward, padAxis(7, -1))) << "its other end would go back";
+    EXPECT_TRUE(bind(bindings, PadAction::Stop, padButton(standard_button::A)));
+}
+
+TEST(PadBindings, EveryActionHasANameOfItsOwnAndOppositesAreMutual) {
+    std::vector<std::string> names;
+    for (const PadAction action : padActions()) {
+        names.push_back(toString(action));
+        if (const auto other = oppositeOf(action)) {
+            EXPECT_EQ(oppositeOf(*other), action);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(PadBindings, AKnownPadDrivesAndStopsFromTheBox) {
+    const PadBindings bindings = defaultBindings(PadLayout::Standard);
+    for (const PadAction action :
+         {PadAction::DeadMan, PadAction::Forward, PadAction::Back, PadAction::TurnLeft, PadAction::TurnRight,
+          PadAction::Turbo, PadAction::Slow, PadAction::Stop}) {
+        EXPECT_NE(bindings.at(action).kind, Kind::None) << toString(action);
+    }
+}
+
+PadState joystick() {
+    PadState pad;
+    pad.connected = true;
+    pad.axes = {0.03, -0.02, -1.0, 1.0};
+    pad.buttons.assign(6, false);
+    return pad;
+}
+
+TEST(PadCapture, FindsButtonsAndEndsOfAxes) {
+    PadState pad = joystick();
+    PadCapture capture(pad);
+    EXPECT_EQ(capture.update(pad), std::nullopt);
+    pad.buttons[5] = true;
+    EXPECT_EQ(capture.update(pad), padButton(5));
+    pad = joystick();
+    pad.axes[1] = -0.9;
+    EXPECT_EQ(capture.update(pad), padAxis(1, -1));
+    pad = joystick();
+    pad.axes[0] = 0.9;
+    EXPECT_EQ(capture.update(pad), padAxis(0, 1));
+}
+
+TEST(PadCapture, KnowsTriggersByWhereTheyRest) {
+    PadState pad = joystick();
+    PadCapture capture(pad);
+    pad.axes[2] = 0.5;
+    EXPECT_EQ(capture.update(pad), padAxis(2, 1, -1.0));
+    pad = joystick();
+    pad.axes[3] = -1.0;
+    EXPECT_EQ(capture.update(pad), padAxis(3, -1, 1.0));
+}
+
+TEST(PadCapture, ALittleIsNothingAndTheFurthestCounts) {
+    PadState pad = joystick();
+    PadCapture capture(pad);
+    pad.axes[0] = 0.5;
+    pad.axes[1] = 0.4;
+    EXPECT_EQ(capture.update(pad), std::nullopt);
+    pad.axes[0] = 0.7;
+    pad.axes[1] = -0.95;
+    EXPECT_EQ(capture.update(pad), padAxis(1, -1));
+}
+
+TEST(PadCapture, AButtonThatWasHeldCountsOnceItWasLetGo) {
+    PadState pad = joystick();
+    pad.buttons[2] = true;
+    PadCapture capture(pad);
+    EXPECT_EQ(capture.update(pad), std::nullopt);
+    pad.buttons[2] = false;
+    EXPECT_EQ(capture.update(pad), std::nullopt);
+    pad.buttons[2] = true;
+    EXPECT_EQ(capture.update(pad), padButton(2));
+}
+
+}  // namespace
+}  // namespace leitstand::test
