@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/session/log/sequencer.h"
+#include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
 
@@ -29,19 +30,29 @@ MapPtr shownMap(const LiveMap& live) {
     return map;
 }
 
+LiveMapping::Robot::Robot(const RobotDescription& description)
+    : poses(description), tracker(description.name) {
+    // They know the motion before the first slice.
+    for (const StreamDescription& stream : description.streams) {
+        if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
+    }
+}
+
 LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
                          const LiveSettings& settings, LiveMappingListener listener,
                          const std::vector<KeyScanSample>& earlier, const std::vector<ScanPose>& poses)
-    : m_listener(std::move(listener)), m_mapper(station, settings) {
-    for (const RobotDescription& robot : robots) {
+    : m_descriptions(robots), m_listener(std::move(listener)), m_mapper(station, settings) {
+    for (const RobotDescription& robot : m_descriptions) {
         m_robots.emplace(robot.name, Robot(robot));
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
     }
     for (const KeyScanSample& scan : earlier) m_mapper.restore(scan);
     if (!earlier.empty()) {
         m_mapper.follow(poses);
-        if (m_listener.onMap) m_listener.onMap(shownMap(*m_mapper.map()));
+        followFixes();
+        tellMap();
     }
+    tellRobots();
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -60,9 +71,22 @@ void LiveMapping::take(const Event& event) {
     if (!wanted || !m_robots.contains(event.robot)) return;
     {
         const std::lock_guard lock(m_mutex);
-        m_waiting.push_back(event);
+        m_waiting.emplace_back(event);
     }
     m_came.notify_all();
+}
+
+void LiveMapping::post(std::function<void(LiveMapper&)> task) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.emplace_back(std::move(task));
+    }
+    m_came.notify_all();
+}
+
+RobotsInMapPtr LiveMapping::robots() const {
+    const std::lock_guard lock(m_mutex);
+    return m_places;
 }
 
 ScanCutter& LiveMapping::cutterOf(Robot& robot, const Event& event) {
@@ -75,13 +99,21 @@ void LiveMapping::work(const Event& event) {
         robot.poses.add(event);
     } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         for (auto& [topic, cutter] : robot.cutters) cutter.add(*odometry, event.received);
+        robot.tracker.add(*odometry, event.received);
     } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
         const Pose unit = robot.poses.inBase(event.sensor, imu->header.frame);
         for (auto& [topic, cutter] : robot.cutters) cutter.add(*imu, unit, event.received);
+        robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
         cutterOf(robot, event).add(*cloud, sensor, event.received);
     }
+}
+
+void LiveMapping::work(const Task& task) {
+    task(m_mapper);
+    followFixes();
+    tellMap();
 }
 
 void LiveMapping::registerDone(Time now) {
@@ -89,12 +121,33 @@ void LiveMapping::registerDone(Time now) {
         for (auto& [topic, cutter] : robot.cutters) {
             for (const LiveScan& scan : cutter.take(now)) {
                 const MapUpdate update = m_mapper.add(scan, now);
+                followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
-                if (m_listener.onMap && (update.keyScan || update.poses))
-                    m_listener.onMap(shownMap(*m_mapper.map()));
+                if (update.keyScan || update.poses) tellMap();
             }
         }
     }
+}
+
+void LiveMapping::followFixes() {
+    for (auto& [name, robot] : m_robots) {
+        const auto fix = m_mapper.fix(name);
+        if (!fix) continue;
+        const bool certain = fix->doubts == 0;
+        robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
+                               certain ? "its scan fits the map" : inWords(fix->doubts)});
+    }
+}
+
+void LiveMapping::tellMap() {
+    if (m_listener.onMap) m_listener.onMap(m_mapper.map());
+}
+
+void LiveMapping::tellRobots() {
+    auto places = std::make_shared<RobotsInMap>();
+    for (const auto& [name, robot] : m_robots) places->push_back(robot.tracker.now());
+    const std::lock_guard lock(m_mutex);
+    m_places = std::move(places);
 }
 
 std::optional<Time> LiveMapping::due() const {
@@ -110,7 +163,7 @@ std::optional<Time> LiveMapping::due() const {
 
 void LiveMapping::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        std::deque<Event> taken;
+        std::deque<Work> taken;
         {
             std::unique_lock lock(m_mutex);
             const auto came = [this] { return !m_waiting.empty(); };
@@ -121,11 +174,12 @@ void LiveMapping::run(const std::stop_token& stop) {
             }
             taken.swap(m_waiting);
         }
-        for (const Event& event : taken) {
+        for (const Work& one : taken) {
             if (stop.stop_requested()) return;
-            work(event);
+            std::visit([this](const auto& content) { work(content); }, one);
         }
         registerDone(stationTime());
+        tellRobots();
     }
 }
 

@@ -9,10 +9,13 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/session/scans/sensor_poses.h"
 #include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/live/scan_cutter.h"
 #include "core/mapping/map.h"
 #include "core/mission/event.h"
@@ -22,7 +25,7 @@ namespace leitstand {
 /// Called on the mapping's thread, which they must not hold up.
 struct LiveMappingListener {
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
-    std::function<void(const MapPtr&)> onMap = {};        ///< after a scan entered or moved
+    std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };
 
 /// Registers what robots scan while they drive, on a thread of its own. Any thread.
@@ -38,26 +41,39 @@ public:
 
     void end();                     ///< what waits is left; nobody is told anything any more
     void take(const Event& event);  ///< odometry, inertial unit, fixed frames, 3D scans; others are passed by
+    /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
+    void post(std::function<void(LiveMapper&)> task);
+    /// Where the robots are; never null.
+    [[nodiscard]] RobotsInMapPtr robots() const;
 
 private:
     struct Robot {
-        explicit Robot(const RobotDescription& description) : poses(description) {}
+        explicit Robot(const RobotDescription& description);
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
+        RobotTracker tracker;
     };
+    using Task = std::function<void(LiveMapper&)>;
+    using Work = std::variant<Event, Task>;
     void run(const std::stop_token& stop);
     void work(const Event& event);
+    void work(const Task& task);
     void registerDone(Time now);
+    void followFixes();  ///< robots stand where the mapper says
+    void tellMap();
+    void tellRobots();
     [[nodiscard]] std::optional<Time> due() const;
     ScanCutter& cutterOf(Robot& robot, const Event& event);
 
+    const std::vector<RobotDescription> m_descriptions;
     const LiveMappingListener m_listener;
     LiveMapper m_mapper;  ///< of the thread, as the robots
     std::map<std::string, Robot> m_robots;
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    std::deque<Event> m_waiting;  ///< under the mutex
-    std::jthread m_thread;        ///< last: joined first
+    std::deque<Work> m_waiting;  ///< under the mutex
+    RobotsInMapPtr m_places;     ///< likewise
+    std::jthread m_thread;       ///< last: joined first
 };
 
 /// @p map as the map view takes it: scans that were not set aside.

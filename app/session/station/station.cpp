@@ -12,12 +12,11 @@
 #include "app/session/log/link_line.h"
 #include "app/session/log/mission_feed.h"
 #include "app/session/log/sequencer.h"
-#include "app/session/station/live_mapping.h"
+#include "app/session/station/mission_map.h"
 #include "app/session/station/robot_line.h"
-#include "core/io/bag/bag_reader.h"
+#include "app/session/station/station_mapping.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
-#include "transport/convert/decode.h"
 #include "transport/dds/node.h"
 #include "transport/link/grant_keeper.h"
 #include "transport/link/stop_sender.h"
@@ -27,31 +26,6 @@ namespace {
 
 /// The station that has it registers; the others would make a second map of the same scans.
 const GrantId MapGrant{GrantSample::Kind::Map, {}};
-
-/// Key scans in the log of the mission @p folder; none where there is no mission yet.
-std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
-    std::vector<KeyScanSample> scans;
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder, ignored)) return scans;
-    const auto bag = BagReader::open(folder);
-    if (!bag) return scans;  // LiveMission says why
-    BagQuery query;
-    query.topics = {std::string(station_topic::KeyScans)};
-    BagCursor cursor = (*bag)->read(query);
-    while (const auto raw = cursor.next()) {
-        const auto event = decodeStationEvent(*raw);
-        if (!event) continue;
-        if (const auto* scan = std::get_if<KeyScanSample>(&event->sample)) scans.push_back(*scan);
-    }
-    return scans;
-}
-
-/// Where the key scans of @p mission are now.
-std::vector<ScanPose> posesOf(const MissionState& mission) {
-    std::vector<ScanPose> poses;
-    for (const auto& [id, scan] : *mission.keyScans) poses.push_back(scan.pose);
-    return poses;
-}
 
 }  // namespace
 
@@ -64,7 +38,7 @@ struct Station::State {
     std::unique_ptr<StopSender> stops;
     std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
     std::unique_ptr<LiveMission> mission;
-    std::unique_ptr<LiveMapping> mapping;
+    std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
@@ -74,7 +48,7 @@ struct Station::State {
     Result<void> start();
     Result<void> control();
     Result<void> lineTo(const RobotDescription& robot);
-    void map(const std::vector<KeyScanSample>& earlier);
+    void map(std::vector<KeyScanSample> earlier);
     void listen();
     void refresh(const std::string& robot);  ///< empty: all
     void say(const std::string& text) const {
@@ -152,18 +126,16 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
     return {};
 }
 
-void Station::State::map(const std::vector<KeyScanSample>& earlier) {
-    LiveMappingListener listening;
+void Station::State::map(std::vector<KeyScanSample> earlier) {
+    StationMappingListener listening;
+    listening.onMessage = [this](const std::string& text) { say(text); };
     listening.onMap = listener.onMap;
-    listening.onUpdate = [this](const MapUpdate& update) {
-        const auto log = [this](const auto& sample, std::string_view topic) {
-            if (const auto kept = mission->say(sample, topic); !kept) say(kept.error().text);
-        };
-        if (update.keyScan) log(*update.keyScan, station_topic::KeyScans);
-        if (update.poses) log(*update.poses, station_topic::ScanPoses);
-    };
-    mapping = std::make_unique<LiveMapping>(settings.mission.robots, memory->identity().id, settings.mapping,
-                                            std::move(listening), earlier, posesOf(*mission->state()));
+    listening.onScans = listener.onScans;
+    mapping = std::make_unique<StationMapping>(
+        *mission, [this] { return grants->mayAct(MapGrant); },
+        StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
+                            std::move(earlier)},
+        std::move(listening));
     grants->ask(MapGrant);
 }
 
@@ -205,11 +177,10 @@ Result<void> Station::State::start() {
     log.onEvent = [this](const Event& event) {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
-        // Where sensors sit is said once, before the grant is there.
-        if (event.role == StreamRole::StaticTransforms || grants->mayAct(MapGrant)) mapping->take(event);
+        mapping->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
-    const std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
+    std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
     auto recorded = LiveMission::open(settings.mission, std::move(log));
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();
@@ -217,7 +188,7 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
-    map(earlier);
+    map(std::move(earlier));
     {
         const std::lock_guard lock(mutex);
         open = true;
@@ -270,6 +241,10 @@ RobotView Station::robot(const std::string& name) const {
 
 MissionStatePtr Station::mission() const {
     return m_state->mission->state();
+}
+
+StationMapping& Station::mapping() {
+    return *m_state->mapping;
 }
 
 LiveMissionStatus Station::log() const {

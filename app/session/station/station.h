@@ -10,7 +10,8 @@
 #include "app/session/domain/domain_settings.h"
 #include "app/session/log/live_mission.h"
 #include "core/base/result.h"
-#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/live_settings.h"
 #include "core/mapping/map.h"
 #include "core/mission/event.h"
 #include "core/robot/control/drive_setpoint.h"
@@ -33,7 +34,10 @@ struct StationListener {
     std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
     std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
     std::function<void(const MapPtr&)> onMap = {};           ///< the map has grown or moved
+    std::function<void(const LiveMapPtr&)> onScans = {};     ///< likewise: its scans, and how far they count
 };
+
+class StationMapping;
 
 /// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds
 /// grants, drives one robot at a time, stops all. Any thread; nothing waits for network or disk.
@@ -51,6 +55,7 @@ public:
     [[nodiscard]] RobotView robot(const std::string& name) const;  ///< of an unknown name: nothing
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
+    [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
 
     /// Gives the sticks to one robot: all others stand. Empty: to none.

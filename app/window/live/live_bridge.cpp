@@ -31,6 +31,9 @@ Result<std::unique_ptr<LiveBridge>> LiveBridge::open(const StationSettings& sett
     listener.onMessage = tell;
     listener.onEvent = [raw](const Event& event) { raw->m_pictures->take(event); };
     listener.onMap = [raw](const MapPtr& map) { raw->hop([raw, map] { emit raw->mapChanged(map); }); };
+    listener.onScans = [raw](const LiveMapPtr& map) {
+        raw->hop([raw, map] { emit raw->scansChanged(map); });
+    };
     auto station = Station::open(settings, std::move(listener));
     if (!station) return station.error();
     bridge->m_station = std::move(station).value();

@@ -26,6 +26,7 @@ signals:
     void told(const QString& text);                        ///< for the operator, in English
     void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
     void mapChanged(const leitstand::MapPtr& map);
+    void scansChanged(const leitstand::LiveMapPtr& map);  ///< the same map: which scans count, and why not
     void ticked();  ///< 30 times a second: ask the station for the newest
 
 private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/mapping/live/live_mapper_state.h"
+#include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
 namespace {
@@ -143,6 +144,10 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
     }
     robot.known = true;
     robot.placedInMap.reset();
+    robot.stamp = scan.end;
+    robot.sensorInBase = live.sensorInBase;
+    robot.certainty = first ? 1.0 : certaintyOf(match.icp.overlap, match.icp.certainty);
+    robot.doubts = match.doubts;
     robot.sensorInMap = match.scanInMap;
     robot.sensorInOdom = scan.sensorInOdom;
     robot.odometryFrame = live.odometryFrame;
@@ -152,6 +157,14 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
     robot.turn = robot.lost ? step.turn : 0.0;
     here.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return update;
+}
+
+std::optional<RobotFix> LiveMapper::fix(const std::string& name) const {
+    const auto robot = m_state->robots.find(name);
+    if (robot == m_state->robots.end() || !robot->second.known) return std::nullopt;
+    const RobotTrack& track = robot->second;
+    return RobotFix{track.stamp, track.sensorInMap * track.sensorInBase.inverse(), track.certainty,
+                    track.doubts};
 }
 
 LiveMapPtr LiveMapper::map() const {

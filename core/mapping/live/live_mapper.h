@@ -36,6 +36,14 @@ struct MapUpdate {
     Localisation localisation;
 };
 
+/// Where a robot was at its newest scan, as the map is now: decisions move it too.
+struct RobotFix {
+    Time stamp{};                       ///< end of that scan, robot's clock
+    Pose baseInMap = Pose::Identity();  ///< then
+    double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
+    std::uint8_t doubts = 0;            ///< bits of ScanDoubt
+};
+
 /// How a scan is registered again.
 struct RetrySettings {
     MatchSettings match;             ///< its wide schedule counts
@@ -80,6 +88,8 @@ public:
     /// station: all of them; those that are missing are set aside.
     void follow(std::span<const ScanPose> poses);
 
+    /// Empty: nobody knows.
+    [[nodiscard]] std::optional<RobotFix> fix(const std::string& robot) const;
     /// A snapshot.
     [[nodiscard]] LiveMapPtr map() const;
 

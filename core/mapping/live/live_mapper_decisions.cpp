@@ -6,6 +6,7 @@
 
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/live_mapper_state.h"
+#include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
 namespace {
@@ -42,6 +43,8 @@ void LiveMapper::State::goOn(const std::string& name) {
     robot.sensorInMap = inMap * moved;
     robot.keyInMap = inMap;
     robot.lost = !newest->counts();
+    robot.certainty = newest->matched == 0 ? 1.0 : certaintyOf(newest->pose.overlap, newest->pose.certainty);
+    robot.doubts = newest->counts() ? std::uint8_t{0} : newest->pose.doubts;
     robot.way = moved.translation().norm();
     robot.turn = Eigen::AngleAxisd(moved.linear()).angle();
 }
@@ -140,6 +143,8 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     track.odometry = sample.scan->hasOdometry;
     track.sensorInOdom = sample.scan->sensorInOdom;
     track.odometryFrame = -1;
+    track.stamp = sample.scan->end;
+    track.sensorInBase = sample.sensorInBase;
     state.goOn(robot);
 }
 

@@ -15,12 +15,16 @@ namespace leitstand {
 /// What is known of a robot's way.
 struct RobotTrack {
     RobotBody body;
-    bool known = false;                   ///< whether the following is
+    bool known = false;  ///< whether the following is
+    Time stamp{};        ///< end of the newest scan, robot's clock
+    Pose sensorInBase = Pose::Identity();
     Pose sensorInMap = Pose::Identity();  ///< at the newest scan
     Pose sensorInOdom = Pose::Identity();
     int odometryFrame = -1;            ///< negative: of an earlier run of the station
     bool odometry = false;             ///< whether sensorInOdom was measured
     bool lost = false;                 ///< the newest scan did not fit
+    double certainty = 0.0;            ///< RobotFix::certainty
+    std::uint8_t doubts = 0;           ///< of the newest scan
     double way = 0.0, turn = 0.0;      ///< since a scan was certain [m, rad]
     Pose keyInMap = Pose::Identity();  ///< newest key scan
     std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan

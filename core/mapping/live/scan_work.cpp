@@ -1,7 +1,6 @@
 #include "core/mapping/live/scan_work.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -137,24 +136,6 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     if (result.doubts != 0) return result;
     result.scanInMap = up ? levelled(found.pose, *up, settings.levelShare) : found.pose;
     return result;
-}
-
-std::string inWords(std::uint8_t doubts) {
-    constexpr std::array<std::pair<ScanDoubt, const char*>, 7> Words = {
-        {{ScanDoubt::Points, "too few points"},
-         {ScanDoubt::Odometry, "no odometry"},
-         {ScanDoubt::Overlap, "little overlap with the map"},
-         {ScanDoubt::Residual, "a bad fit"},
-         {ScanDoubt::Jump, "a jump against the odometry"},
-         {ScanDoubt::Certainty, "an open direction"},
-         {ScanDoubt::Diverged, "the registration came to no end"}}};
-    std::string text;
-    for (const auto& [doubt, word] : Words) {
-        if (!has(doubts, doubt)) continue;
-        if (!text.empty()) text += ", ";
-        text += word;
-    }
-    return text;
 }
 
 }  // namespace leitstand

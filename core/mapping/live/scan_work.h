@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "core/base/pose.h"
 #include "core/mapping/live/live_scan.h"
@@ -59,8 +58,5 @@ struct Step {
 
 /// @p scanInMap turned so that a share of its disagreement with gravity (@p up in its frame) is gone.
 [[nodiscard]] Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share);
-
-/// What @p doubts (bits of ScanDoubt) mean, for alarms and the log, in English; empty: none.
-[[nodiscard]] std::string inWords(std::uint8_t doubts);
 
 }  // namespace leitstand

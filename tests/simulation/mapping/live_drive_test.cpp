@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mapping/live/scan_work.h"
+#include "core/mapping/live/scan_doubts.h"
 #include "tests/simulation/mapping/mapped_drive.h"
 
 namespace leitstand::simulation::test {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mapping/live/scan_work.h"
+#include "core/mapping/live/scan_doubts.h"
 #include "tests/core/mapping/live/mapped_room.h"
 
 namespace leitstand::test {

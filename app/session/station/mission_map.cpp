@@ -1,0 +1,36 @@
+#include "app/session/station/mission_map.h"
+
+#include <string>
+#include <system_error>
+#include <variant>
+
+#include "core/io/bag/bag_reader.h"
+#include "core/mission/station_topics.h"
+#include "transport/convert/decode.h"
+
+namespace leitstand {
+
+std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
+    std::vector<KeyScanSample> scans;
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored)) return scans;
+    const auto bag = BagReader::open(folder);
+    if (!bag) return scans;  // LiveMission says why
+    BagQuery query;
+    query.topics = {std::string(station_topic::KeyScans)};
+    BagCursor cursor = (*bag)->read(query);
+    while (const auto raw = cursor.next()) {
+        const auto event = decodeStationEvent(*raw);
+        if (!event) continue;
+        if (const auto* scan = std::get_if<KeyScanSample>(&event->sample)) scans.push_back(*scan);
+    }
+    return scans;
+}
+
+std::vector<ScanPose> posesOf(const MissionState& mission) {
+    std::vector<ScanPose> poses;
+    for (const auto& [id, scan] : *mission.keyScans) poses.push_back(scan.pose);
+    return poses;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/mission/mission_state.h"
+#include "core/robot/samples/map_samples.h"
+
+namespace leitstand {
+
+/// Key scans in the log of the mission @p folder; none where there is no mission yet.
+[[nodiscard]] std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder);
+
+/// Where the key scans of @p mission are now.
+[[nodiscard]] std::vector<ScanPose> posesOf(const MissionState& mission);
+
+}  // namespace leitstand

@@ -1,0 +1,248 @@
+#include "app/session/station/station_mapping.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "app/session/log/live_mission.h"
+#include "app/session/log/sequencer.h"
+#include "app/session/station/live_mapping.h"
+#include "app/session/station/mission_map.h"
+#include "core/mission/station_topics.h"
+#include "core/mission/undo.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds HeldBack(10);  ///< scans, until it is decided who registers
+
+using Undoing = std::optional<UndoSample> (*)(const MissionState&, const std::string&, Time);
+
+}  // namespace
+
+struct StationMapping::State {
+    LiveMission& mission;
+    const std::function<bool()> mayMap;
+    const std::string station;
+    const StationMappingListener listener;
+    std::deque<Event> heldBack;  ///< scans; of the mission's thread
+    mutable std::mutex mutex;    ///< of the following
+    LiveMapPtr scans = std::make_shared<const LiveMap>();
+    /// Of the poses and undos that we said, how much came back from the log: only then the mission has all of
+    /// it.
+    std::uint64_t said = 0, heard = 0;
+    std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
+    std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
+
+    State(LiveMission& log, std::function<bool()> may, std::string name, StationMappingListener told)
+        : mission(log), mayMap(std::move(may)), station(std::move(name)), listener(std::move(told)) {}
+
+    void tell(const std::string& text) const {
+        if (listener.onMessage) listener.onMessage(text);
+    }
+    void show(const LiveMapPtr& map);
+    void say(const Sample& sample, std::string_view topic);
+    void log(const MapUpdate& update);
+    void hear(const Event& event);
+    void whenSettled(std::function<void(LiveMapper&)> task, bool first = false);
+    void settle(LiveMapper& mapper);
+    [[nodiscard]] Result<void> known(std::uint64_t scan) const;
+    [[nodiscard]] Result<void> granted() const;
+    void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
+    [[nodiscard]] Result<void> takeBack(Undoing undoing, const char* nothing);
+};
+
+void StationMapping::State::show(const LiveMapPtr& map) {
+    {
+        const std::lock_guard lock(mutex);
+        scans = map;
+    }
+    if (listener.onScans) listener.onScans(map);
+    if (listener.onMap) listener.onMap(shownMap(*map));
+}
+
+void StationMapping::State::say(const Sample& sample, std::string_view topic) {
+    {
+        const std::lock_guard lock(mutex);
+        ++said;  // first: it may come back at once
+    }
+    const auto kept = mission.say(sample, topic);
+    if (kept) return;
+    tell(kept.error().text);
+    const std::lock_guard lock(mutex);
+    ++heard;
+}
+
+void StationMapping::State::log(const MapUpdate& update) {
+    if (update.keyScan) {
+        if (const auto kept = mission.say(*update.keyScan, station_topic::KeyScans); !kept)
+            tell(kept.error().text);
+    }
+    if (update.poses) say(*update.poses, station_topic::ScanPoses);
+}
+
+void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {
+    const std::lock_guard lock(mutex);
+    first ? settled.push_front(std::move(task)) : settled.push_back(std::move(task));
+}
+
+void StationMapping::State::settle(LiveMapper& mapper) {
+    while (true) {
+        std::function<void(LiveMapper&)> next;
+        {
+            const std::lock_guard lock(mutex);
+            if (settled.empty() || heard < said) return;
+            next = std::move(settled.front());
+            settled.pop_front();
+        }
+        next(mapper);
+    }
+}
+
+void StationMapping::State::hear(const Event& event) {
+    const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
+    const auto* undo = std::get_if<UndoSample>(&event.sample);
+    if (poses == nullptr && undo == nullptr) return;
+    if (undo != nullptr) {
+        whenSettled([this](LiveMapper& mapper) { mapper.follow(posesOf(*mission.state())); }, true);
+    }
+    bool waits = undo != nullptr;
+    {
+        const std::lock_guard lock(mutex);
+        if ((poses != nullptr ? poses->station : undo->station) == station) ++heard;
+        waits = waits || !settled.empty();
+    }
+    if (waits) mapping->post([this](LiveMapper& mapper) { settle(mapper); });
+}
+
+Result<void> StationMapping::State::granted() const {
+    if (mayMap()) return {};
+    return Error{"the map is another station's: ask it for the map, or wait until it is silent"};
+}
+
+Result<void> StationMapping::State::known(std::uint64_t id) const {
+    if (auto may = granted(); !may) return may;
+    const std::lock_guard lock(mutex);
+    const bool found = std::any_of(scans->scans.begin(), scans->scans.end(),
+                                   [&](const LiveKeyScan& scan) { return scan.id == id; });
+    if (found) return {};
+    return Error{fmt::format("key scan {}: expected one of the map", id)};
+}
+
+void StationMapping::State::decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what) {
+    mapping->post([this, what = std::move(what)](LiveMapper& mapper) {
+        const auto decision = what(mapper, stationTime());
+        if (!decision) return tell(decision.error().text);
+        say(*decision, station_topic::ScanPoses);
+    });
+}
+
+Result<void> StationMapping::State::takeBack(Undoing undoing, const char* nothing) {
+    if (auto may = granted(); !may) return may;
+    bool calm = false;
+    {
+        const std::lock_guard lock(mutex);
+        calm = heard == said && settled.empty();
+    }
+    if (calm && !undoing(*mission.state(), station, stationTime())) return Error{nothing};
+    mapping->post([this, undoing, nothing](LiveMapper& mapper) {
+        whenSettled([this, undoing, nothing](LiveMapper&) {
+            const auto undo = undoing(*mission.state(), station, stationTime());
+            if (undo) {
+                say(*undo, station_topic::Undo);
+            } else {
+                tell(nothing);
+            }
+        });
+        settle(mapper);
+    });
+    return {};
+}
+
+StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMap, StationMappingSetup setup,
+                               StationMappingListener listener)
+    : m_state(std::make_unique<State>(mission, std::move(mayMap), setup.station, std::move(listener))) {
+    State& state = *m_state;
+    LiveMappingListener listening;
+    listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
+    listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
+    state.mapping =
+        std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings, std::move(listening),
+                                      setup.earlier, posesOf(*mission.state()));
+}
+
+StationMapping::~StationMapping() = default;
+
+void StationMapping::end() {
+    m_state->mapping->end();
+}
+
+void StationMapping::take(const Event& event) {
+    State& state = *m_state;
+    if (event.robot.empty()) return state.hear(event);
+    // How robots move, and where their sensors sit, is known before the scans.
+    const bool scan = std::holds_alternative<CloudSample>(event.sample);
+    if (!scan) return state.mapping->take(event);
+    auto& waiting = state.heldBack;
+    if (state.mayMap()) {
+        for (const Event& one : std::exchange(waiting, {})) state.mapping->take(one);
+        return state.mapping->take(event);
+    }
+    waiting.push_back(event);
+    while (event.received - waiting.front().received > HeldBack) waiting.pop_front();
+}
+
+Result<void> StationMapping::accept(std::uint64_t scan) {
+    if (auto may = m_state->known(scan); !may) return may;
+    m_state->decide([scan](LiveMapper& mapper, Time now) { return mapper.accept(scan, now); });
+    return {};
+}
+
+Result<void> StationMapping::reject(std::uint64_t scan) {
+    if (auto may = m_state->known(scan); !may) return may;
+    m_state->decide([scan](LiveMapper& mapper, Time now) { return mapper.reject(scan, now); });
+    return {};
+}
+
+Result<void> StationMapping::retry(std::uint64_t scan, const RetrySettings& settings) {
+    if (auto may = m_state->known(scan); !may) return may;
+    m_state->decide(
+        [scan, settings](LiveMapper& mapper, Time now) { return mapper.retry(scan, settings, now); });
+    return {};
+}
+
+Result<void> StationMapping::rewind(Time moment) {
+    if (auto may = m_state->granted(); !may) return may;
+    const LiveMapPtr map = scans();
+    const bool any = std::any_of(map->scans.begin(), map->scans.end(), [&](const LiveKeyScan& scan) {
+        return scan.entered > moment && scan.pose.trust != ScanTrust::SetAside;
+    });
+    if (!any) return Error{"rewind: no scan entered the map after that moment"};
+    m_state->decide([moment](LiveMapper& mapper, Time now) { return mapper.rewind(moment, now); });
+    return {};
+}
+
+Result<void> StationMapping::undo() {
+    return m_state->takeBack(&undoOfScans, "nothing to be taken back: no decision on scans stands");
+}
+
+Result<void> StationMapping::redo() {
+    return m_state->takeBack(&redoOfScans, "nothing to be done again: nothing was taken back last");
+}
+
+LiveMapPtr StationMapping::scans() const {
+    const std::lock_guard lock(m_state->mutex);
+    return m_state->scans;
+}
+
+RobotsInMapPtr StationMapping::robots() const {
+    return m_state->mapping->robots();
+}
+
+}  // namespace leitstand

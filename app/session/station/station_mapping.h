@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/map.h"
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// Called on threads of the station's, which they must not hold up; any may be empty.
+struct StationMappingListener {
+    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
+    std::function<void(const MapPtr&)> onMap = {};  ///< the map has grown or moved, as the map view takes it
+    std::function<void(const LiveMapPtr&)> onScans = {};  ///< likewise: all its scans, and how far they count
+};
+
+/// What a station's map begins with.
+struct StationMappingSetup {
+    std::vector<RobotDescription> robots;
+    std::string station;  ///< persistent identity
+    LiveSettings settings;
+    std::vector<KeyScanSample> earlier;  ///< key scans of the mission's earlier sessions
+};
+
+/// The map of a station on live robots, and the operator's decisions on its scans. What comes of them is in
+/// the mission's log, and the map follows what the log takes back. Only the station that holds the map's
+/// grant registers and decides; scans that come while nobody has it wait, the newest ten seconds of them. Any
+/// thread; nothing waits for the mapping: errors that show later are told as messages.
+class StationMapping {
+public:
+    /// @p mission must outlive end(). @p mayMap: whether the station holds the map's grant.
+    StationMapping(LiveMission& mission, std::function<bool()> mayMap, StationMappingSetup setup,
+                   StationMappingListener listener);
+    ~StationMapping();
+    StationMapping(const StationMapping&) = delete;
+    StationMapping& operator=(const StationMapping&) = delete;
+
+    void end();                     ///< as of LiveMapping
+    void take(const Event& event);  ///< all events of the mission, in order, from its thread
+
+    /// Decisions on key scans (docs/live-mapping.md). Errors, in words: another station has the map, the map
+    /// has no such scan, nothing to be decided.
+    Result<void> accept(std::uint64_t scan);
+    Result<void> reject(std::uint64_t scan);
+    Result<void> retry(std::uint64_t scan, const RetrySettings& settings = {});
+    Result<void> rewind(Time moment);  ///< station's clock
+    Result<void> undo();               ///< the newest decision of ours that is not undone
+    Result<void> redo();               ///< what was undone last
+
+    [[nodiscard]] LiveMapPtr scans() const;       ///< never null
+    [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+
+namespace leitstand {
+
+/// Where a robot is in the map now, a snapshot for views: its newest place in the map, carried on by its
+/// odometry.
+struct RobotInMap {
+    std::string robot;
+    bool placed = false;  ///< whether the map's frame means anything to it: else no more is said
+    Pose baseInMap = Pose::Identity();  ///< base_link, level by the inertial unit
+    Time stamp{};                       ///< of its newest odometry, robot's clock
+    double certainty = 0.0;             ///< 0 to 1
+    bool certain = false;               ///< its newest scan fits; else its odometry alone carries it on
+    std::string how;                    ///< it came there, or why that is doubted, in words, in English
+    /// base_link where it was, oldest first, some 10 cm apart [m]; never null.
+    std::shared_ptr<const std::vector<Eigen::Vector3f>> trail =
+        std::make_shared<const std::vector<Eigen::Vector3f>>();
+};
+/// All robots of the station by name, immutable.
+using RobotsInMap = std::vector<RobotInMap>;
+using RobotsInMapPtr = std::shared_ptr<const RobotsInMap>;
+
+}  // namespace leitstand

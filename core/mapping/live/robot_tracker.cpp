@@ -1,0 +1,103 @@
+#include "core/mapping/live/robot_tracker.h"
+
+#include <memory>
+#include <utility>
+
+namespace leitstand {
+namespace {
+
+constexpr double FirstSpacing = 0.099;      ///< of a trail [m]
+constexpr std::size_t LongestTrail = 4000;  ///< points; then every other one goes
+
+}  // namespace
+
+RobotTracker::RobotTracker(std::string robot) : m_spacing(FirstSpacing) {
+    m_now.robot = std::move(robot);
+}
+
+void RobotTracker::add(const OdometrySample& odometry, Time now) {
+    OdometrySample stamped = odometry;
+    if (stamped.header.stamp == Time{}) stamped.header.stamp = now;
+    const int jumps = m_motion.clockJumps();
+    m_motion.add(stamped);
+    if (m_motion.clockJumps() != jumps) m_newest.reset();
+    if (!m_motion.covers(stamped.header.stamp) || (m_newest && stamped.header.stamp < *m_newest)) return;
+    m_newest = stamped.header.stamp;
+    if (m_waiting) {
+        m_frame = m_motion.frameAt(*m_newest);
+        if (const auto motion = m_motion.at(*m_newest))
+            m_odomInMap = *std::exchange(m_waiting, std::nullopt) * motion->baseInOdom.inverse();
+    }
+    refresh();
+    leaveTrail();
+}
+
+void RobotTracker::add(const ImuSample& imu, const Pose& unitInBase, Time now) {
+    ImuSample stamped = imu;
+    if (stamped.header.stamp == Time{}) stamped.header.stamp = now;
+    m_motion.add(stamped, unitInBase);
+}
+
+void RobotTracker::correct(const MapFix& fix) {
+    m_waiting.reset();
+    const auto motion = m_motion.at(fix.stamp);
+    const int frame = m_motion.frameAt(fix.stamp);
+    if (motion && m_newest) {
+        m_odomInMap = fix.baseInMap * motion->baseInOdom.inverse();
+        m_frame = frame;
+    } else {
+        m_odomInMap.reset();
+        m_waiting = m_now.baseInMap = fix.baseInMap;
+    }
+    m_now.placed = true;
+    m_now.certainty = fix.certainty;
+    m_now.certain = fix.certain;
+    m_now.how = fix.how;
+    refresh();
+}
+
+void RobotTracker::lose() {
+    m_odomInMap.reset();
+    m_waiting.reset();
+    m_now.placed = m_now.certain = false;
+    m_now.certainty = 0.0;
+    m_now.how.clear();
+}
+
+std::optional<Pose> RobotTracker::baseInMap(Time stamp) const {
+    if (!m_odomInMap || m_motion.frameAt(stamp) != m_frame) return std::nullopt;
+    const auto motion = m_motion.at(stamp);
+    if (!motion) return std::nullopt;
+    return *m_odomInMap * motion->baseInOdom;
+}
+
+void RobotTracker::refresh() {
+    if (!m_newest) return;
+    m_now.stamp = *m_newest;
+    if (!m_odomInMap) return;
+    if (m_motion.frameAt(*m_newest) != m_frame) {
+        // It stands where it was seen last, and goes on from there by the odometry that began anew.
+        m_waiting = m_now.baseInMap;
+        m_odomInMap.reset();
+        m_now.certain = false;
+        m_now.certainty = 0.0;
+        m_now.how = "its odometry began anew";
+        return;
+    }
+    if (const auto here = baseInMap(*m_newest)) m_now.baseInMap = *here;
+}
+
+void RobotTracker::leaveTrail() {
+    if (!m_odomInMap) return;
+    const Eigen::Vector3f here = m_now.baseInMap.translation().cast<float>();
+    if (!m_trail.empty() && (here - m_trail.back()).norm() < static_cast<float>(m_spacing)) return;
+    m_trail.push_back(here);
+    if (m_trail.size() > LongestTrail) {
+        for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) m_trail[i] = m_trail[2 * i];
+        m_trail.resize((m_trail.size() + 1) / 2);
+        m_spacing *= 2.0;
+    }
+    m_now.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(m_trail);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/mapping/live/motion_buffer.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/robot/samples/motion_samples.h"
+
+namespace leitstand {
+
+/// Where a robot was, by its scans.
+struct MapFix {
+    Time stamp{};                       ///< robot's clock
+    Pose baseInMap = Pose::Identity();  ///< then
+    double certainty = 0.0;             ///< 0 to 1
+    bool certain = false;
+    std::string how;  ///< in words
+};
+
+/// Carries a robot's place in the map on by its odometry, and keeps its trail. One thread at a time.
+class RobotTracker {
+public:
+    explicit RobotTracker(std::string robot);
+
+    /// Samples without a stamp count as taken @p now.
+    void add(const OdometrySample& odometry, Time now);
+    void add(const ImuSample& imu, const Pose& unitInBase, Time now);
+    /// The robot was there then. Where the odometry does not know that moment, it stands there until it
+    /// moves.
+    void correct(const MapFix& fix);
+    /// Nobody knows where the robot is any more.
+    void lose();
+
+    [[nodiscard]] const MotionBuffer& motion() const { return m_motion; }
+    [[nodiscard]] bool placed() const { return m_odomInMap.has_value(); }
+    /// base_link in the map at @p stamp; empty where nobody knows.
+    [[nodiscard]] std::optional<Pose> baseInMap(Time stamp) const;
+    /// Where the odometry's frame lies in the map; empty where nobody knows.
+    [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_odomInMap; }
+    [[nodiscard]] const RobotInMap& now() const { return m_now; }
+
+private:
+    void refresh();
+    void leaveTrail();
+
+    MotionBuffer m_motion;
+    std::optional<Time> m_newest;  ///< odometry
+    std::optional<Pose> m_odomInMap;
+    std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
+    int m_frame = 0;                ///< of the odometry that m_odomInMap is of
+    std::vector<Eigen::Vector3f> m_trail;
+    double m_spacing;  ///< of the trail [m]
+    RobotInMap m_now;
+};
+
+}  // namespace leitstand

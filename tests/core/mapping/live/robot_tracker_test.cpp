@@ -1,0 +1,83 @@
+#include "core/mapping/live/robot_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mapping/live/slices.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Time Begin(1000s);
+
+/// A robot that drives 0.5 m/s along its odometry's x.
+struct Drive {
+    RobotTracker tracker{"kurt3d"};
+    Time now = Begin;
+    double way = 0.0;
+    void pass(double seconds, double speed = 0.5) {
+        for (int i = 0; i < static_cast<int>(20.0 * seconds + 0.5); ++i) {
+            now += 50ms;
+            way += speed / 20.0;
+            tracker.add(odometryAt(now, poseFrom({way, 0, 0}, 0, 0, 0)), now);
+        }
+    }
+};
+
+TEST(RobotTracker, CarriesAFixOnByTheOdometryAndLeavesATrail) {
+    Drive drive;
+    drive.pass(1.0);
+    EXPECT_FALSE(drive.tracker.now().placed);
+    const Pose fix = poseFrom({3, 2, 0}, 0, 0, degrees(90));
+    drive.tracker.correct({drive.now - 500ms, fix, 0.8, true, "fits"});
+    const RobotInMap& here = drive.tracker.now();
+    EXPECT_TRUE(here.placed && here.certain);
+    EXPECT_LT((here.baseInMap.translation() - Eigen::Vector3d(3, 2.25, 0)).norm(), 1e-6);
+    drive.pass(4.0);
+    EXPECT_LT((here.baseInMap.translation() - Eigen::Vector3d(3, 4.25, 0)).norm(), 1e-6);
+    EXPECT_EQ(here.stamp, drive.now);
+    EXPECT_NEAR(static_cast<double>(here.trail->size()), 20.0, 3.0);
+    const auto before = here.trail;
+    drive.pass(5.0, 0.0);
+    EXPECT_EQ(here.trail, before) << "it stands";
+    drive.tracker.lose();
+    EXPECT_FALSE(here.placed);
+}
+
+TEST(RobotTracker, AFixFromBeforeTheOdometryHoldsUntilTheRobotMoves) {
+    Drive drive;
+    const Pose fix = poseFrom({3, 2, 0}, 0, 0, degrees(90));
+    drive.tracker.correct({Begin - 1h, fix, 0.8, true, "fits"});
+    EXPECT_TRUE(drive.tracker.now().placed);
+    EXPECT_TRUE(drive.tracker.now().baseInMap.isApprox(fix));
+    drive.way = 40.0;
+    drive.pass(2.0);
+    EXPECT_LT((drive.tracker.now().baseInMap.translation() - Eigen::Vector3d(3, 2.975, 0)).norm(), 1e-6);
+}
+
+TEST(RobotTracker, OdometryThatBeginsAnewGoesOnFromWhereTheRobotWasButIsDoubted) {
+    Drive drive;
+    drive.tracker.correct({Begin, poseFrom({3, 2, 0}, 0, 0, 0), 0.8, true, "fits"});
+    drive.pass(2.0);
+    const Pose before = drive.tracker.now().baseInMap;
+    drive.way = 30.0;
+    drive.pass(0.1, 0.0);
+    EXPECT_FALSE(drive.tracker.now().certain);
+    EXPECT_FALSE(drive.tracker.now().how.empty());
+    EXPECT_LT(distanceBetween(drive.tracker.now().baseInMap, before), 0.03);
+    drive.pass(1.0);
+    EXPECT_NEAR(distanceBetween(drive.tracker.now().baseInMap, before), 0.5, 0.05);
+}
+
+TEST(RobotTracker, ALongTrailIsThinned) {
+    Drive drive;
+    drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
+    drive.pass(450.0, 2.0);
+    EXPECT_LE(drive.tracker.now().trail->size(), 4001u);
+    EXPECT_GE(drive.tracker.now().trail->size(), 2000u);
+    EXPECT_LT(drive.tracker.now().trail->front().norm(), 0.3f);
+}
+
+}  // namespace
+}  // namespace leitstand::test
