@@ -1,5 +1,6 @@
 #include "app/session/station/robot_line.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -31,7 +32,10 @@ Result<void> RobotLine::open(Node& node, const std::string& station,
     for (const StreamRole role : Wishes) {
         const StreamDescription* stream = m_robot.stream(role);
         if (stream == nullptr) continue;
-        auto publisher = node.publisher({stream->topic, stream->type, stream->qos, Flow::Immediate});
+        // Several wishes of one moment do not push one another out before they are acknowledged.
+        Qos qos = stream->qos;
+        qos.depth = std::max(qos.depth, 32);
+        auto publisher = node.publisher({stream->topic, stream->type, qos, Flow::Immediate});
         if (!publisher) return publisher.error();
         m_commands.emplace(role, Command{stream->type, std::move(publisher).value()});
     }

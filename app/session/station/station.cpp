@@ -15,6 +15,7 @@
 #include "app/session/station/mission_map.h"
 #include "app/session/station/robot_line.h"
 #include "app/session/station/station_mapping.h"
+#include "app/session/station/station_streams.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
@@ -36,6 +37,7 @@ struct Station::State {
     std::unique_ptr<Node> node;
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;
+    std::unique_ptr<StationStreams> streams;
     std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
@@ -77,6 +79,7 @@ Station::State::~State() {
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
     lines.clear();
+    streams.reset();
     stops.reset();
     grants.reset();
     node.reset();
@@ -115,6 +118,9 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
                                stops->holdsByZeros(name)};
     };
     LinkListener watch;
+    watch.onStatus = [this](const LinkStatus& link) {
+        if (open) streams->take(link);
+    };
     watch.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
     watch.onClockOffset = [this](const ClockOffsetSample& offset) {
         const std::lock_guard lock(mutex);
@@ -185,6 +191,16 @@ Result<void> Station::State::start() {
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();
     if (auto controlled = control(); !controlled) return controlled;
+    streams = std::make_unique<StationStreams>(
+        settings.mission.robots,
+        [this](const std::string& robot, StreamCommandSample command) {
+            command.stamp = stationTime();
+            command.station = memory->identity().id;
+            return wish(robot, StreamRole::StreamCommand, command);
+        },
+        [this](const std::string& robot, const std::string& topic, bool off) {
+            line(robot)->link().setPaused(topic, off);
+        });
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
@@ -317,13 +333,8 @@ Result<void> Station::turnCameras(const std::string& robot, const std::map<std::
     return m_state->wish(robot, StreamRole::PanTiltCommand, command);
 }
 
-Result<void> Station::setStream(const std::string& robot, StreamCommandSample wish) {
-    wish.stamp = stationTime();
-    wish.station = m_state->memory->identity().id;
-    auto said = m_state->wish(robot, StreamRole::StreamCommand, wish);
-    if (RobotLine* const line = m_state->line(robot); said && line != nullptr)
-        line->link().setPaused(wish.topic, !wish.enabled);
-    return said;
+StationStreams& Station::streams() {
+    return *m_state->streams;
 }
 
 }  // namespace leitstand

@@ -19,6 +19,8 @@
 
 namespace leitstand {
 
+class StationStreams;
+
 /// A station in a domain.
 struct StationSettings {
     DomainSettings domain = {};
@@ -76,7 +78,7 @@ public:
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     Result<void> turnCameras(const std::string& robot,
                              const std::map<std::string, double>& joints);  ///< [rad]
-    Result<void> setStream(const std::string& robot, StreamCommandSample wish);
+    [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
 
 private:
     struct State;

@@ -1,0 +1,171 @@
+#include "core/robot/streams/thin_link.h"
+
+#include <algorithm>
+#include <array>
+
+namespace leitstand {
+namespace {
+
+constexpr double UsualWidth = 640.0;   ///< of cameras [px]
+constexpr double UsualQuality = 80.0;  ///< of their JPEGs
+constexpr double Sign = 0.05;          ///< of life, of a camera that is not looked at [Mbit/s]
+
+/// From what the eye hardly misses to what still tells a wall from a door.
+constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
+                                              {true, 8.0, 45, 0},
+                                              {true, 5.0, 40, 0},
+                                              {true, 5.0, 35, 320},
+                                              {true, 3.0, 25, 320},
+                                              {true, 1.0, 20, 320}}};
+
+/// What is given up, the last first.
+enum class Rank { Kept, Telemetry, Scans, Camera, Rest };
+
+Rank rankOf(StreamRole role) {
+    switch (role) {
+        case StreamRole::Points:
+        case StreamRole::Ranges:
+            return Rank::Scans;
+        case StreamRole::Picture:
+        case StreamRole::Thermal:
+            return Rank::Rest;
+        case StreamRole::Imu:
+        case StreamRole::Joints:
+        case StreamRole::Transforms:
+        case StreamRole::CameraInfo:
+            return Rank::Telemetry;
+        default:
+            return Rank::Kept;
+    }
+}
+
+/// One stream on its way to a wish.
+struct Share {
+    StreamCost cost;
+    Rank rank = Rank::Kept;
+    bool selected = false, thin = true;
+    StreamWish wish = {};
+};
+
+/// All streams, and what they cost together.
+class Shares {
+public:
+    Shares(const std::vector<ThinRobot>& robots, const ThinSettings& settings) {
+        for (const ThinRobot& robot : robots) {
+            bool camera = robot.selected;
+            for (const StreamCost& stream : robot.streams) {
+                Share share{known(stream), rankOf(stream.role), robot.selected, robot.thin};
+                if (camera && stream.role == StreamRole::Picture) {
+                    share.rank = Rank::Camera;
+                    camera = false;
+                }
+                m_all.push_back(std::move(share));
+            }
+        }
+        m_room = settings.budget - settings.reserve;
+    }
+    [[nodiscard]] bool fits() const {
+        double sum = 0.0;
+        for (const Share& one : m_all) sum += costUnder(one.cost, one.wish);
+        return sum <= m_room;
+    }
+    /// Streams of @p rank that may be touched, those of robots that are not selected first.
+    [[nodiscard]] std::vector<Share*> of(Rank rank) {
+        std::vector<Share*> found;
+        for (Share& one : m_all) {
+            if (one.rank == rank && one.thin) found.push_back(&one);
+        }
+        std::stable_partition(found.begin(), found.end(), [](const Share* one) { return !one->selected; });
+        return found;
+    }
+    [[nodiscard]] const std::vector<Share>& all() const { return m_all; }
+
+private:
+    static StreamCost known(const StreamCost& stream) {
+        const StreamCost usual = usualCost(stream.role, stream.topic);
+        StreamCost cost = stream;
+        if (cost.megabits < 0.0) cost.megabits = usual.megabits;
+        if (cost.rate <= 0.0) cost.rate = usual.rate;
+        return cost;
+    }
+
+    std::vector<Share> m_all;
+    double m_room = 0.0;
+};
+
+StreamWish glimpse(StreamRole role) {
+    return role == StreamRole::Picture ? Rungs.back() : StreamWish{.rate = 1.0};
+}
+
+/// What is off comes back once a second where there is room for it, the selected robot's first.
+void giveBack(Shares& shares, const std::vector<Share*>& off) {
+    for (auto one = off.rbegin(); one != off.rend(); ++one) {
+        Share& share = **one;
+        share.wish = glimpse(share.cost.role);
+        if (!shares.fits()) share.wish = {.enabled = false};
+    }
+}
+
+void thin(Shares& shares, const ThinSettings& settings) {
+    const std::vector<Share*> rest = shares.of(Rank::Rest);
+    for (Share* one : rest) one->wish = {.enabled = false};
+    for (Share* camera : shares.of(Rank::Camera)) {
+        for (const StreamWish& rung : Rungs) {
+            camera->wish = rung;
+            if (shares.fits()) break;
+        }
+    }
+    for (Share* scans : shares.of(Rank::Scans)) {
+        if (!shares.fits() && !scans->selected) scans->wish = {.enabled = false};
+    }
+    for (Share* telemetry : shares.of(Rank::Telemetry)) {
+        if (!shares.fits() && telemetry->cost.rate > settings.slowTelemetry)
+            telemetry->wish = {.rate = settings.slowTelemetry};
+    }
+    giveBack(shares, rest);
+}
+
+}  // namespace
+
+StreamCost usualCost(StreamRole role, const std::string& topic) {
+    switch (role) {
+        case StreamRole::Points:
+            return {role, topic, 10.0, 1.5};
+        case StreamRole::Ranges:
+            return {role, topic, 10.0, 0.3};
+        case StreamRole::Picture:
+            return {role, topic, 10.0, 1.2};
+        case StreamRole::Thermal:
+            return {role, topic, 9.0, 1.2};
+        case StreamRole::Odometry:
+        case StreamRole::Imu:
+        case StreamRole::Transforms:
+        case StreamRole::Joints:
+            return {role, topic, 30.0, Sign};
+        default:
+            return {role, topic, 1.0, 0.005};
+    }
+}
+
+double costUnder(const StreamCost& stream, const StreamWish& wish) {
+    if (!wish.enabled) return 0.0;
+    double cost = std::max(stream.megabits, 0.0);
+    if (wish.rate > 0.0 && stream.rate > wish.rate) cost *= wish.rate / stream.rate;
+    if (stream.role != StreamRole::Picture) return cost;
+    if (wish.quality > 0) cost *= std::min(1.0, wish.quality / UsualQuality);
+    if (wish.maxWidth > 0) cost *= std::min(1.0, (wish.maxWidth / UsualWidth) * (wish.maxWidth / UsualWidth));
+    return cost;
+}
+
+std::map<std::string, StreamWish> thinWishes(const std::vector<ThinRobot>& robots,
+                                             const ThinSettings& settings) {
+    Shares shares(robots, settings);
+    if (!shares.fits()) thin(shares, settings);
+    std::map<std::string, StreamWish> wishes;
+    for (const Share& one : shares.all()) {
+        if (!one.wish.isPlain()) wishes.emplace(one.cost.topic, one.wish);
+    }
+    return wishes;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,88 @@
+#include "app/session/station/station_streams.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/station/station_scene.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A station on the real simulated Kurt3D.
+class StationStreamsTest : public StationScene {
+protected:
+    [[nodiscard]] StreamStatus stream(const std::string& leaf) const {
+        const LinkStatus link = station->robot("kurt3d").link;
+        const StreamStatus* found = link.stream("/kurt3d/" + leaf);
+        return found == nullptr ? StreamStatus{} : *found;
+    }
+    void start() {
+        process.emplace(LEITSTAND_ROBOT, kurtArguments());
+        if (!station) station = stationFor({kurt3d()});
+        ASSERT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0 && stream(Points).rate > 8.0; }, 60s))
+            << words() << process->out();
+    }
+    static constexpr const char* Left = "left/image/compressed";
+    static constexpr const char* Right = "right/image/compressed";
+    static constexpr const char* Points = "points";
+
+    std::optional<ChildProcess> process;
+    std::unique_ptr<Station> station;
+};
+
+TEST_F(StationStreamsTest, ARateIsFollowedByTheRobotAndAlsoAfterItsRestart) {
+    start();
+    StationStreams& streams = station->streams();
+    ASSERT_TRUE(streams.wish("kurt3d", "/kurt3d/left/image/compressed", {.rate = 3.0}).ok());
+    ASSERT_TRUE(waitUntil([&] { return stream(Left).rate < 4.0; }, 60s)) << stream(Left).rate;
+    EXPECT_GT(stream(Left).rate, 1.0);
+    EXPECT_GT(stream(Right).rate, 6.0) << "the other camera is left alone";
+
+    process->signal(SIGKILL);
+    (void)process->wait();
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").link.state == LinkState::Lost; }, 60s));
+    process.emplace(LEITSTAND_ROBOT, kurtArguments());
+    ASSERT_TRUE(waitUntil([&] { return stream(Right).rate > 6.0; }, 60s)) << words();
+    ASSERT_TRUE(waitUntil([&] { return stream(Left).rate > 1.0 && stream(Left).rate < 4.0; }, 60s))
+        << "a robot that comes back is told again";
+
+    ASSERT_TRUE(streams.wish("kurt3d", "/kurt3d/left/image/compressed", {}).ok());
+    EXPECT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0; }, 60s)) << "as the robot likes";
+}
+
+TEST_F(StationStreamsTest, AThinLinkKeepsScansAndOneCameraAndGivesAllBack) {
+    start();
+    StationStreams& streams = station->streams();
+    const double before = station->robot("kurt3d").link.megabitsPerSecond;
+    streams.setThin({.budget = 0.6 * before});
+    streams.thin({}, true);
+    EXPECT_TRUE(streams.isThin("kurt3d"));
+    ASSERT_TRUE(
+        waitUntil([&] { return station->robot("kurt3d").link.megabitsPerSecond < 0.65 * before; }, 60s))
+        << before << " Mbit/s before, " << station->robot("kurt3d").link.megabitsPerSecond;
+    EXPECT_GT(stream(Points).rate, 8.0) << "scans stay";
+    EXPECT_GT(stream("odom").rate, 10.0);
+    EXPECT_GT(stream(Left).rate, 0.5) << "one camera survives";
+    EXPECT_TRUE(waitUntil([&] { return stream(Right).rate < 2.0; }, 60s));
+    EXPECT_FALSE(streams.effective("kurt3d", "/kurt3d/right/image/compressed").isPlain());
+    EXPECT_EQ(station->robot("kurt3d").link.state, LinkState::Connected) << "what is off is no fault";
+
+    streams.thin({}, false);
+    EXPECT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0 && stream(Right).rate > 6.0; }, 60s));
+    EXPECT_TRUE(streams.effective("kurt3d", "/kurt3d/right/image/compressed").isPlain());
+}
+
+TEST_F(StationStreamsTest, WishesForWhatIsNotThereAreErrors) {
+    const auto quiet = stationFor({kurt3d()});
+    StationStreams& streams = quiet->streams();
+    EXPECT_FALSE(streams.wish("nobody", "/nobody/points", {}).ok());
+    const auto none = streams.wish("kurt3d", "/kurt3d/cmd_vel", {});
+    ASSERT_FALSE(none.ok());
+    EXPECT_THAT(none.error().text, testing::HasSubstr("/kurt3d/cmd_vel"));
+    EXPECT_TRUE(streams.takesWishes("kurt3d"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

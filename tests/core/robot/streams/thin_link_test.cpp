@@ -1,0 +1,125 @@
+#include "core/robot/streams/thin_link.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace leitstand::test {
+namespace {
+
+using testing::IsEmpty;
+
+/// A robot as Kurt3D: 1.5 scans, three cameras, telemetry [Mbit/s].
+ThinRobot kurt(const std::string& name, bool selected) {
+    ThinRobot robot;
+    robot.name = name;
+    robot.selected = selected;
+    const auto add = [&](StreamRole role, const std::string& leaf, double rate, double megabits) {
+        robot.streams.push_back({role, "/" + name + "/" + leaf, rate, megabits});
+    };
+    add(StreamRole::Points, "points", 10.0, 1.2);
+    add(StreamRole::Odometry, "odom", 50.0, 0.15);
+    add(StreamRole::Imu, "imu", 50.0, 0.1);
+    add(StreamRole::Picture, "left", 15.0, 1.2);
+    add(StreamRole::Picture, "right", 15.0, 1.2);
+    add(StreamRole::Thermal, "ir", 9.0, 0.9);
+    add(StreamRole::StopState, "stop_state", 1.0, 0.001);
+    return robot;
+}
+
+double costOf(const std::vector<ThinRobot>& robots, const std::map<std::string, StreamWish>& wishes) {
+    double sum = 0.0;
+    for (const ThinRobot& robot : robots) {
+        for (const StreamCost& stream : robot.streams) {
+            const auto wish = wishes.find(stream.topic);
+            sum += costUnder(stream, wish == wishes.end() ? StreamWish{} : wish->second);
+        }
+    }
+    return sum;
+}
+
+TEST(ThinLink, WhatFitsIsLeftAsItIs) {
+    EXPECT_THAT(thinWishes({kurt("k", true)}, {.budget = 10.0}), IsEmpty());
+    EXPECT_THAT(thinWishes({}, {.budget = 0.0}), IsEmpty());
+}
+
+TEST(ThinLink, TheRestGoesFirstAndComesBackAsAGlimpse) {
+    const std::vector<ThinRobot> robots = {kurt("k", true)};
+    const auto wishes = thinWishes(robots, {.budget = 3.2});
+    EXPECT_LE(costOf(robots, wishes), 3.0);
+    EXPECT_FALSE(wishes.contains("/k/points"));
+    EXPECT_FALSE(wishes.contains("/k/imu"));
+    EXPECT_EQ(wishes.at("/k/left").rate, 10.0) << "the main camera, hardly reduced";
+    EXPECT_EQ(wishes.at("/k/right").rate, 1.0);
+    EXPECT_EQ(wishes.at("/k/ir").rate, 1.0);
+    EXPECT_EQ(wishes.at("/k/ir").quality, 0) << "temperatures are never made coarse";
+}
+
+TEST(ThinLink, OneCameraIsReducedButNeverOff) {
+    double before = 100.0;
+    for (const double budget : {3.0, 2.4, 2.0, 1.8, 1.7, 0.1}) {
+        const auto wishes = thinWishes({kurt("k", true)}, {.budget = budget});
+        const StreamWish& camera = wishes.at("/k/left");
+        EXPECT_TRUE(camera.enabled);
+        EXPECT_LE(camera.rate, before);
+        before = camera.rate;
+    }
+    EXPECT_EQ(before, 1.0);
+}
+
+TEST(ThinLink, ScansOfTheSelectedRobotOutliveItsCameraAndThoseOfOthers) {
+    const std::vector<ThinRobot> robots = {kurt("k", true), kurt("c", false)};
+    const auto wishes = thinWishes(robots, {.budget = 2.2});
+    EXPECT_LE(costOf(robots, wishes), 2.0);
+    EXPECT_FALSE(wishes.contains("/k/points"));
+    EXPECT_FALSE(wishes.at("/c/points").enabled);
+    EXPECT_LE(wishes.at("/c/left").rate, 1.0) << "at most a glimpse";
+    EXPECT_FALSE(wishes.at("/c/ir").enabled);
+    EXPECT_TRUE(wishes.at("/k/left").enabled);
+    EXPECT_FALSE(thinWishes(robots, {.budget = 4.0}).contains("/c/points")) << "there is room for it";
+}
+
+TEST(ThinLink, WhatStopsAndWhereRobotsAreIsNeverTouched) {
+    const auto wishes = thinWishes({kurt("k", true), kurt("c", false)}, {.budget = 0.0});
+    for (const char* robot : {"/k", "/c"}) {
+        EXPECT_FALSE(wishes.contains(std::string(robot) + "/stop_state"));
+        EXPECT_FALSE(wishes.contains(std::string(robot) + "/odom"));
+        EXPECT_EQ(wishes.at(std::string(robot) + "/imu").rate, 5.0);
+    }
+}
+
+TEST(ThinLink, RobotsThatAreNotThinOnlyTakeTheirRoom) {
+    ThinRobot other = kurt("c", false);
+    other.thin = false;
+    const auto wishes = thinWishes({kurt("k", true), other}, {.budget = 3.0});
+    EXPECT_TRUE(wishes.contains("/k/left"));
+    for (const auto& [topic, wish] : wishes) EXPECT_EQ(topic.substr(0, 3), "/k/") << topic;
+}
+
+TEST(ThinLink, WhatWasNeverMeasuredCountsAsUsual) {
+    ThinRobot robot = kurt("k", true);
+    for (StreamCost& stream : robot.streams) stream.rate = 0.0, stream.megabits = -1.0;
+    EXPECT_TRUE(thinWishes({robot}, {.budget = 2.0}).contains("/k/right"));
+}
+
+TEST(StreamWish, TheStricterOfTwoSatisfiesBoth) {
+    const StreamWish wish = stricter({true, 5.0, 0, 640}, {true, 10.0, 40, 320});
+    EXPECT_EQ(wish, (StreamWish{true, 5.0, 40, 320}));
+    EXPECT_FALSE(stricter({.enabled = false}, {}).enabled);
+    EXPECT_TRUE(stricter({}, {}).isPlain());
+}
+
+TEST(StreamWish, IsFollowedWhenTheRateIsNotAboveIt) {
+    StreamStatus stream;
+    stream.rate = 15.0;
+    stream.age = 0.05;
+    EXPECT_TRUE(isFollowed({}, stream));
+    EXPECT_FALSE(isFollowed({.rate = 5.0}, stream));
+    EXPECT_FALSE(isFollowed({.enabled = false}, stream));
+    stream.age = 1.5;
+    EXPECT_TRUE(isFollowed({.enabled = false}, stream));
+    stream.rate = 5.2;
+    EXPECT_TRUE(isFollowed({.rate = 5.0}, stream));
+}
+
+}  // namespace
+}  // namespace leitstand::test
