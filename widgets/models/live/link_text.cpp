@@ -14,7 +14,15 @@ struct LinkTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::LinkStatus)
 };
 
-QString roleText(StreamRole role) {
+QString streamText(const LinkReason& reason) {
+    const bool camera = reason.role == StreamRole::Picture || reason.role == StreamRole::CameraInfo;
+    if (!camera || reason.sensor.empty()) return streamRoleText(reason.role);
+    return QStringLiteral("%1 %2").arg(QString::fromStdString(reason.sensor), streamRoleText(reason.role));
+}
+
+}  // namespace
+
+QString streamRoleText(StreamRole role) {
     switch (role) {
         case StreamRole::Points:
             return LinkTexts::tr("3D scans");
@@ -47,14 +55,6 @@ QString roleText(StreamRole role) {
             return QString::fromStdString(toString(role)).replace(QLatin1Char('_'), QLatin1Char(' '));
     }
 }
-
-QString streamText(const LinkReason& reason) {
-    const bool camera = reason.role == StreamRole::Picture || reason.role == StreamRole::CameraInfo;
-    if (!camera || reason.sensor.empty()) return roleText(reason.role);
-    return QStringLiteral("%1 %2").arg(QString::fromStdString(reason.sensor), roleText(reason.role));
-}
-
-}  // namespace
 
 QString linkStateText(LinkState state) {
     switch (state) {

@@ -7,6 +7,8 @@
 
 namespace leitstand {
 
+/// What a stream carries: "3D scans", "odometry".
+[[nodiscard]] QString streamRoleText(StreamRole role);
 /// "connected", "degraded", "lost", "not heard yet".
 [[nodiscard]] QString linkStateText(LinkState state);
 /// One thing that is wrong: "odometry 1.4 s old", "12 % of points lost".

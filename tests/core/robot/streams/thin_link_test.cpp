@@ -73,7 +73,7 @@ TEST(ThinLink, ScansOfTheSelectedRobotOutliveItsCameraAndThoseOfOthers) {
     EXPECT_FALSE(wishes.contains("/k/points"));
     EXPECT_FALSE(wishes.at("/c/points").enabled);
     EXPECT_LE(wishes.at("/c/left").rate, 1.0) << "at most a glimpse";
-    EXPECT_FALSE(wishes.at("/c/ir").enabled);
+    EXPECT_FALSE(wishes.at("/c/ir").isPlain());
     EXPECT_TRUE(wishes.at("/k/left").enabled);
     EXPECT_FALSE(thinWishes(robots, {.budget = 4.0}).contains("/c/points")) << "there is room for it";
 }

@@ -1,0 +1,84 @@
+#include "widgets/link/link_pane.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <QAction>
+#include <QCheckBox>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include "tests/widgets/panes/shown.h"
+#include "widgets/number_box.h"
+
+namespace leitstand::test {
+namespace {
+
+StreamRow row(const std::string& sensor, StreamRole role, double rate, double megabits) {
+    StreamRow row;
+    row.face = {"kurt3d", "K", "Kurt3D", 0};
+    row.type = role == StreamRole::Points ? "PointCloud2" : "CompressedImage";
+    row.settable = true;
+    row.stream.role = role;
+    row.stream.sensor = sensor;
+    row.stream.topic = "/kurt3d/" + sensor;
+    row.stream.samples = 1000;
+    row.stream.rate = row.stream.expectedRate = rate;
+    row.stream.megabitsPerSecond = megabits;
+    row.stream.age = 0.05;
+    row.stream.steady = true;
+    return row;
+}
+
+std::vector<StreamRow> rows() {
+    std::vector<StreamRow> all = {
+        row("scanner", StreamRole::Points, 10, 1.1), row("left", StreamRole::Picture, 15, 0.6),
+        row("right", StreamRole::Picture, 15, 0.6), row("ir", StreamRole::Thermal, 9, 0.9),
+        row("odom", StreamRole::Odometry, 50, 0.1)};
+    all[2].effective = {true, 1.0, 20, 320};
+    all[2].stream.rate = all[2].stream.expectedRate = 1.0;
+    all[3].stream.paused = true;
+    all[3].effective.enabled = false;
+    all[4].settable = false;
+    return all;
+}
+
+class LinkPanes : public testing::TestWithParam<Theme> {
+protected:
+    void SetUp() override { useTheme(GetParam()); }
+
+    QAction thin{QStringLiteral("Thin link")};
+};
+
+TEST_P(LinkPanes, ShowsStreamsAndEditsTheChosenOne) {
+    thin.setCheckable(true);
+    LinkPane pane(thin);
+    pane.resize(620, 300);
+    pane.show(rows(), 2.4, true, 2.0);
+    auto* table = pane.findChild<QTableView*>("streams");
+    QSignalSpy wished(&pane, &LinkPane::wished), budget(&pane, &LinkPane::budgetChosen);
+    table->selectRow(1);
+    auto* rate = pane.findChild<NumberBox*>("rate");
+    ASSERT_TRUE(rate->isEnabled());
+    EXPECT_EQ(wished.count(), 0) << "choosing a row wishes nothing";
+    rate->setValue(5.0);
+    ASSERT_EQ(wished.count(), 1);
+    EXPECT_EQ(wished[0][1].toString(), "/kurt3d/left");
+    EXPECT_EQ(wished[0][2].value<StreamWish>().rate, 5.0);
+    pane.findChild<QCheckBox*>("enabled")->setChecked(false);
+    EXPECT_FALSE(wished.back()[2].value<StreamWish>().enabled);
+    (void)pictureOf(pane, {620, 300}, GetParam() == Theme::Dark ? "link_dark" : "link_light", 2.0);
+    table->selectRow(0);
+    EXPECT_FALSE(pane.findChild<NumberBox*>("quality")->isEnabled()) << "scans have no quality";
+    table->selectRow(4);
+    EXPECT_FALSE(rate->isEnabled());
+    pane.findChild<NumberBox*>("budget")->setValue(3.0);
+    EXPECT_EQ(budget.back()[0].toDouble(), 3.0);
+    EXPECT_EQ(wished.count(), 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, LinkPanes, testing::Values(Theme::Dark, Theme::Light),
+                         [](const auto& one) { return one.param == Theme::Dark ? "Dark" : "Light"; });
+
+}  // namespace
+}  // namespace leitstand::test
