@@ -41,7 +41,7 @@ void addTo(QHBoxLayout& line, const QString& caption, QWidget& field, const QStr
     auto* label = new QLabel(caption, field.parentWidget());
     label->setBuddy(&field);
     field.setToolTip(hint);
-    field.setAccessibleName(QString(caption).remove(QLatin1Char('&')));
+    field.setAccessibleName(caption);
     line.addWidget(label);
     line.addWidget(&field);
 }
@@ -74,7 +74,7 @@ QWidget* LinkPane::editor() {
     m_chosen = new QLabel(row);
     m_chosen->setMinimumWidth(90);
     m_chosen->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_enabled = new QCheckBox(tr("&Sent"), row);
+    m_enabled = new QCheckBox(tr("Sent"), row);
     m_enabled->setObjectName(QStringLiteral("enabled"));
     m_enabled->setToolTip(tr("Whether the robot sends this stream at all"));
     m_rate = new NumberBox(0.0, 50.0, 1.0, 1, {}, row);
@@ -90,9 +90,9 @@ QWidget* LinkPane::editor() {
     }
     line->addWidget(m_chosen, 1);
     line->addWidget(m_enabled);
-    addTo(*line, tr("&Hz"), *m_rate, tr("Samples a second, at most; 0: as the robot likes"));
-    addTo(*line, tr("&Quality"), *m_quality, tr("Of JPEG pictures, 1 to 100; 0: as the robot likes"));
-    addTo(*line, tr("&Width px"), *m_width, tr("Wider pictures are made smaller; 0: as the robot likes"));
+    addTo(*line, tr("Hz"), *m_rate, tr("Samples a second, at most; 0: as the robot likes"));
+    addTo(*line, tr("Quality"), *m_quality, tr("Of JPEG pictures, 1 to 100; 0: as the robot likes"));
+    addTo(*line, tr("Width px"), *m_width, tr("Wider pictures are made smaller; 0: as the robot likes"));
     connect(m_enabled, &QCheckBox::toggled, this, &LinkPane::takeOver);
     return row;
 }
@@ -113,7 +113,7 @@ QWidget* LinkPane::foot(QAction& thin) {
     connect(m_budget, &QDoubleSpinBox::valueChanged, this, &LinkPane::budgetChosen);
     line->addWidget(m_total, 1);
     line->addWidget(button);
-    addTo(*line, tr("&Mbit/s"), *m_budget, tr("What a thin link has room for, all robots together"));
+    addTo(*line, tr("Mbit/s"), *m_budget, tr("What a thin link has room for, all robots together"));
     return row;
 }
 

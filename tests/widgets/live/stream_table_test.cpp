@@ -42,7 +42,7 @@ TEST_F(StreamTableTest, ARowTellsWhatComes) {
     EXPECT_EQ(text(StreamTable::Rate), "12 / 15");
     EXPECT_EQ(text(StreamTable::Load), "600");
     EXPECT_EQ(text(StreamTable::Age), "64 ms");
-    EXPECT_EQ(text(StreamTable::Loss), "0 %");
+    EXPECT_EQ(text(StreamTable::Loss), "0 %");
     EXPECT_EQ(text(StreamTable::Setting), "") << "as the robot likes";
 }
 
