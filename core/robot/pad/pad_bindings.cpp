@@ -79,6 +79,20 @@ double amountOf(const PadControl& control, const PadState& state) {
     return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
 }
 
+double deflectionOf(const PadBindings& bindings, PadAction plus, const PadState& state) {
+    return amountOf(bindings.at(plus), state) - amountOf(bindings.at(*oppositeOf(plus)), state);
+}
+
+double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state) {
+    const double zone = bindings.deadZone, expo = bindings.expo;
+    const auto shaped = [&](PadAction action) {
+        const double past =
+            std::max(0.0, (amountOf(bindings.at(action), state) - zone) / std::max(1e-6, 1.0 - zone));
+        return (1.0 - expo) * past + expo * past * past * past;
+    };
+    return shaped(plus) - shaped(*oppositeOf(plus));
+}
+
 PadBindings defaultBindings(PadLayout layout) {
     PadBindings bindings;
     bindings.layout = layout;

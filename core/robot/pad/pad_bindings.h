@@ -80,6 +80,11 @@ struct PadBindings {
     friend bool operator==(const PadBindings&, const PadBindings&) = default;
 };
 
+/// Where the stick between @p plus and its opposite is, -1 to 1, as the hand holds it.
+[[nodiscard]] double deflectionOf(const PadBindings& bindings, PadAction plus, const PadState& state);
+/// The same as it counts, without dead zone and with expo.
+[[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
+
 /// Of a known pad: left trigger dead-man, right trigger turbo, right shoulder slow, left stick drives, right
 /// stick turns cameras, B stops all. Of any other joystick: nothing, and so nothing moves.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);

@@ -1,7 +1,5 @@
 #include "core/robot/pad/pad_mapping.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/robot/control/drive_keys.h"
@@ -28,16 +26,6 @@ void PadMapping::needNeutral() {
 bool PadMapping::isHeld(const PadControl& control, const PadState& state, bool before) const {
     if (control.kind == PadControl::Kind::None) return false;
     return amountOf(control, state) >= m_bindings.press * (before ? Hysteresis : 1.0);
-}
-
-double PadMapping::stick(PadAction plus, const PadState& state) const {
-    const double zone = m_bindings.deadZone, expo = m_bindings.expo;
-    const auto shaped = [&](PadAction action) {
-        const double past =
-            std::max(0.0, (amountOf(m_bindings.at(action), state) - zone) / std::max(1e-6, 1.0 - zone));
-        return (1.0 - expo) * past + expo * past * past * past;
-    };
-    return shaped(plus) - shaped(*oppositeOf(plus));
 }
 
 PadWishes PadMapping::update(const PadState& state, bool allowed) {
@@ -80,8 +68,9 @@ void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
         m_sticksFree = false;
         return;
     }
-    const double forward = stick(PadAction::Forward, state), left = stick(PadAction::SlideLeft, state),
-                 turn = stick(PadAction::TurnLeft, state);
+    const double forward = shapedOf(m_bindings, PadAction::Forward, state),
+                 left = shapedOf(m_bindings, PadAction::SlideLeft, state),
+                 turn = shapedOf(m_bindings, PadAction::TurnLeft, state);
     wishes.driving = m_triggerFree;
     if (wishes.driving && forward == 0.0 && turn == 0.0 && left == 0.0) m_sticksFree = true;
     wishes.needsNeutral = !m_triggerFree || !m_sticksFree;
@@ -97,7 +86,8 @@ void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
 }
 
 void PadMapping::readCameras(const PadState& state, PadWishes& wishes) {
-    const double pan = stick(PadAction::PanLeft, state), tilt = stick(PadAction::TiltUp, state);
+    const double pan = shapedOf(m_bindings, PadAction::PanLeft, state),
+                 tilt = shapedOf(m_bindings, PadAction::TiltUp, state);
     if (pan == 0.0 && tilt == 0.0) m_camerasFree = true;
     if (m_camerasFree) wishes.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
 }

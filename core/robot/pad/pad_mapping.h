@@ -49,8 +49,6 @@ public:
 private:
     [[nodiscard]] bool isHeld(const PadControl& control, const PadState& state, bool before) const;
     [[nodiscard]] bool held(PadAction action) const { return m_held[static_cast<std::size_t>(action)]; }
-    /// A stick's deflection between two opposite actions, -1 to 1, without dead zone.
-    [[nodiscard]] double stick(PadAction plus, const PadState& state) const;
     void readCommands(const PadState& state, bool allowed, PadWishes& wishes);
     void readDrive(const PadState& state, PadWishes& wishes);
     void readCameras(const PadState& state, PadWishes& wishes);

@@ -29,8 +29,8 @@ inline constexpr int Count = 15;
 /// What a gamepad says at one moment.
 struct PadState {
     bool connected = false;
-    std::vector<double> axes;   ///< -1 to 1
-    std::vector<bool> buttons;  ///< held
+    std::vector<double> axes = {};   ///< -1 to 1
+    std::vector<bool> buttons = {};  ///< held
 
     [[nodiscard]] double axis(int index) const {
         const auto i = static_cast<std::size_t>(index);
