@@ -26,7 +26,7 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    std::optional<VirtualScanView> around;
+    std::optional<VirtualScanView> around;  ///< where it was asked for
 };
 
 }  // namespace leitstand

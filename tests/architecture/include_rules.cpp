@@ -20,7 +20,7 @@ const std::vector<Rule>& rules() {
                                                                 "pcl",   "opencv", "zbar"};
     static const std::vector<std::string_view> core = {"core/base",         "core/scan",    "core/search",
                                                        "core/registration", "core/mapping", "core/perception",
-                                                       "core/robot",        "core/mission"};
+                                                       "core/robot",        "core/mission", "core/settings"};
     static const auto with = [](std::vector<std::string_view> list, std::vector<std::string_view> more) {
         list.insert(list.end(), more.begin(), more.end());
         return list;

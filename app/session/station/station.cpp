@@ -242,7 +242,6 @@ RobotView Station::robot(const std::string& name) const {
     view.link = line->link().status();
     view.grant = m_state->grants->view(driveGrant(name));
     view.stop = m_state->stops->status(name);
-    view.around = line->sight().view();
     if (const DriveStreamer* drive = line->drive()) {
         const DriveStatus status = drive->status();
         view.drive = {.drivable = true,
@@ -253,6 +252,11 @@ RobotView Station::robot(const std::string& name) const {
                       .listening = status.listeners > 0};
     }
     return view;
+}
+
+std::optional<VirtualScanView> Station::around(const std::string& robot) const {
+    const RobotLine* const line = m_state->line(robot);
+    return line == nullptr ? std::nullopt : line->sight().view();
 }
 
 MissionStatePtr Station::mission() const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,10 @@ public:
     Station& operator=(const Station&) = delete;
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
-    [[nodiscard]] RobotView robot(const std::string& name) const;  ///< of an unknown name: nothing
+    /// Of an unknown name: nothing. What is around is asked for apart, since it takes longest.
+    [[nodiscard]] RobotView robot(const std::string& name) const;
+    /// What is around it now: RobotView::around.
+    [[nodiscard]] std::optional<VirtualScanView> around(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans

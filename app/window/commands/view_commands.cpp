@@ -35,13 +35,14 @@ T chosenBy(const QAction* action) {
 
 }  // namespace
 
-ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Qt::KeyboardModifiers lookKeys)
+ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys)
     : QObject(parent),
+      m_keys(keys),
       m_state(state),
       m_looks(new QActionGroup(this)),
       m_colourings(new QActionGroup(this)),
       m_themes(new QActionGroup(this)) {
-    addLooks(lookKeys);
+    addLooks();
     addColourings();
     addThemes();
     addCameras(view);
@@ -51,7 +52,12 @@ ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Qt:
     showState();
 }
 
-void ViewCommands::addLooks(Qt::KeyboardModifiers keys) {
+QKeySequence ViewCommands::letter(Qt::Key key) const {
+    return m_keys == Keys::Plain ? QKeySequence(key) : QKeySequence(Qt::CTRL | Qt::SHIFT | key);
+}
+
+void ViewCommands::addLooks() {
+    const Qt::KeyboardModifiers keys = m_keys == Keys::Plain ? Qt::NoModifier : Qt::AltModifier;
     addChoice(*m_looks, MapLook::Points,
               {"lookPoints", tr("&Points"), tr("Shows the scans' points"), QKeySequence(keys | Qt::Key_1),
                "points"});
@@ -98,15 +104,15 @@ void ViewCommands::addCameras(MapView& view) {
         m_cameras.append(action);
     };
     add(CameraPreset::Reset,
-        {"cameraReset", tr("R&eset camera"), tr("Shows the whole map"), QKeySequence(Qt::Key_R), "reset"});
-    add(CameraPreset::Top, {"cameraTop", tr("Camera from &above"), {}, QKeySequence(Qt::Key_T)});
-    add(CameraPreset::Side, {"cameraSide", tr("Camera from the s&ide"), {}, QKeySequence(Qt::Key_Y)});
+        {"cameraReset", tr("R&eset camera"), tr("Shows the whole map"), letter(Qt::Key_R), "reset"});
+    add(CameraPreset::Top, {"cameraTop", tr("Camera from &above"), {}, letter(Qt::Key_T)});
+    add(CameraPreset::Side, {"cameraSide", tr("Camera from the s&ide"), {}, letter(Qt::Key_Y)});
 }
 
 void ViewCommands::addTools(MapView& view) {
     m_before = makeAction({"before", tr("&Before registration"),
                            tr("Shows the scans where they were expected before registration"),
-                           QKeySequence(Qt::Key_B), "poses", true},
+                           letter(Qt::Key_B), "poses", true},
                           this);
     connect(m_before, &QAction::toggled, this, [this](bool on) {
         m_state.alter([on](MapViewSettings& settings) {
@@ -115,11 +121,11 @@ void ViewCommands::addTools(MapView& view) {
     });
     m_clip =
         makeAction({"clip", tr("Clip by hei&ght"), tr("Shows only a slice of the map, between two heights"),
-                    QKeySequence(Qt::Key_H), "height", true},
+                    letter(Qt::Key_H), "height", true},
                    this);
     connect(m_clip, &QAction::toggled, this, &ViewCommands::setClipping);
     m_measure = makeAction({"measure", tr("&Measure"), tr("Click two points for their distance; Esc ends it"),
-                            QKeySequence(Qt::Key_M), "measure", true},
+                            letter(Qt::Key_M), "measure", true},
                            this);
     connect(m_measure, &QAction::toggled, &view, &MapView::setMeasuring);
 }

@@ -17,9 +17,13 @@ class MapView;
 class ViewCommands final : public QObject {
     Q_OBJECT
 public:
-    /// The commands change @p state and move the camera of @p view; both must outlive them. Looks are on 1 to
-    /// 3 with @p lookKeys.
-    ViewCommands(ViewState& state, MapView& view, QObject* parent, Qt::KeyboardModifiers lookKeys = {});
+    /// Which keys the commands are on.
+    enum class Keys {
+        Plain,  ///< 1 to 3 and letters
+        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters: plain ones are needed otherwise
+    };
+    /// The commands change @p state and move the camera of @p view; both must outlive them.
+    ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys = Keys::Plain);
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
@@ -33,7 +37,7 @@ public:
     [[nodiscard]] QAction& measure() const { return *m_measure; }
 
 private:
-    void addLooks(Qt::KeyboardModifiers keys);
+    void addLooks();
     void addColourings();
     void addThemes();
     void addCameras(MapView& view);
@@ -41,7 +45,9 @@ private:
     void addEscape(MapView& view);
     void showState();
     void setClipping(bool on);
+    [[nodiscard]] QKeySequence letter(Qt::Key key) const;
 
+    const Keys m_keys;
     ViewState& m_state;
     QActionGroup* m_looks;
     QActionGroup* m_colourings;

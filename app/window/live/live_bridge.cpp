@@ -3,19 +3,46 @@
 #include <chrono>
 #include <utility>
 
+#include "app/session/log/sequencer.h"
+
 namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Tick(33);
+constexpr int TicksAround = 3;  ///< what is around is made ten times a second
 
 }  // namespace
 
 LiveBridge::LiveBridge() {
     m_tick.setInterval(Tick);
-    connect(&m_tick, &QTimer::timeout, this, &LiveBridge::ticked);
+    connect(&m_tick, &QTimer::timeout, this, &LiveBridge::tick);
 }
 
 LiveBridge::~LiveBridge() = default;
+
+void LiveBridge::watch(const std::string& robot) {
+    if (robot == m_watched) return;
+    m_watched = robot;
+    m_around.reset();
+    m_sinceAround = TicksAround;
+    tick();
+}
+
+void LiveBridge::tick() {
+    m_moment.now = stationTime();
+    m_moment.steady = std::chrono::steady_clock::now();
+    m_moment.mission = m_station->mission();
+    m_moment.robots.clear();
+    for (const RobotDescription& robot : m_station->robots())
+        m_moment.robots[robot.name] = m_station->robot(robot.name);
+    if (++m_sinceAround >= TicksAround) {
+        m_sinceAround = 0;
+        m_around = m_station->around(m_watched);
+    }
+    if (const auto watched = m_moment.robots.find(m_watched); watched != m_moment.robots.end())
+        watched->second.around = m_around;
+    emit ticked(m_moment);
+}
 
 Result<std::unique_ptr<LiveBridge>> LiveBridge::open(const StationSettings& settings) {
     std::unique_ptr<LiveBridge> bridge(new LiveBridge);

@@ -1,11 +1,11 @@
 #include "core/io/robot/shipped_robots.h"
 
-#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "core/io/robot/yaml_errors.h"
+#include "core/io/settings/folders.h"
 
 namespace leitstand {
 namespace fs = std::filesystem;
@@ -16,26 +16,12 @@ bool looksLikeAPath(const std::string& text) {
            text.ends_with(".yml");
 }
 
-/// What @p variable of the environment says; empty when it is not there.
-std::string environment(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value == nullptr ? std::string() : value;
-}
-
 }  // namespace
 
 std::vector<fs::path> robotFolders() {
     std::vector<fs::path> folders;
-    if (const fs::path config = environment("XDG_CONFIG_HOME"); !config.empty()) {
-        folders.push_back(config / "leitstand/robots");
-    } else if (const fs::path home = environment("HOME"); !home.empty()) {
-        folders.push_back(home / ".config/leitstand/robots");
-    }
-    std::error_code problem;
-    if (const fs::path resources = environment("LEITSTAND_RESOURCES"); !resources.empty()) {
-        folders.push_back(resources / "robots");
-    } else if (const fs::path program = fs::read_symlink("/proc/self/exe", problem); !problem) {
-        folders.push_back(program.parent_path().parent_path() / "share/leitstand/robots");
+    for (const fs::path& folder : {userFolder("robots"), shippedFolder("robots")}) {
+        if (!folder.empty()) folders.push_back(folder);
     }
     return folders;
 }

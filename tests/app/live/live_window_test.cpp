@@ -114,7 +114,7 @@ TEST_F(LiveWindowTest, AnotherRobotIsSelectedByItsNumberAndEndsDriving) {
 }
 
 TEST_F(LiveWindowTest, CameraAndMapChangePlaces) {
-    QWidget* const camera = m_window->findChild<QWidget*>("camera");
+    QWidget* const camera = m_window->findChild<QWidget*>("cameraPane");
     const int before = camera->width() * camera->height();
     press(Qt::Key_X);
     EXPECT_TRUE(soon([&] { return camera->width() * camera->height() < before / 2; }));

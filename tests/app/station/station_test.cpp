@@ -194,8 +194,9 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     ASSERT_TRUE(waitUntil([&] { return view().link.state == LinkState::Connected; }, 30s))
         << m_words.all() << process.out();
     // All around is known after a turn of the scanner, 2.3 s.
-    ASSERT_TRUE(waitUntil([&] { return view().around && view().around->oldest(-3.1, 3.1) < 10.0; }, 30s));
-    EXPECT_LT(view().around->nearest(-3.14, 3.14), 3.0) << "it stands in a cell of a maze";
+    const auto around = [&] { return station->around("kurt3d"); };
+    ASSERT_TRUE(waitUntil([&] { return around() && around()->oldest(-3.1, 3.1) < 10.0; }, 30s));
+    EXPECT_LT(around()->nearest(-3.14, 3.14), 3.0) << "it stands in a cell of a maze";
     EXPECT_GT(clouds, 20);
     EXPECT_GT(pictures, 20);
 

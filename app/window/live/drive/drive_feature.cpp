@@ -1,0 +1,78 @@
+#include "app/window/live/drive/drive_feature.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/drive/drive_strip.h"
+#include "widgets/models/live/drive_state.h"
+
+namespace leitstand {
+
+DriveFeature::DriveFeature(const LiveContext& context)
+    : QObject(&context.window),
+      m_context(context),
+      m_input(context.window),
+      m_strip(new DriveStrip(&context.window)) {
+    context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
+    Station& station = context.bridge.station();
+    connect(&m_input, &DriveInput::sticks, this,
+            [&station](const DriveVelocity& sticks) { station.push(sticks); });
+    connect(&m_input, &DriveInput::focusChanged, this, [this, &station](bool focus) {
+        station.focus(focus ? m_context.selection.name().toStdString() : std::string());
+        m_drive->setChecked(focus);
+    });
+    const auto setRobot = [this] {
+        if (const RobotDescription* robot = m_context.selection.robot()) m_input.setRobot(*robot);
+    };
+    addCommands();
+    connect(&context.selection, &Selection::changed, this, setRobot);
+    setRobot();
+    connectStrip();
+    connect(&context.bridge, &LiveBridge::ticked, this, &DriveFeature::show);
+}
+
+void DriveFeature::addCommands() {
+    m_drive =
+        &m_context.commands.add({.id = "robot.drive",
+                                 .menu = CommandMenu::Robot,
+                                 .text = tr("&Drive with keys"),
+                                 .hint = tr("W S A D or the arrows drive the selected robot; Shift slow, "
+                                            "Ctrl fast, Space lets go"),
+                                 .keys = QKeySequence(Qt::Key_F2),
+                                 .checkable = true});
+    connect(m_drive, &QAction::triggered, this, &DriveFeature::setDriving);
+}
+
+void DriveFeature::connectStrip() {
+    Station& station = m_context.bridge.station();
+    const auto selected = [this] { return m_context.selection.name().toStdString(); };
+    connect(m_strip, &DriveStrip::grantAsked, this, [&station, selected] { station.ask(selected()); });
+    connect(m_strip, &DriveStrip::grantGivenUp, this, [this, &station, selected] {
+        setDriving(false);
+        station.giveUp(selected());
+    });
+    connect(m_strip, &DriveStrip::grantAnswered, this,
+            [&station, selected](bool consent) { station.answer(selected(), consent); });
+}
+
+void DriveFeature::setDriving(bool on) {
+    if (on) m_context.bridge.station().ask(m_context.selection.name().toStdString());
+    m_input.setFocus(on);
+}
+
+void DriveFeature::show(const LiveMoment& moment) {
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        const RobotState& said = moment.said(robot.name);
+        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
+    }
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr) return;
+    m_strip->show(driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
+                               moment.said(robot->name), m_gas[robot->name], moment.now));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QObject>
+
+#include "app/window/live/drive_input.h"
+#include "app/window/live/live_context.h"
+#include "widgets/models/live/gas_trend.h"
+
+class QAction;
+
+namespace leitstand {
+
+struct LiveMoment;
+class DriveStrip;
+
+/// Driving the selected robot: the drive focus, the grant, and the strip that tells what the robot does
+/// ("strip").
+class DriveFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit DriveFeature(const LiveContext& context);
+
+    [[nodiscard]] bool driving() const { return m_input.hasFocus(); }
+    /// Takes the drive focus, and asks for the grant; or lets both sticks and focus go.
+    void setDriving(bool on);
+
+private:
+    void addCommands();
+    void connectStrip();
+    void show(const LiveMoment& moment);
+
+    LiveContext m_context;
+    DriveInput m_input;
+    DriveStrip* m_strip;
+    QAction* m_drive = nullptr;
+    std::map<std::string, GasTrend> m_gas;  ///< by robot
+};
+
+}  // namespace leitstand

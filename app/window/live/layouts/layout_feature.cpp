@@ -1,0 +1,187 @@
+#include "app/window/live/layouts/layout_feature.h"
+
+#include <utility>
+#include <vector>
+
+#include <QAction>
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QKeySequence>
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/pane_docks.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int FirstKey = Qt::Key_F5, Keys = 4;
+
+QString idOf(const std::string& name) {
+    return QStringLiteral("layout.") + QString::fromStdString(name);
+}
+
+/// "Second screen" as the name of a file.
+std::string nameOf(const QString& title) {
+    std::string name;
+    for (const QChar letter : title.toLower()) {
+        const bool plain = (letter >= u'a' && letter <= u'z') || (letter >= u'0' && letter <= u'9');
+        if (plain) {
+            name += letter.toLatin1();
+        } else if (!name.empty() && name.back() != '-') {
+            name += '-';
+        }
+    }
+    while (!name.empty() && name.back() == '-') name.pop_back();
+    return name;
+}
+
+}  // namespace
+
+LayoutFeature::LayoutFeature(const LiveContext& context, LayoutBook book)
+    : QObject(&context.window),
+      m_context(context),
+      m_book(std::move(book)),
+      m_bar(new QWidget(&context.window)),
+      m_row(new QHBoxLayout(m_bar)),
+      m_choices(new QActionGroup(this)) {
+    m_bar->setAccessibleName(tr("Layout"));
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(0);
+    fill();
+    addCommands();
+    addPanes();
+}
+
+void LayoutFeature::addCommands() {
+    CommandTable& commands = m_context.commands;
+    commands.separate(CommandMenu::View);
+    QAction& swap = commands.add({.id = "view.swap",
+                                  .menu = CommandMenu::View,
+                                  .text = tr("S&wap camera and map"),
+                                  .hint = tr("Camera and map change places"),
+                                  .keys = QKeySequence(Qt::Key_X)});
+    connect(&swap, &QAction::triggered, this,
+            [this] { m_context.panes.swap(QStringLiteral("camera"), QStringLiteral("map")); });
+    QAction& arrange =
+        commands.add({.id = "layout.arrange",
+                      .menu = CommandMenu::View,
+                      .text = tr("&Arrange panes"),
+                      .hint = tr("Panes get titles to be dragged by, to another place or out of the "
+                                 "window; again to hold them there"),
+                      .checkable = true});
+    connect(&arrange, &QAction::toggled, this, [this](bool on) { m_context.panes.setArranging(on); });
+    QAction& save = commands.add({.id = "layout.save",
+                                  .menu = CommandMenu::View,
+                                  .text = tr("Save la&yout as…"),
+                                  .hint = tr("Keeps how panes are now as a layout of one's own")});
+    connect(&save, &QAction::triggered, this, &LayoutFeature::askForTitle);
+    m_forget = &commands.add({.id = "layout.forget",
+                              .menu = CommandMenu::View,
+                              .text = tr("&Delete this layout"),
+                              .hint = tr("Deletes the file of a layout of one's own")});
+    connect(m_forget, &QAction::triggered, this, &LayoutFeature::forget);
+}
+
+void LayoutFeature::addPanes() {
+    m_context.commands.separate(CommandMenu::View);
+    QMenu* menu = m_context.commands.menu(CommandMenu::View).addMenu(tr("&Panes"));
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (const QString& id : m_context.panes.ids()) menu->addAction(m_context.panes.visibility(id));
+    });
+}
+
+void LayoutFeature::fill() {
+    for (QAction* choice : m_choices->actions()) choice->setVisible(false);
+    qDeleteAll(m_bar->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly));
+    std::vector<std::string> errors;
+    int place = 0;
+    for (const WindowLayout& layout : m_book.all(errors)) addChoice(layout, place++);
+    for (const std::string& error : errors) emit told(QString::fromStdString(error));
+}
+
+void LayoutFeature::addChoice(const WindowLayout& layout, int place) {
+    const QString id = idOf(layout.name), title = QString::fromStdString(layout.title);
+    QAction* choice = m_context.commands.find(id);
+    if (choice == nullptr) {
+        choice =
+            &m_context.commands.add({.id = id,
+                                     .menu = CommandMenu::View,
+                                     .text = title,
+                                     .hint = tr("Layout %1").arg(title),
+                                     .keys = place < Keys ? QKeySequence(FirstKey + place) : QKeySequence(),
+                                     .checkable = true});
+        m_choices->addAction(choice);
+        connect(choice, &QAction::triggered, this,
+                [this, own = QString::fromStdString(layout.name)] { use(own); });
+    }
+    choice->setText(title);
+    choice->setVisible(true);
+    auto* button = new QToolButton(m_bar);
+    button->setDefaultAction(choice);
+    button->setObjectName(QStringLiteral("switch_") + QString::fromStdString(layout.name));
+    button->setProperty("segment", true);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to driving
+    m_row->addWidget(button);
+}
+
+bool LayoutFeature::use(const QString& name) {
+    const auto layout = m_book.find(name.toStdString());
+    if (!layout) {
+        emit told(QString::fromStdString(layout.error().text));
+        return false;
+    }
+    m_used = *layout;
+    m_context.panes.arrange(m_used);
+    std::map<QString, QKeySequence> keys;
+    for (const auto& [command, text] : m_used.keys)
+        keys[QString::fromStdString(command)] = QKeySequence(QString::fromStdString(text));
+    if (const QStringList unknown = m_context.commands.bind(keys); !unknown.isEmpty())
+        emit told(tr("layout %1 binds keys to what is no command: %2")
+                      .arg(name, unknown.join(QStringLiteral(", "))));
+    emit padBound(m_used.pad);
+    if (QAction* choice = m_context.commands.find(idOf(m_used.name))) choice->setChecked(true);
+    m_forget->setEnabled(m_book.isOwn(m_used.name));
+    return true;
+}
+
+bool LayoutFeature::saveAs(const QString& title) {
+    WindowLayout layout = m_used;
+    layout.title = title.toStdString();
+    layout.name = nameOf(title);
+    layout.arrangement = m_context.panes.arrangement();
+    if (const auto saved = m_book.save(layout); !saved) {
+        emit told(QString::fromStdString(saved.error().text));
+        return false;
+    }
+    fill();
+    return use(QString::fromStdString(layout.name));
+}
+
+void LayoutFeature::askForTitle() {
+    auto* question = new QInputDialog(&m_context.window);  // not modal: robots may be driving
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setWindowTitle(tr("Save layout"));
+    question->setLabelText(tr("Name of the layout"));
+    question->setTextValue(QString::fromStdString(m_used.title));
+    connect(question, &QInputDialog::textValueSelected, this,
+            [this](const QString& title) { saveAs(title); });
+    question->show();
+}
+
+void LayoutFeature::forget() {
+    if (const auto gone = m_book.remove(m_used.name); !gone) {
+        emit told(QString::fromStdString(gone.error().text));
+        return;
+    }
+    fill();
+    std::vector<std::string> errors;
+    const auto left = m_book.all(errors);
+    if (!left.empty()) use(QString::fromStdString(left.front().name));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QObject>
+#include <QString>
+
+#include "app/session/layouts/layout_book.h"
+#include "app/window/live/live_context.h"
+
+class QAction;
+class QActionGroup;
+class QHBoxLayout;
+class QWidget;
+
+namespace leitstand {
+
+/// How the live window is arranged: layouts by key, menu and the switch in the top bar, the operator's own
+/// ones as files; camera and map changing places.
+class LayoutFeature final : public QObject {
+    Q_OBJECT
+public:
+    LayoutFeature(const LiveContext& context, LayoutBook book);
+
+    /// The switch for the top bar.
+    [[nodiscard]] QWidget* bar() const { return m_bar; }
+    [[nodiscard]] const WindowLayout& current() const { return m_used; }
+    /// False, and told, when there is none of that name.
+    bool use(const QString& name);
+    /// Keeps the arrangement as it is under @p title, with the keys of the layout in use; false, and told,
+    /// when it cannot.
+    bool saveAs(const QString& title);
+
+signals:
+    void told(const QString& text);
+    /// What the layout now in use binds, by button of the pad: ids of commands.
+    void padBound(const std::map<std::string, std::string>& bindings);
+
+private:
+    void addCommands();
+    void addPanes();  ///< to the View menu, as soon as it is opened
+    void fill();      ///< menu and switch with what the book has
+    void addChoice(const WindowLayout& layout, int place);
+    void askForTitle();
+    void forget();
+
+    LiveContext m_context;
+    LayoutBook m_book;
+    QWidget* m_bar;
+    QHBoxLayout* m_row;
+    QActionGroup* m_choices;
+    QAction* m_forget = nullptr;
+    WindowLayout m_used;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+#include "core/base/time.h"
+#include "core/mission/mission_state.h"
+#include "core/robot/robot_view.h"
+
+namespace leitstand {
+
+/// The newest of everything at one moment, asked for once and shown by all panes.
+struct LiveMoment {
+    Time now = {};  ///< the station's clock
+    std::chrono::steady_clock::time_point steady = {};
+    MissionStatePtr mission;
+    std::map<std::string, RobotView> robots;  ///< by name; what is around is known of the watched one only
+
+    [[nodiscard]] const RobotView& view(const std::string& robot) const;   ///< empty when unknown
+    [[nodiscard]] const RobotState& said(const std::string& robot) const;  ///< empty when it said nothing
+};
+
+}  // namespace leitstand

@@ -1,0 +1,57 @@
+#include "app/window/live/map/map_feature.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMainWindow>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/commands/view_commands.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/map_pane.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/map_summary.h"
+#include "widgets/theme.h"
+
+namespace leitstand {
+
+MapFeature::MapFeature(const LiveContext& context, const MapViewSettings& view)
+    : QObject(&context.window),
+      m_context(context),
+      m_view(view),
+      m_pane(new MapPane(m_view, &context.window)) {
+    m_pane->setHelpVisible(false);
+    context.panes.add(QStringLiteral("map"), tr("3D map"), *m_pane);
+    addCommands();
+    connect(&context.bridge, &LiveBridge::mapChanged, this, [this](const MapPtr& map) {
+        m_seen = m_seen || !map->scans.empty();
+        m_pane->view().setMap(map);
+        m_pane->setSummary(summaryOf(*map));
+    });
+    connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
+        if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
+        m_pane->view().setSettings(settings);
+    });
+    m_pane->view().setSettings(m_view.settings());
+}
+
+MapView& MapFeature::view() const {
+    return m_pane->view();
+}
+
+void MapFeature::addCommands() {
+    auto* looks = new ViewCommands(m_view, m_pane->view(), this, ViewCommands::Keys::Aside);
+    looks->fill(m_context.commands.menu(CommandMenu::Map));
+    m_context.commands.adopt(CommandMenu::Map);
+    looks->setScans(0);
+    looks->before().setVisible(false);  // scans of a live map have one pose
+    connect(&m_context.bridge, &LiveBridge::mapChanged, looks,
+            [looks](const MapPtr& map) { looks->setScans(static_cast<int>(map->scans.size())); });
+}
+
+QStringList MapFeature::missing() const {
+    if (m_seen && m_pane->view().settled()) return {};
+    return {tr("no scan is registered and drawn")};
+}
+
+}  // namespace leitstand

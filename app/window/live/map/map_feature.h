@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "app/window/live/live_context.h"
+#include "app/window/view_state.h"
+
+namespace leitstand {
+
+class MapPane;
+class MapView;
+
+/// The 3D map as it grows ("map"), and how it is looked at.
+class MapFeature final : public QObject {
+    Q_OBJECT
+public:
+    MapFeature(const LiveContext& context, const MapViewSettings& view);
+
+    [[nodiscard]] MapView& view() const;
+    [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
+    /// What is not to be seen of the map yet.
+    [[nodiscard]] QStringList missing() const;
+
+private:
+    void addCommands();
+
+    LiveContext m_context;
+    ViewState m_view;
+    MapPane* m_pane;
+    bool m_seen = false;
+};
+
+}  // namespace leitstand

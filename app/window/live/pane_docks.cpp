@@ -1,0 +1,203 @@
+#include "app/window/live/pane_docks.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAction>
+#include <QDockWidget>
+
+namespace leitstand {
+namespace {
+
+/// The first pane of @p split, where possible one whose place is in a row other than @p vertical: its size
+/// along that row is then its place's alone.
+QString firstOf(const PaneSplit& split) {
+    if (!split.pane.empty()) return QString::fromStdString(split.pane);
+    for (const PaneSplit& part : split.parts) {
+        if (!part.pane.empty()) return QString::fromStdString(part.pane);
+    }
+    return firstOf(split.parts.front());
+}
+
+/// The pane that stands for the upper left corner of @p split: the one docks are split from.
+QString cornerOf(const PaneSplit& split) {
+    return split.pane.empty() ? cornerOf(split.parts.front()) : QString::fromStdString(split.pane);
+}
+
+/// In place of a dock's title: of no height.
+class NoTitle final : public QWidget {
+public:
+    using QWidget::QWidget;
+    [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
+};
+
+}  // namespace
+
+PaneDocks::PaneDocks(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
+    setObjectName(QStringLiteral("panes"));
+    setDockOptions(AllowNestedDocks | AllowTabbedDocks);
+    setFocusPolicy(Qt::ClickFocus);
+    setContextMenuPolicy(Qt::NoContextMenu);  // panes are shown and hidden in the View menu
+}
+
+void PaneDocks::add(const QString& id, const QString& title, QWidget& pane) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(id);
+    dock->setAccessibleName(title);
+    dock->setWidget(&pane);
+    dress(*dock, m_arranging);
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+    dock->hide();
+    m_ids.push_back(id);
+    m_docks[id] = dock;
+}
+
+QStringList PaneDocks::ids() const {
+    return {m_ids.begin(), m_ids.end()};
+}
+
+QDockWidget* PaneDocks::dock(const QString& id) const {
+    const auto found = m_docks.find(id);
+    return found == m_docks.end() ? nullptr : found->second;
+}
+
+bool PaneDocks::isPaneVisible(const QString& id) const {
+    const QDockWidget* const found = dock(id);
+    return found != nullptr && !found->isHidden();
+}
+
+QAction* PaneDocks::visibility(const QString& id) const {
+    const QDockWidget* const found = dock(id);
+    return found == nullptr ? nullptr : found->toggleViewAction();
+}
+
+PaneSplit PaneDocks::known(const PaneSplit& split) const {
+    if (!split.pane.empty())
+        return m_docks.contains(QString::fromStdString(split.pane)) ? split : PaneSplit{};
+    PaneSplit kept = split;
+    kept.parts.clear();
+    for (const PaneSplit& part : split.parts) {
+        PaneSplit inner = known(part);
+        if (!inner.pane.empty() || !inner.parts.empty()) kept.parts.push_back(std::move(inner));
+    }
+    if (kept.parts.size() != 1) return kept;
+    PaneSplit only = std::move(kept.parts.front());
+    only.share = split.share;
+    return only;
+}
+
+void PaneDocks::arrange(const WindowLayout& layout) {
+    const PaneSplit tree = known(layout.panes);
+    for (const auto& [id, dock] : m_docks) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    m_placed = {};
+    const auto named = panesIn(tree);
+    if (!layout.arrangement.empty()) {
+        for (const auto& [id, dock] : m_docks) addDockWidget(Qt::LeftDockWidgetArea, dock);
+        if (restoreState(QByteArray::fromBase64(QByteArray::fromStdString(layout.arrangement)))) return;
+        for (const auto& [id, dock] : m_docks) removeDockWidget(dock);
+    }
+    if (named.empty()) return;
+    addDockWidget(Qt::LeftDockWidgetArea, dock(cornerOf(tree)));
+    place(tree);
+    for (const std::string& id : named) dock(QString::fromStdString(id))->show();
+    m_placed = tree;
+    fit();
+}
+
+void PaneDocks::place(const PaneSplit& split) {
+    const Qt::Orientation along = split.vertical ? Qt::Vertical : Qt::Horizontal;
+    for (std::size_t i = 1; i < split.parts.size(); ++i)
+        splitDockWidget(dock(cornerOf(split.parts[i - 1])), dock(cornerOf(split.parts[i])), along);
+    for (const PaneSplit& part : split.parts) place(part);
+}
+
+void PaneDocks::giveRoom(const PaneSplit& split, QSize room) {
+    if (split.parts.empty()) return;
+    double whole = 0.0;
+    for (const PaneSplit& part : split.parts) whole += part.share;
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    for (const PaneSplit& part : split.parts) {
+        QSize inner = room;
+        const int size =
+            static_cast<int>((split.vertical ? room.height() : room.width()) * part.share / whole);
+        (split.vertical ? inner.rheight() : inner.rwidth()) = size;
+        giveRoom(part, inner);  // first: what is around goes on to change what is within
+        docks += dock(firstOf(part));
+        sizes += size;
+    }
+    resizeDocks(docks, sizes, split.vertical ? Qt::Vertical : Qt::Horizontal);
+}
+
+void PaneDocks::fit() {
+    if (isVisible()) giveRoom(m_placed, size());
+}
+
+std::string PaneDocks::arrangement() const {
+    return saveState().toBase64().toStdString();
+}
+
+void PaneDocks::swap(const QString& one, const QString& other) {
+    QDockWidget *const here = dock(one), *const there = dock(other);
+    if (here == nullptr || there == nullptr || here == there) return;
+    QWidget *const first = here->widget(), *const second = there->widget();
+    const bool firstShown = !here->isHidden(), secondShown = !there->isHidden();
+    const QString title = here->windowTitle();
+    here->setWidget(second);
+    there->setWidget(first);
+    // A pane's dock is where the pane is: names go along.
+    here->setWindowTitle(there->windowTitle());
+    there->setWindowTitle(title);
+    here->setObjectName(other);
+    there->setObjectName(one);
+    std::swap(m_docks[one], m_docks[other]);
+    here->setVisible(firstShown);
+    there->setVisible(secondShown);
+    for (QWidget* pane : {first, second}) pane->show();
+    const auto exchange = [&](auto&& self, PaneSplit& split) -> void {
+        if (split.pane == one.toStdString()) {
+            split.pane = other.toStdString();
+        } else if (split.pane == other.toStdString()) {
+            split.pane = one.toStdString();
+        }
+        for (PaneSplit& part : split.parts) self(self, part);
+    };
+    exchange(exchange, m_placed);
+    fit();
+}
+
+void PaneDocks::dress(QDockWidget& dock, bool withTitle) {
+    QWidget* const before = dock.titleBarWidget();
+    if (withTitle) {
+        dock.setTitleBarWidget(nullptr);
+    } else {
+        dock.setTitleBarWidget(new NoTitle(&dock));
+    }
+    delete before;
+    dock.setFeatures(withTitle ? QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                                     QDockWidget::DockWidgetFloatable
+                               : QDockWidget::DockWidgetFeatures(QDockWidget::NoDockWidgetFeatures));
+}
+
+void PaneDocks::setArranging(bool on) {
+    if (on == m_arranging) return;
+    m_arranging = on;
+    if (on) m_placed = {};  // the operator's hand decides from here on
+    for (const auto& [id, dock] : m_docks) dress(*dock, on);
+}
+
+void PaneDocks::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    fit();
+}
+
+void PaneDocks::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    fit();
+}
+
+}  // namespace leitstand

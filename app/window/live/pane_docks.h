@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include <QMainWindow>
+#include <QString>
+#include <QStringList>
+
+#include "core/settings/window_layout.h"
+
+class QAction;
+class QDockWidget;
+
+namespace leitstand {
+
+/// The panes of the live window, each in a dock that layouts place by the pane's id. While they are being
+/// arranged they have titles to be dragged by, and may float; otherwise nothing moves by a slip of the mouse.
+class PaneDocks final : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit PaneDocks(QWidget* parent = nullptr);
+
+    /// Takes @p pane over; hidden until a layout names it. @p title: for people.
+    void add(const QString& id, const QString& title, QWidget& pane);
+    [[nodiscard]] QStringList ids() const;
+    [[nodiscard]] bool isPaneVisible(const QString& id) const;
+    /// Shows or hides one pane; while it is checked it is shown.
+    [[nodiscard]] QAction* visibility(const QString& id) const;
+
+    /// Places panes as @p layout says; those that it does not name are hidden, those that it names but are
+    /// not here leave their room to their neighbours.
+    void arrange(const WindowLayout& layout);
+    /// How they are now, for WindowLayout::arrangement.
+    [[nodiscard]] std::string arrangement() const;
+    /// Two panes change places; nothing when one is not here.
+    void swap(const QString& one, const QString& other);
+
+    void setArranging(bool on);
+    [[nodiscard]] bool isArranging() const { return m_arranging; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    [[nodiscard]] QDockWidget* dock(const QString& id) const;
+    [[nodiscard]] PaneSplit known(const PaneSplit& split) const;
+    void place(const PaneSplit& split);
+    void giveRoom(const PaneSplit& split, QSize room);
+    void fit();
+    static void dress(QDockWidget& dock, bool withTitle);
+
+    std::vector<QString> m_ids;
+    std::map<QString, QDockWidget*> m_docks;
+    PaneSplit m_placed;  ///< shares hold when the window changes its size, until a pane was moved
+    bool m_arranging = false;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,103 @@
+#include "app/window/live/robots/robots_feature.h"
+
+#include <vector>
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/selection.h"
+#include "app/window/live/stop_key.h"
+#include "widgets/drive/stop_button.h"
+#include "widgets/models/live/mode_label.h"
+#include "widgets/models/live/robot_chip.h"
+#include "widgets/models/live/stop_line.h"
+#include "widgets/robots/robot_bar.h"
+
+namespace leitstand {
+
+RobotsFeature::RobotsFeature(const LiveContext& context)
+    : QObject(&context.window),
+      m_context(context),
+      m_bar(new RobotBar(&context.window)),
+      m_stop(new StopButton(&context.window)) {
+    Station& station = context.bridge.station();
+    connect(m_bar, &RobotBar::robotSelected, &context.selection, &Selection::select);
+    connect(m_stop, &StopButton::stopRequested, this, [&station] { station.stopAll(); });
+    connect(m_stop, &StopButton::releaseRequested, this, [this, &station](const QString& robot) {
+        if (const auto let = station.release(robot.toStdString()); !let)
+            emit told(QString::fromStdString(let.error().text));
+    });
+    connect(new StopKey(&context.window), &StopKey::pressed, this, [&station] { station.stopAll(); });
+    connect(&context.bridge, &LiveBridge::ticked, this, &RobotsFeature::show);
+    addCommands();
+}
+
+QWidget* RobotsFeature::bar() const {
+    return m_bar;
+}
+
+QWidget* RobotsFeature::stop() const {
+    return m_stop;
+}
+
+void RobotsFeature::addCommands() {
+    CommandTable& commands = m_context.commands;
+    for (int number = 1; number <= static_cast<int>(m_context.selection.robots().size()); ++number) {
+        const RobotDescription& robot = m_context.selection.robots()[static_cast<std::size_t>(number - 1)];
+        const QString title = QString::fromStdString(robot.title);
+        // The key is the robot bar's.
+        QAction& one = commands.add({.id = QStringLiteral("robot.%1").arg(number),
+                                     .menu = CommandMenu::Robot,
+                                     .text = tr("Select %1\t%2").arg(title).arg(number),
+                                     .hint = tr("Select %1").arg(title)});
+        connect(&one, &QAction::triggered, this,
+                [this, number] { m_context.selection.selectNumber(number); });
+    }
+    commands.separate(CommandMenu::Robot);
+    QAction& stop = commands.add({.id = "robot.stop",
+                                  .menu = CommandMenu::Robot,
+                                  .text = tr("&Stop all robots\tEsc"),
+                                  .hint = tr("All robots stand until each is released")});
+    connect(&stop, &QAction::triggered, this, [this] { m_context.bridge.station().stopAll(); });
+    QMenu* modes = commands.menu(CommandMenu::Robot).addMenu(tr("&Mode"));
+    connect(modes, &QMenu::aboutToShow, this, [this, modes] { fillModes(*modes); });
+}
+
+void RobotsFeature::fillModes(QMenu& modes) {
+    modes.clear();
+    const std::string robot = m_context.selection.name().toStdString();
+    const RobotState& said = m_context.bridge.moment().said(robot);
+    if (!said.mode) {
+        modes.addAction(tr("The robot has told none yet"))->setEnabled(false);
+        return;
+    }
+    const ModeSample& now = said.mode->sample;
+    for (const std::string& mode : now.available) {
+        QAction* one = modes.addAction(modeName(mode));
+        one->setCheckable(true);
+        one->setChecked(mode == now.mode);
+        connect(one, &QAction::triggered, this, [this, robot, mode] {
+            m_context.bridge.station().ask(robot);
+            if (const auto asked = m_context.bridge.station().setMode(robot, mode); !asked)
+                emit told(QString::fromStdString(asked.error().text));
+        });
+    }
+}
+
+void RobotsFeature::show(const LiveMoment& moment) {
+    std::vector<RobotChip> chips;
+    std::vector<StopLine> stops;
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        const RobotFace face = m_context.selection.faceOfRobot(robot);
+        const RobotView& view = moment.view(robot.name);
+        chips.push_back(robotChipOf(face, view, moment.said(robot.name)));
+        stops.push_back(stopLineOf(face, view));
+    }
+    m_bar->show(chips, m_context.selection.name());
+    m_stop->show(stops);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,47 @@
+#include "app/window/live/scan/scan_feature.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include <QMainWindow>
+
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/virtual_scan/virtual_scan_pane.h"
+
+namespace leitstand {
+namespace {
+
+/// Since the newest scan of @p said came [s]; infinite: never.
+double scanAge(const RobotState& said, Time now) {
+    double age = std::numeric_limits<double>::infinity();
+    for (const auto& [topic, stream] : said.streams) {
+        if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
+        age = std::min(age, std::chrono::duration<double>(now - stream.received).count());
+    }
+    return age;
+}
+
+}  // namespace
+
+ScanFeature::ScanFeature(const LiveContext& context)
+    : QObject(&context.window), m_context(context), m_pane(new VirtualScanPane(&context.window)) {
+    context.panes.add(QStringLiteral("scan"), tr("Virtual scan"), *m_pane);
+    const auto setRobot = [this] {
+        if (const RobotDescription* robot = m_context.selection.robot())
+            m_pane->setRobot(m_context.selection.face(), robot->footprint);
+    };
+    connect(&context.selection, &Selection::changed, this, setRobot);
+    setRobot();
+    connect(&context.bridge, &LiveBridge::ticked, this, &ScanFeature::show);
+}
+
+void ScanFeature::show(const LiveMoment& moment) {
+    const std::string name = m_context.selection.name().toStdString();
+    const RobotView& view = moment.view(name);
+    m_pane->show(view.around, view.drive.velocity, scanAge(moment.said(name), moment.now));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,100 @@
+#include "app/window/live/pane_docks.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace leitstand::test {
+namespace {
+
+PaneSplit pane(const char* id, double share = 1.0) {
+    return {.pane = id, .share = share};
+}
+
+/// Camera left of (map above scan), all above the strip.
+WindowLayout layout() {
+    const PaneSplit side{.share = 1.0, .vertical = true, .parts = {pane("map"), pane("scan")}};
+    const PaneSplit upper{.share = 3.0, .parts = {pane("camera", 2.0), side}};
+    return {.name = "test", .title = "Test", .panes = {.vertical = true, .parts = {upper, pane("strip")}}};
+}
+
+class PaneDocksTest : public testing::Test {
+protected:
+    PaneDocksTest() {
+        for (const char* id : {"camera", "map", "scan", "strip", "other"}) {
+            auto* label = new QLabel(id);
+            label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+            m_panes[id] = label;
+            m_docks.add(id, id, *label);
+        }
+        m_docks.resize(1200, 800);
+        m_docks.show();
+        m_docks.arrange(layout());
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_docks));
+    }
+    [[nodiscard]] QRect place(const char* id) const {
+        const QWidget* pane = m_panes.at(id);
+        return {pane->mapTo(&m_docks, QPoint()), pane->size()};
+    }
+
+    PaneDocks m_docks;
+    std::map<QString, QWidget*> m_panes;
+};
+
+TEST_F(PaneDocksTest, PanesStandWhereTheLayoutSaysInItsShares) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - 800) < 12; }));
+    EXPECT_NEAR(place("camera").height(), 600, 12);
+    EXPECT_NEAR(place("map").width(), 400, 12);
+    EXPECT_NEAR(place("map").height(), 300, 12);
+    EXPECT_NEAR(place("scan").top(), 300, 12);
+    EXPECT_NEAR(place("strip").width(), 1200, 4);
+    EXPECT_FALSE(m_docks.isPaneVisible("other"));
+}
+
+TEST_F(PaneDocksTest, SharesHoldWhenTheWindowGrows) {
+    m_docks.resize(2400, 1600);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - 1600) < 16; }))
+        << place("camera").width();
+    EXPECT_NEAR(place("camera").height(), 1200, 16);
+}
+
+TEST_F(PaneDocksTest, PanesChangePlacesAndBack) {
+    const QRect camera = place("camera"), map = place("map");
+    m_docks.swap("camera", "map");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("map").width() - camera.width()) < 12; }));
+    EXPECT_NEAR(place("camera").width(), map.width(), 12);
+    EXPECT_TRUE(m_docks.isPaneVisible("camera"));
+    EXPECT_TRUE(m_docks.isPaneVisible("map"));
+    m_docks.swap("camera", "map");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - camera.width()) < 12; }));
+}
+
+TEST_F(PaneDocksTest, AnArrangementComesBack) {
+    m_docks.setArranging(true);
+    m_docks.visibility("scan")->trigger();
+    ASSERT_FALSE(m_docks.isPaneVisible("scan"));
+    WindowLayout mine = layout();
+    mine.arrangement = m_docks.arrangement();
+    m_docks.setArranging(false);
+    m_docks.arrange(layout());
+    ASSERT_TRUE(m_docks.isPaneVisible("scan"));
+    m_docks.arrange(mine);
+    EXPECT_FALSE(m_docks.isPaneVisible("scan"));
+    EXPECT_TRUE(m_docks.isPaneVisible("map"));
+}
+
+TEST_F(PaneDocksTest, PanesThatAreNotHereLeaveTheirRoom) {
+    WindowLayout odd = layout();
+    odd.panes.parts[0].parts[1].parts[1].pane = "unknown";
+    m_docks.arrange(odd);
+    EXPECT_FALSE(m_docks.isPaneVisible("scan"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("map").height() - 600) < 12; }));
+    odd.arrangement = "bm90IGEgc3RhdGU=";  // "not a state"
+    m_docks.arrange(odd);
+    EXPECT_TRUE(m_docks.isPaneVisible("map"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,107 @@
+#include "core/io/settings/layout_file.h"
+
+#include <fstream>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/io/settings/folders.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string errorOf(const std::string& text) {
+    const auto layout = parseLayout(text, "mine.yaml");
+    return layout ? std::string() : layout.error().text;
+}
+
+constexpr const char* Good = R"(
+title: Second screen
+panes:
+  vertical:
+    - share: 3
+      horizontal: [{pane: camera, share: 2}, {pane: map}]
+    - {pane: strip}
+arrangement: AAAA/wAAAAD9
+keys:
+  view.swap: Ctrl+X
+  robot.drive:
+pad: {a: camera.recentre}
+)";
+
+TEST(LayoutFile, TellsPlacesKeysAndPad) {
+    const auto layout = parseLayout(Good, "folder/mine.yaml");
+    ASSERT_TRUE(layout) << layout.error().text;
+    EXPECT_EQ(layout->name, "mine");
+    EXPECT_EQ(layout->title, "Second screen");
+    EXPECT_TRUE(layout->panes.vertical);
+    ASSERT_EQ(layout->panes.parts.size(), 2U);
+    EXPECT_EQ(layout->panes.parts[0].share, 3.0);
+    EXPECT_FALSE(layout->panes.parts[0].vertical);
+    EXPECT_EQ(layout->panes.parts[0].parts[0].share, 2.0);
+    EXPECT_THAT(panesIn(layout->panes), ElementsAre("camera", "map", "strip"));
+    EXPECT_EQ(layout->keys.at("view.swap"), "Ctrl+X");
+    EXPECT_EQ(layout->keys.at("robot.drive"), "") << "a command that has no key";
+    EXPECT_EQ(layout->pad.at("a"), "camera.recentre");
+}
+
+TEST(LayoutFile, ComesBackAsItWasWritten) {
+    const WindowLayout before = parseLayout(Good, "mine.yaml").value();
+    const auto after = parseLayout(writeLayout(before), "mine.yaml");
+    ASSERT_TRUE(after) << after.error().text;
+    EXPECT_EQ(writeLayout(*after), writeLayout(before));
+    EXPECT_EQ(after->arrangement, before.arrangement);
+    EXPECT_EQ(after->panes.parts[0].share, 3.0);
+}
+
+TEST(LayoutFile, ErrorsTellFileLineAndWhatWasExpected) {
+    EXPECT_THAT(errorOf("title: A\n"), HasSubstr("panes"));
+    EXPECT_THAT(errorOf("panes:\n  pane: camera\n  vertical: []\n"),
+                HasSubstr("mine.yaml:1: panes: expected one of"));
+    EXPECT_THAT(errorOf("panes:\n  vertical:\n    - {pane: map}\n"), HasSubstr("a list of 2 to 16"));
+    EXPECT_THAT(errorOf("panes:\n  vertical: [{pane: map}, {pane: map}]\n"), HasSubstr("already"));
+    EXPECT_THAT(errorOf("panes: {pane: map, share: .nan}\n"), HasSubstr("share"));
+    EXPECT_THAT(errorOf("panes: {pane: map, share: 0}\n"), HasSubstr("share"));
+    EXPECT_THAT(errorOf("panes: {pane: \"../map\"}\n"), HasSubstr("letters, digits"));
+    EXPECT_THAT(errorOf("panes: {pane: map}\nkey: {}\n"), HasSubstr("did you mean"));
+    EXPECT_THAT(errorOf("panes: {pane: map}\nkeys: {a: [1]}\n"), HasSubstr("a command or button"));
+    EXPECT_THAT(errorOf("panes: {pane: map}\nkeys: 3\n"), HasSubstr("keys"));
+}
+
+TEST(LayoutFile, HostileFilesAreErrors) {
+    std::string deep = "panes: ";
+    for (int i = 0; i < 5'000; ++i) deep += "{vertical: [";
+    EXPECT_FALSE(errorOf(deep).empty());
+    EXPECT_FALSE(errorOf(std::string(1U << 20U, 'x')).empty());
+    EXPECT_FALSE(errorOf("").empty());
+    EXPECT_FALSE(errorOf("panes: {pane: map}\narrangement: " + std::string(100'000, 'A')).empty());
+}
+
+TEST(LayoutFile, NoDamageOfAFileHarmsTheReader) {
+    std::mt19937 random(7);
+    const std::string good = Good;
+    for (std::size_t length = 0; length < good.size(); ++length)
+        (void)parseLayout(good.substr(0, length), "a.yaml");
+    for (int round = 0; round < 2'000; ++round) {
+        std::string damaged = good;
+        for (int i = 0; i < 3; ++i) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+        (void)parseLayout(damaged, "a.yaml");
+    }
+}
+
+TEST(LayoutFile, ShippedOnesAreRight) {
+    for (const char* name : {"drive", "explore", "map"}) {
+        const auto layout =
+            readLayout(std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts/" + name + ".yaml");
+        ASSERT_TRUE(layout) << layout.error().text;
+        EXPECT_THAT(panesIn(layout->panes), testing::IsSupersetOf({"map", "strip", "alarms"})) << name;
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test
