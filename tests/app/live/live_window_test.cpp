@@ -1,83 +1,22 @@
-#include "app/window/live/live_window.h"
+#include "tests/app/live/live_page.h"
 
 #include <cmath>
 
 #include <QAction>
 #include <QMenu>
-#include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/window/live/demo_robots.h"
-#include "core/io/bag/bag_reader.h"
-#include "core/io/robot/robot_file.h"
 #include "core/mission/mission_state.h"
 #include "tests/support/child_process.h"
-#include "tests/support/dds/test_domain.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand::test {
 namespace {
 
-constexpr int Patience = 60'000;  ///< of real robots on a busy machine [ms]
-
-/// The live window on both simulated robots.
-class LiveWindowTest : public testing::Test {
-protected:
-    LiveWindowTest() {
-        StationSettings settings;
-        const std::filesystem::path folder = m_folder.path().toStdString();
-        settings.domain.domain = m_domain.number();
-        settings.mission.folder = folder / "mission";
-        settings.memory = folder / "station.yaml";
-        for (const char* name : {"kurt3d", "crawler"}) {
-            settings.mission.robots.push_back(
-                readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value());
-        }
-        m_bridge = LiveBridge::open(settings).value();
-        m_window = std::make_unique<LiveWindow>(*m_bridge, MapViewSettings{});
-        DemoSettings demo;
-        demo.program = QStringLiteral(LEITSTAND_ROBOT);
-        demo.domain = m_domain.number();
-        m_robots = std::make_unique<DemoRobots>(demo);
-        m_robots->start();
-        m_window->resize(1280, 800);
-        m_window->show();
-        m_window->activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
-    }
-    template <class Holds>
-    [[nodiscard]] static bool soon(Holds holds) {
-        return QTest::qWaitFor(holds, Patience);
-    }
-    [[nodiscard]] RobotView robot(const char* name = "kurt3d") const {
-        return m_bridge->station().robot(name);
-    }
-    /// As its odometry tells [m/s].
-    [[nodiscard]] double speed(const char* name = "kurt3d") const {
-        const auto mission = m_bridge->station().mission();
-        const auto said = mission->robots.find(name);
-        if (said == mission->robots.end() || !said->second->odometry) return 0.0;
-        return said->second->odometry->sample.linear.x();
-    }
-    /// For people: a picture of the window in the folder LEITSTAND_PICTURES.
-    void lookAt(const QString& name) {
-        const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
-        if (folder.isEmpty()) return;
-        EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); }));
-        m_window->grab().save(folder + "/live_" + name + ".png");
-    }
-    void press(Qt::Key key) { QTest::keyClick(m_window.get(), key); }
-
-    const TestDomain m_domain;
-    const QTemporaryDir m_folder;
-    std::unique_ptr<LiveBridge> m_bridge;
-    std::unique_ptr<LiveWindow> m_window;
-    std::unique_ptr<DemoRobots> m_robots;
-};
+using LiveWindowTest = LivePage;
 
 TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
@@ -93,13 +32,13 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     EXPECT_TRUE(soon([&] { return robot("crawler").stop.acknowledged; })) << "Esc stops all";
     QTest::keyRelease(m_window.get(), Qt::Key_W);
     EXPECT_LT(std::abs(speed()), 0.02);
-    ASSERT_TRUE(m_bridge->station().release("kurt3d").ok());
+    ASSERT_TRUE(station().release("kurt3d").ok());
     EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
 }
 
 TEST_F(LiveWindowTest, AScanIsRegisteredDrawnAndInTheLog) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    EXPECT_TRUE(soon([&] { return !m_bridge->station().mission()->keyScans->empty(); }));
+    EXPECT_TRUE(soon([&] { return !station().mission()->keyScans->empty(); }));
 }
 
 TEST_F(LiveWindowTest, AnotherRobotIsSelectedByItsNumberAndEndsDriving) {
@@ -124,8 +63,8 @@ TEST_F(LiveWindowTest, CameraAndMapChangePlaces) {
 }
 
 TEST_F(LiveWindowTest, ModesThatTheRobotOffersAreInTheMenu) {
-    ASSERT_TRUE(soon([&] { return m_bridge->station().mission()->robots.contains("kurt3d"); }));
-    ASSERT_TRUE(soon([&] { return m_bridge->station().mission()->robots.at("kurt3d")->mode.has_value(); }));
+    ASSERT_TRUE(soon([&] { return station().mission()->robots.contains("kurt3d"); }));
+    ASSERT_TRUE(soon([&] { return station().mission()->robots.at("kurt3d")->mode.has_value(); }));
     QMenu* modes = nullptr;
     for (QMenu* menu : m_window->findChildren<QMenu*>()) {
         if (menu->title() == "&Mode") modes = menu;

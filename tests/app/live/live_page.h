@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include "app/window/live/demo_robots.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/live_window.h"
+#include "tests/support/dds/test_domain.h"
+
+namespace leitstand::test {
+
+/// The live window on both simulated robots, which are processes beside it.
+class LivePage : public testing::Test {
+protected:
+    static constexpr int Patience = 60'000;  ///< of real robots on a busy machine [ms]
+
+    LivePage();
+    ~LivePage() override;
+
+    template <class Holds>
+    [[nodiscard]] static bool soon(Holds holds) {
+        return QTest::qWaitFor(holds, Patience);
+    }
+    [[nodiscard]] Station& station() const { return m_bridge->station(); }
+    [[nodiscard]] RobotView robot(const char* name = "kurt3d") const { return station().robot(name); }
+    /// As its odometry tells [m/s].
+    [[nodiscard]] double speed(const char* name = "kurt3d") const;
+    /// Closes the window and the station, and opens them again on the same mission; the robots go on.
+    void restart();
+    /// For people: a picture of the window in the folder LEITSTAND_PICTURES.
+    void lookAt(const QString& name);
+    void press(Qt::Key key) { QTest::keyClick(m_window.get(), key); }
+
+    const TestDomain m_domain;
+    const QTemporaryDir m_folder;
+    std::unique_ptr<LiveBridge> m_bridge;
+    std::unique_ptr<LiveWindow> m_window;
+    std::unique_ptr<DemoRobots> m_robots;
+
+private:
+    void open();
+};
+
+}  // namespace leitstand::test
