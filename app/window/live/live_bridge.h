@@ -34,7 +34,7 @@ signals:
     void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
     void mapChanged(const leitstand::MapPtr& map);
     void scansChanged(const leitstand::LiveMapPtr& map);  ///< the same map: which scans count, and why not
-    void ticked(const leitstand::LiveMoment& moment);  ///< 30 times a second
+    void ticked(const leitstand::LiveMoment& moment);     ///< 30 times a second
 
 private:
     LiveBridge();
