@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct MapScan {
     bool registered = false;  ///< false for the first scan, which defines the map's frame
     IcpResult icp;            ///< of the alignment; meaningless unless registered
     double seconds = 0.0;     ///< preparing and aligning, wall clock [s]
+    std::uint64_t id = 0;     ///< KeyScanSample::id of a live map; 0: none
+    bool uncertain = false;   ///< it does not fit: shown, but not built on
 };
 
 /// Scans in the frame of the first one. Immutable once shared.

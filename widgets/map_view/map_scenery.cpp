@@ -61,11 +61,59 @@ void MapScenery::setVisible(std::vector<bool> scanIsVisible) {
 
 void MapScenery::setSettings(const MapViewSettings& settings) {
     if (settings == m_order.settings) return;
-    m_order.settings = settings;
+    const bool followed = following();
+    const MapCamera camera = this->camera();
+    const MapViewSettings former = std::exchange(m_order.settings, settings);
+    const bool sameSide = (former.look == MapLook::Top) == (settings.look == MapLook::Top);
+    if (former.follow != settings.follow || !sameSide) startFollowing();
+    if (followed && settings.follow == MapFollow::Free && sameSide) activeCamera() = {camera, false, false};
     submit();
 }
 
+void MapScenery::setHighlighted(std::uint64_t id) {
+    if (id == m_order.highlighted) return;
+    m_order.highlighted = id;
+    submit();
+}
+
+void MapScenery::startFollowing() {
+    m_follow.start(m_order.settings.follow, m_order.settings.look == MapLook::Top);
+    m_sinceAim.invalidate();
+}
+
+bool MapScenery::following() const {
+    return m_order.settings.follow != MapFollow::Free && m_follow.aimed();
+}
+
+void MapScenery::aim(const Pose& baseInMap) {
+    if (m_order.settings.follow == MapFollow::Free) return;
+    const double seconds = m_sinceAim.isValid() ? static_cast<double>(m_sinceAim.nsecsElapsed()) / 1e9 : 0.0;
+    m_sinceAim.start();
+    if (!m_follow.aim(baseInMap, seconds)) return;
+    draw(false);
+    m_rest.start();
+}
+
+void MapScenery::stopFollowing() {
+    MapViewSettings settings = m_order.settings;
+    settings.follow = MapFollow::Free;
+    setSettings(settings);
+}
+
+void MapScenery::frameScan(std::uint64_t id) {
+    const auto scan = std::find_if(m_content->scans.begin(), m_content->scans.end(),
+                                   [id](const SceneScan& one) { return one.id == id; });
+    if (scan == m_content->scans.end() || !scan->points || scan->points->points.empty()) return;
+    if (following()) stopFollowing();
+    constexpr std::size_t Enough = 500;  // in random order
+    std::vector<Eigen::Vector3d> places;
+    for (std::size_t i = 0; i < std::min(Enough, scan->points->points.size()); ++i)
+        places.push_back(scan->poseInMap * scan->points->points[i].cast<double>());
+    moveCamera(framed(camera(), places, m_view.size()));
+}
+
 const MapCamera& MapScenery::camera() const {
+    if (following()) return m_follow.camera();
     return m_order.settings.look == MapLook::Top ? m_topCamera.camera : m_freeCamera.camera;
 }
 
@@ -74,19 +122,24 @@ MapScenery::FramedCamera& MapScenery::activeCamera() {
 }
 
 void MapScenery::moveCamera(const MapCamera& camera) {
-    activeCamera() = {camera, false, false};
+    if (following()) {
+        m_follow.adjust(camera);
+    } else {
+        activeCamera() = {camera, false, false};
+    }
     draw(false);
     m_rest.start();
 }
 
 void MapScenery::setCamera(CameraPreset preset) {
+    if (following()) stopFollowing();
     activeCamera() = {presetCamera(preset, m_order.settings.look), true, true};
     frame();
     draw(true);
 }
 
 void MapScenery::refresh() {
-    if (activeCamera().follows) frame();
+    if (!following() && activeCamera().follows) frame();
     if (!settled()) draw(true);
 }
 
@@ -131,7 +184,7 @@ void MapScenery::takeContent(SceneContentPtr content) {
     }
     m_content = std::move(content);
     m_renderer.setContent(m_content);
-    if (activeCamera().follows && activeCamera().due) frame();
+    if (!following() && activeCamera().follows && activeCamera().due) frame();
     draw(!m_rest.isActive());
 }
 

@@ -2,12 +2,14 @@
 
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 #include "core/mapping/map.h"
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/render/view_renderer.h"
+#include "widgets/map_view/robots/follow_camera.h"
 #include "widgets/map_view/scene/scene_builder.h"
 
 class QWidget;
@@ -28,7 +30,18 @@ public:
     void setSettings(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const { return m_order.settings; }
 
+    /// The scan of this id stands out; 0: none.
+    void setHighlighted(std::uint64_t id);
+
     [[nodiscard]] const MapCamera& camera() const;
+    /// The robot that the camera follows is there now.
+    void aim(const Pose& baseInMap);
+    /// Whether the camera goes with a robot.
+    [[nodiscard]] bool following() const;
+    /// The camera stays where it is from now on.
+    void stopFollowing();
+    /// Frames the scan of this id, without following anything. Nothing when it has no points on screen.
+    void frameScan(std::uint64_t id);
     /// Moves the camera; a coarse picture comes at once, a full one when it comes to rest.
     void moveCamera(const MapCamera& camera);
     void setCamera(CameraPreset preset);
@@ -60,6 +73,7 @@ private:
     };
 
     [[nodiscard]] FramedCamera& activeCamera();
+    void startFollowing();
     [[nodiscard]] DrawOrder drawOrder(bool full) const;
     [[nodiscard]] bool showsEverything(const MapPicture& picture) const;
     void submit();
@@ -73,6 +87,8 @@ private:
     SceneOrder m_order;
     SceneContentPtr m_content = std::make_shared<const SceneContent>();
     FramedCamera m_freeCamera, m_topCamera;
+    FollowCamera m_follow;
+    QElapsedTimer m_sinceAim;
     MapPicture m_picture;
     bool m_wasSettled = false;
     QString m_failure;

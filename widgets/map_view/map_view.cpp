@@ -1,14 +1,18 @@
 #include "widgets/map_view/map_view.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QPainter>
 
 #include "widgets/map_view/map_view_state.h"
+#include "widgets/map_view/overlays/hint.h"
 #include "widgets/map_view/overlays/legend.h"
 #include "widgets/map_view/overlays/map_marks.h"
 #include "widgets/map_view/overlays/scale_overlays.h"
 #include "widgets/map_view/picking.h"
+#include "widgets/map_view/robots/robot_overlay.h"
+#include "widgets/theme.h"
 
 namespace leitstand {
 namespace {
@@ -29,6 +33,7 @@ MapView::MapView(QWidget* parent) : QWidget(parent), m_state(std::make_unique<St
     setAccessibleName(tr("3D map"));
     MapScenery& scenery = m_state->scenery;
     connect(&scenery, &MapScenery::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&scenery, &MapScenery::pictureChanged, this, &MapView::drawn);
     connect(&scenery, &MapScenery::becameSettled, this, &MapView::becameSettled);
     connect(&scenery, &MapScenery::failed, this, [this](const QString& why) {
         update();
@@ -58,6 +63,18 @@ const MapViewSettings& MapView::settings() const {
 
 void MapView::setCamera(CameraPreset preset) {
     m_state->scenery.setCamera(preset);
+}
+
+void MapView::setHighlighted(std::uint64_t id) {
+    m_state->highlighted = id;
+    m_state->scenery.setHighlighted(id);
+    update();
+}
+
+void MapView::showScan(std::uint64_t id) {
+    const bool following = m_state->scenery.following();
+    m_state->scenery.frameScan(id);
+    if (following && !m_state->scenery.following()) emit followEnded();
 }
 
 void MapView::setMeasuring(bool on) {
@@ -128,12 +145,12 @@ MapView::State::State(MapView& mapView) : view(mapView), scenery(mapView) {
 }
 
 OverlayStyle MapView::State::style(Theme theme) const {
-    return {mapColours(theme), view.font(), view.locale()};
+    return {mapColours(theme), &coloursOf(theme), view.font(), view.locale()};
 }
 
 void MapView::State::paintOverlays(QPainter& painter) const {
     const SceneContent& content = *scenery.picture().content;
-    if (content.scans.empty()) return;
+    if (content.scans.empty() && robots.empty()) return;
     const MapProjection projection = scenery.projection();
     const OverlayStyle overlay = style(content.settings.theme);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -141,11 +158,18 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     if (content.settings.look == MapLook::Top) {
         gridStep = paintGroundGrid(painter, projection, content, overlay);
     }
-    paintScanPositions(painter, projection, content, overlay);
+    const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
+    paintScanPositions(painter, projection, content, !trails, overlay);
+    if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);
+    paintArea(painter, projection, area, ground, overlay);
+    paintTrails(painter, projection, robots, overlay);
+    paintRobots(painter, projection, robots, overlay);
+    tools.paint(painter, projection, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
     paintLegend(painter, content, projection.size(), scaleBar, overlay);
     paintAxes(painter, projection, overlay);
+    if (!hint.isEmpty()) paintHint(painter, hint, projection.size(), overlay);
 }
 
 }  // namespace leitstand

@@ -9,9 +9,12 @@
 #include <QWidget>
 
 #include "core/mapping/map.h"
+#include "widgets/map_view/gestures/ground_pose.h"
 #include "widgets/map_view/map_view_settings.h"
 
 namespace leitstand {
+
+struct RobotMark;
 
 /// A point of the map under the cursor.
 struct PickedPoint {
@@ -48,6 +51,29 @@ public:
     /// Looks from a preset side and frames the visible scans; in the top look always straight down.
     void setCamera(CameraPreset preset);
 
+    /// Shows robots where they are now: costs no drawing of points. The camera follows the selected one while
+    /// the settings say so.
+    void setRobots(std::vector<RobotMark> robots);
+    /// The scan of this MapScan::id stands out; 0: none.
+    void setHighlighted(std::uint64_t id);
+    /// Frames the scan of this MapScan::id.
+    void showScan(std::uint64_t id);
+    /// Outlines an area on the floor (map frame [m]); empty: none.
+    void setArea(std::vector<Eigen::Vector2d> area);
+    /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].
+    void setGround(double height);
+    /// Says @p text over the map; empty: nothing.
+    void setHint(const QString& text);
+
+    /// From now on the left button draws a pose of @p robot onto the floor: press is its place, a drag its
+    /// heading (poseDrawn). The right button ends it.
+    void startPose(const RobotMark& robot);
+    /// From now on left clicks are corners of an area, a double click ends it (areaDrawn), the right button
+    /// takes a corner back.
+    void startArea();
+    void endGesture();
+    [[nodiscard]] bool drawing() const;  ///< a gesture is on
+
     /// While on, left clicks pick the two ends of a measurement; Esc or off removes it.
     void setMeasuring(bool on);
     [[nodiscard]] std::optional<Measurement> measurement() const;
@@ -66,9 +92,18 @@ public:
 
 signals:
     void measured(const leitstand::Measurement& measurement);
+    /// A pose was drawn while one was asked for; drawing goes on until endGesture().
+    void poseDrawn(const leitstand::GroundPose& pose);
+    void areaDrawn(const std::vector<Eigen::Vector2d>& area);
+    void gestureEnded();  ///< by the operator, without a result
+    /// A double click onto the floor while nothing is drawn.
+    void groundActivated(const Eigen::Vector3d& place);
+    /// The operator moved the camera away from the robot that it followed.
+    void followEnded();
     void hovered(const std::optional<leitstand::PickedPoint>& point);
     /// The render thread could not start; nothing will be drawn. In the user's language.
     void failed(const QString& why);
+    void drawn();  ///< the points were drawn again, coarsely or fully
     /// The picture on screen is complete.
     void becameSettled();
 
@@ -79,6 +114,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;

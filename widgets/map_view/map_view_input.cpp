@@ -61,8 +61,31 @@ void MapView::State::measureAt(const QPoint& position) {
     view.update();
 }
 
+void MapView::State::moveBy(MapDrag how, const QPointF& pull) {
+    const MapProjection projection(scenery.camera(), view.size());
+    switch (how) {
+        case MapDrag::Turn:
+            scenery.moveCamera(turned(projection.camera(), pull));
+            break;
+        case MapDrag::Shift:
+            if (scenery.following()) {
+                scenery.stopFollowing();
+                emit view.followEnded();
+            }
+            scenery.moveCamera(shifted(projection, pull, pressedDepth));
+            break;
+        case MapDrag::Zoom:
+            scenery.moveCamera(
+                zoomed(projection, QPointF(pressed), pressedDepth, std::pow(ZoomPerPixel, pull.y())));
+            break;
+        case MapDrag::None:
+            break;
+    }
+}
+
 void MapView::mousePressEvent(QMouseEvent* event) {
     State& state = *m_state;
+    if (state.drag == MapDrag::None && state.pressGesture(*event)) return;
     if (state.drag != MapDrag::None) return;  // a second button does not change what the first one does
     state.drag = dragFor(*event, settings().look);
     state.pressed = state.cursor = event->position().toPoint();
@@ -73,6 +96,7 @@ void MapView::mousePressEvent(QMouseEvent* event) {
 void MapView::mouseMoveEvent(QMouseEvent* event) {
     State& state = *m_state;
     const QPoint position = event->position().toPoint();
+    if (state.drag == MapDrag::None && state.moveGesture(*event)) return;
     if (state.drag == MapDrag::None) {
         state.cursor = position;
         if (!state.hover.isActive()) state.hover.start();
@@ -84,25 +108,12 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     state.dragged = true;
     const QPointF pull(position - state.cursor);
     state.cursor = position;
-    const MapProjection projection(state.scenery.camera(), size());
-    switch (state.drag) {
-        case MapDrag::Turn:
-            state.scenery.moveCamera(turned(projection.camera(), pull));
-            break;
-        case MapDrag::Shift:
-            state.scenery.moveCamera(shifted(projection, pull, state.pressedDepth));
-            break;
-        case MapDrag::Zoom:
-            state.scenery.moveCamera(zoomed(projection, QPointF(state.pressed), state.pressedDepth,
-                                            std::pow(ZoomPerPixel, pull.y())));
-            break;
-        case MapDrag::None:
-            break;
-    }
+    state.moveBy(state.drag, pull);
 }
 
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
     State& state = *m_state;
+    if (state.drag == MapDrag::None && state.releaseGesture(*event)) return;
     if (event->buttons() != Qt::NoButton) return;
     state.drag = MapDrag::None;
     if (!state.dragged && state.measuring && event->button() == Qt::LeftButton) {
@@ -126,8 +137,8 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     const QPointF middle(width() / 2.0, height() / 2.0);
     if (const auto pull = pullOf(event->key())) {
         const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-        state.scenery.moveCamera(shift ? shifted(projection, *pull, depth)
-                                       : turned(projection.camera(), *pull));
+        state.pressedDepth = depth;
+        state.moveBy(shift ? MapDrag::Shift : MapDrag::Turn, *pull);
     } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
         state.scenery.moveCamera(zoomed(projection, middle, depth, 1.0 / ZoomPerNotch));
     } else if (event->key() == Qt::Key_Minus) {

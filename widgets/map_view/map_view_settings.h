@@ -16,6 +16,13 @@ enum class MapPoses : std::uint8_t { Registered, Guess };
 
 enum class CameraPreset : std::uint8_t { Reset, Top, Side };
 
+/// Whether the camera goes with the selected robot; while it does, ceilings are hidden.
+enum class MapFollow : std::uint8_t {
+    Free,
+    Behind,  ///< from behind and above
+    Above,   ///< from straight above, its heading up
+};
+
 enum class Theme : std::uint8_t { Dark, Light };
 
 /// How the map is drawn.
@@ -29,7 +36,10 @@ struct MapViewSettings {
     double minRange = 0.4, maxRange = 30.0;  ///< points nearer to their scanner (the robot itself) and
                                              ///< farther ones ("no echo") are never drawn [m]
     Theme theme = Theme::Dark;
+    MapFollow follow = MapFollow::Free;
 
+    /// Ceilings would hide what is below them.
+    [[nodiscard]] bool withCeiling() const { return look != MapLook::Top && follow == MapFollow::Free; }
     bool operator==(const MapViewSettings&) const = default;
 };
 

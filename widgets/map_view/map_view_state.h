@@ -7,6 +7,7 @@
 #include <QPoint>
 #include <QTimer>
 
+#include "widgets/map_view/gestures/ground_tools.h"
 #include "widgets/map_view/map_scenery.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/overlays/overlay_style.h"
@@ -25,6 +26,13 @@ struct MapView::State {
     /// Depth of what is drawn at @p position, or else of the camera's focus [m].
     [[nodiscard]] double depthAt(const QPoint& position) const;
     void measureAt(const QPoint& position);
+    /// The floor under @p position: scanned floor there, else the ground's plane.
+    [[nodiscard]] std::optional<Eigen::Vector3d> groundAt(const QPointF& position) const;
+    void moveBy(MapDrag how, const QPointF& pull);
+    /// What gestures do with the mouse; false: nothing, the camera has it.
+    bool pressGesture(const QMouseEvent& event);
+    bool moveGesture(const QMouseEvent& event);
+    bool releaseGesture(const QMouseEvent& event);
 
     static constexpr std::chrono::milliseconds HoverInterval{50};
 
@@ -36,6 +44,13 @@ struct MapView::State {
     double pressedDepth = 0.0;  ///< of what was drawn there [m]
     bool dragged = false;       ///< farther than a click may wander
     QTimer hover;               ///< limits how often hovering picks
+
+    std::vector<RobotMark> robots;
+    GroundTools tools;
+    std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
+    double ground = 0.0;                ///< height of the floor, map frame [m]
+    QString hint;
+    std::uint64_t highlighted = 0;
 
     bool measuring = false;
     std::optional<Eigen::Vector3d> from, to;  ///< ends of the measurement, in the map's frame [m]

@@ -25,6 +25,8 @@ MapPtr shownMap(const LiveMap& live) {
         scan.icp.inlierRatio = one.pose.inlierRatio;
         scan.icp.overlap = one.pose.overlap;
         scan.icp.certainty = one.counts() ? one.pose.certainty : 0.0;
+        scan.id = one.id;
+        scan.uncertain = one.pose.trust == ScanTrust::Uncertain;
         map->scans.push_back(std::move(scan));
     }
     return map;

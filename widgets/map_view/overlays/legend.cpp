@@ -1,5 +1,6 @@
 #include "widgets/map_view/overlays/legend.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -56,7 +57,8 @@ std::vector<Entry> labelEntries(const SceneContent& content) {
     const bool top = content.settings.look == MapLook::Top;
     std::vector<Entry> entries;
     for (const Label label : {Label::Floor, Label::Wall, Label::Ceiling, Label::Unlabelled}) {
-        if ((top && label == Label::Ceiling) || !isPresent(label, content)) continue;
+        if ((!content.settings.withCeiling() && label == Label::Ceiling) || !isPresent(label, content))
+            continue;
         const bool ground = top && label == Label::Floor;
         if (!ground && content.settings.colouring != MapColouring::Label) continue;
         entries.push_back(
@@ -65,8 +67,17 @@ std::vector<Entry> labelEntries(const SceneContent& content) {
     return entries;
 }
 
+bool doubted(const SceneContent& content) {
+    return std::any_of(content.scans.begin(), content.scans.end(),
+                       [](const SceneScan& scan) { return scan.visible && scan.uncertain; });
+}
+
 std::vector<Entry> entriesFor(const SceneContent& content) {
     std::vector<Entry> entries = labelEntries(content);
+    if (doubted(content)) {
+        entries.push_back({mapColours(content.settings.theme).uncertain,
+                           QCoreApplication::translate("leitstand::MapView", "uncertain ?")});
+    }
     if (content.settings.colouring != MapColouring::Scan) return entries;
     std::size_t more = 0;
     for (std::size_t i = 0; i < content.scans.size(); ++i) {

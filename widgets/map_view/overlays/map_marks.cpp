@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <QCoreApplication>
 #include <QFontMetrics>
@@ -14,7 +16,9 @@
 namespace leitstand {
 namespace {
 
-constexpr double ScanMarkSize = 9.0, MeasureMarkRadius = 4.0;  ///< [px]
+constexpr double ScanMarkSize = 9.0, CrowdedMarkSize = 5.0, MeasureMarkRadius = 4.0;  ///< [px]
+constexpr double DiamondSize = 9.0, HighlightRadius = 15.0;                           ///< [px]
+constexpr std::size_t CrowdedFrom = 20;                                               ///< scans
 
 /// The part of the first scan's floor plane that a parallel view from above shows.
 Eigen::AlignedBox2d shownGround(const MapProjection& projection, const Pose& mapInScan) {
@@ -54,6 +58,18 @@ void paintTextBeside(QPainter& painter, const QPointF& place, const QString& tex
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
+void paintUncertainPosition(QPainter& painter, const QPointF& at, const OverlayStyle& style) {
+    painter.setPen(QPen(asColour(style.colours.uncertain), 1.8));
+    painter.setBrush(asColour(style.colours.panel));
+    painter.drawPolygon(QPolygonF({at + QPointF(0, -DiamondSize), at + QPointF(DiamondSize, 0),
+                                   at + QPointF(0, DiamondSize), at + QPointF(-DiamondSize, 0)}));
+    QFont font = style.font;
+    font.setPixelSize(11);
+    font.setBold(true);
+    painter.setFont(font);
+    painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QStringLiteral("?"));
+}
+
 }  // namespace
 
 double paintGroundGrid(QPainter& painter, const MapProjection& projection, const SceneContent& content,
@@ -80,24 +96,55 @@ double paintGroundGrid(QPainter& painter, const MapProjection& projection, const
 }
 
 void paintScanPositions(QPainter& painter, const MapProjection& projection, const SceneContent& content,
-                        const OverlayStyle& style) {
-    std::vector<std::optional<QPointF>> places;
+                        bool joined, const OverlayStyle& style) {
+    struct Mark {
+        const SceneScan* scan;
+        QPointF at;
+    };
+    std::vector<Mark> marks;
     for (const SceneScan& scan : content.scans) {
         if (!scan.visible) continue;
         const auto seen = projection.project(scan.poseInMap.translation());
-        places.push_back(seen ? std::optional(seen->position) : std::nullopt);
+        if (seen) marks.push_back({&scan, seen->position});
     }
-    painter.setPen(QPen(asColour(style.colours.trail), 1.5));
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        if (places[i - 1] && places[i]) painter.drawLine(*places[i - 1], *places[i]);
+    if (joined) {
+        painter.setPen(QPen(asColour(style.colours.trail), 1.5));
+        std::map<std::string, QPointF> last;  // by robot
+        for (const Mark& mark : marks) {
+            const auto [before, first] = last.try_emplace(mark.scan->robot, mark.at);
+            if (!first) painter.drawLine(before->second, mark.at);
+            before->second = mark.at;
+        }
     }
-    painter.setPen(
-        QPen(asColour(style.colours.markerEdge), 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.setBrush(asColour(style.colours.scanPosition));
-    for (const auto& place : places) {
-        if (!place) continue;
-        painter.drawRect(
-            QRectF(*place - QPointF(ScanMarkSize, ScanMarkSize) / 2, QSizeF(ScanMarkSize, ScanMarkSize)));
+    // Many small ones do not hide the map.
+    const double size = marks.size() > CrowdedFrom ? CrowdedMarkSize : ScanMarkSize;
+    for (const Mark& mark : marks) {
+        if (mark.scan->uncertain) continue;
+        painter.setPen(
+            QPen(asColour(style.colours.markerEdge), 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.setBrush(asColour(style.colours.scanPosition));
+        painter.drawRect(QRectF(mark.at - QPointF(size, size) / 2, QSizeF(size, size)));
+    }
+    for (const Mark& mark : marks) {
+        if (mark.scan->uncertain) paintUncertainPosition(painter, mark.at, style);
+    }
+}
+
+void paintHighlight(QPainter& painter, const MapProjection& projection, const SceneContent& content,
+                    std::uint64_t id, const OverlayStyle& style) {
+    for (const SceneScan& scan : content.scans) {
+        if (scan.id != id || !scan.visible) continue;
+        const auto seen = projection.project(scan.poseInMap.translation());
+        if (!seen) return;
+        painter.setBrush(Qt::NoBrush);
+        for (const QPen& pen :
+             {QPen(asColour(style.colours.background), 5.0), QPen(asColour(style.colours.uncertain), 2.5)}) {
+            painter.setPen(pen);
+            painter.drawEllipse(seen->position, HighlightRadius, HighlightRadius);
+        }
+        const QString text = QCoreApplication::translate("leitstand::MapView", "scan %1").arg(id);
+        paintTextBeside(painter, seen->position + QPointF(HighlightRadius + 4, -10), text, projection.size(),
+                        style);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
@@ -17,9 +18,14 @@ struct SceneContent;
 double paintGroundGrid(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                        const OverlayStyle& style);
 
-/// Blue squares with a white edge where the visible scans were taken, joined by the robot's trail.
+/// Blue squares with a white edge where the visible scans were taken, hollow amber diamonds with a question
+/// mark where they do not fit; @p joined: by each robot's way from scan to scan.
 void paintScanPositions(QPainter& painter, const MapProjection& projection, const SceneContent& content,
-                        const OverlayStyle& style);
+                        bool joined, const OverlayStyle& style);
+
+/// A ring around where the scan of this id was taken, and its number.
+void paintHighlight(QPainter& painter, const MapProjection& projection, const SceneContent& content,
+                    std::uint64_t id, const OverlayStyle& style);
 
 /// The ends of a measurement, the line between them and its length; @p to may not be chosen yet.
 void paintMeasurement(QPainter& painter, const MapProjection& projection, const Eigen::Vector3d& from,

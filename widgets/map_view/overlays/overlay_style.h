@@ -11,9 +11,12 @@
 
 namespace leitstand {
 
+struct ThemeColours;
+
 /// How text and lines over the map are painted.
 struct OverlayStyle {
     MapColours colours;
+    const ThemeColours* window = nullptr;  ///< robots, tones; never null
     QFont font;
     QLocale locale;
 };

@@ -18,6 +18,7 @@ const MapColours& mapColours(Theme theme) {
         .scanPosition = rgba("#2F62EE"),
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#56B4E9"),
+        .uncertain = rgba("#E69F00"),
     };
     static constexpr MapColours Light = {
         .background = rgba("#F3F4F6"),
@@ -30,6 +31,7 @@ const MapColours& mapColours(Theme theme) {
         .scanPosition = rgba("#2F62EE"),
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#0072B2"),
+        .uncertain = rgba("#A86200"),
     };
     return theme == Theme::Dark ? Dark : Light;
 }
@@ -66,11 +68,14 @@ Rgba viridis(double t) {
     const double position = shown * static_cast<double>(Steps.size() - 1);
     const auto lower = std::min(static_cast<std::size_t>(position), Steps.size() - 2);
     const double weight = position - static_cast<double>(lower);
-    const auto mix = [weight](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(std::lround((1.0 - weight) * a + weight * b));
+    return mixed(Steps[lower], Steps[lower + 1], weight);
+}
+
+Rgba mixed(Rgba colour, Rgba other, double share) {
+    const auto mix = [share](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround((1.0 - share) * a + share * b));
     };
-    const Rgba &a = Steps[lower], &b = Steps[lower + 1];
-    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
+    return {mix(colour.r, other.r), mix(colour.g, other.g), mix(colour.b, other.b), colour.a};
 }
 
 Rgba shaded(Rgba colour, double factor) {

@@ -30,6 +30,7 @@ struct MapColours {
     Rgba grid;                            ///< with its transparency
     Rgba ground;                          ///< floor points in the top view: the paper's light grey
     Rgba trail, scanPosition, markerEdge, measurement;
+    Rgba uncertain;  ///< of scans and robots: look here
 };
 [[nodiscard]] const MapColours& mapColours(Theme theme);
 
@@ -41,6 +42,9 @@ struct MapColours {
 
 /// The colour map viridis, without its darkest end that is not seen on a dark screen, at @p t, cut to 0..1.
 [[nodiscard]] Rgba viridis(double t);
+
+/// @p share of @p other in @p colour, 0 to 1.
+[[nodiscard]] Rgba mixed(Rgba colour, Rgba other, double share);
 
 /// @p colour times @p factor, without overflow.
 [[nodiscard]] Rgba shaded(Rgba colour, double factor);

@@ -12,10 +12,16 @@ namespace {
 
 constexpr std::chrono::milliseconds PartInterval(150);
 
-std::vector<std::int32_t> shownPoints(const ScanPoints& points, bool withCeiling) {
+/// Amber in the points of a scan that does not fit, and in those of the one that stands out.
+constexpr double UncertainTint = 0.7, HighlightTint = 0.9;
+/// One of so many points of an uncertain scan is drawn: what is behind shines through.
+constexpr std::size_t UncertainOneOf = 3;
+
+std::vector<std::int32_t> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
     std::vector<std::int32_t> shown;
-    shown.reserve(points.points.size());
-    for (std::size_t i = 0; i < points.points.size(); ++i) {
+    const std::size_t count = points.points.size() / (thinned ? UncertainOneOf : 1);  // in random order
+    shown.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
         if (withCeiling || points.labels[i] != Label::Ceiling) shown.push_back(static_cast<std::int32_t>(i));
     }
     return shown;
@@ -64,6 +70,9 @@ SceneContent outline(const SceneOrder& order) {
         const MapScan& scan = order.map->scans[i];
         SceneScan shown;
         shown.name = scan.scan->name;
+        shown.robot = scan.scan->robot;
+        shown.id = scan.id;
+        shown.uncertain = scan.uncertain;
         shown.poseInMap = order.settings.poses == MapPoses::Guess ? scan.guessInMap : scan.poseInMap;
         shown.visible = i >= order.scanIsVisible.size() || order.scanIsVisible[i];
         content.scans.push_back(std::move(shown));
@@ -86,7 +95,8 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
         }
         content.ramp = rampOf(sample, order.settings.colouring);
         for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
-            addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content);
+            addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content,
+                    order.highlighted);
         }
     };
     Clock::time_point lastPart = Clock::now();
@@ -128,18 +138,24 @@ SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapVi
     return ready;
 }
 
-void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content) {
+void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content,
+                             std::uint64_t highlighted) {
     const MapViewSettings& settings = content.settings;
-    const bool withCeiling = settings.look != MapLook::Top;
-    if (!ready.shown || ready.withCeiling != withCeiling) {
+    const bool withCeiling = settings.withCeiling();
+    const bool standsOut = scan.id != 0 && scan.id == highlighted;
+    const bool thinned = scan.uncertain && !standsOut;
+    if (!ready.shown || ready.withCeiling != withCeiling || ready.thinned != thinned) {
         ready.withCeiling = withCeiling;
-        ready.shown =
-            std::make_shared<const std::vector<std::int32_t>>(shownPoints(*ready.points, withCeiling));
+        ready.thinned = thinned;
+        ready.shown = std::make_shared<const std::vector<std::int32_t>>(
+            shownPoints(*ready.points, withCeiling, thinned));
     }
+    const double tint = standsOut ? HighlightTint : scan.uncertain ? UncertainTint : 0.0;
     const ColourRamp ramp = content.ramp.value_or(ColourRamp{});
     const bool same =
         ready.colours && ready.settings.colouring == settings.colouring &&
-        ready.settings.look == settings.look && ready.settings.theme == settings.theme &&
+        ready.settings.look == settings.look && ready.tint == tint &&
+        ready.settings.theme == settings.theme &&
         (settings.colouring != MapColouring::Scan || ready.index == index) &&
         (settings.colouring != MapColouring::Height || ready.poseInMap.isApprox(scan.poseInMap, 0.0)) &&
         (!content.ramp || ready.ramp == ramp);
@@ -148,8 +164,13 @@ void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, c
         ready.poseInMap = scan.poseInMap;
         ready.ramp = ramp;
         ready.index = index;
-        ready.colours = std::make_shared<const std::vector<Rgba>>(
-            coloursOf(*ready.points, settings, scan.poseInMap, ramp, index));
+        ready.tint = tint;
+        auto colours = coloursOf(*ready.points, settings, scan.poseInMap, ramp, index);
+        const Rgba amber = mapColours(settings.theme).uncertain;
+        if (tint > 0.0) {
+            for (Rgba& colour : colours) colour = mixed(colour, amber, tint);
+        }
+        ready.colours = std::make_shared<const std::vector<Rgba>>(std::move(colours));
     }
     scan.look = {ready.colours, ready.shown};
 }
@@ -160,10 +181,12 @@ bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()
                        .minHeight = content.settings.minHeight,
                        .maxHeight = content.settings.maxHeight,
                        .colouring = content.settings.colouring,
-                       .ramp = content.ramp.value_or(ColourRamp{})};
+                       .ramp = content.ramp.value_or(ColourRamp{}),
+                       .withCeiling = content.settings.withCeiling(),
+                       .uncertain = mapColours(content.settings.theme).uncertain};
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];
-        if (scan.visible) recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i});
+        if (scan.visible) recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i, scan.uncertain});
     }
     if (!m_voxels || recipe != m_recipe) {
         auto mesh = buildVoxels(recipe, interrupted);

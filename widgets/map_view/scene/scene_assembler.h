@@ -14,6 +14,7 @@ struct SceneOrder {
     std::uint64_t number = 0;
     MapPtr map;                       ///< null: nothing
     std::vector<bool> scanIsVisible;  ///< scans beyond the end are visible
+    std::uint64_t highlighted = 0;    ///< MapScan::id of the scan that stands out; 0: none
     MapViewSettings settings;
 };
 
@@ -31,18 +32,20 @@ private:
         ScanPtr scan;
         double minRange = 0.0, maxRange = 0.0;
         ScanPointsPtr points;
-        bool withCeiling = true;
+        bool withCeiling = true, thinned = false;
         std::shared_ptr<const std::vector<std::int32_t>> shown;
         MapViewSettings settings;  ///< of the colours
         Pose poseInMap = Pose::Identity();
         ColourRamp ramp;
         std::size_t index = 0;
+        double tint = 0.0;
         std::shared_ptr<const std::vector<Rgba>> colours;
     };
 
     void forgetAllBut(const Map& map);
     Ready& readyFor(const ScanPtr& scan, const MapViewSettings& settings);
-    void addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content);
+    void addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content,
+                 std::uint64_t highlighted);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
     std::vector<Ready> m_ready;

@@ -24,6 +24,9 @@ struct PointCloudLook {
 /// A scan as it is drawn.
 struct SceneScan {
     std::string name;
+    std::string robot;     ///< that took it
+    std::uint64_t id = 0;  ///< MapScan::id
+    bool uncertain = false;
     Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
     bool visible = true;
     ScanPointsPtr points;  ///< null until made ready

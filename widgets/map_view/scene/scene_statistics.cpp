@@ -55,7 +55,7 @@ ColourRamp rounded(double low, double high, double step) {
 bool isShown(double height, Label label, const MapViewSettings& settings) {
     if (settings.minHeight && height < *settings.minHeight) return false;
     if (settings.maxHeight && height > *settings.maxHeight) return false;
-    return settings.look != MapLook::Top || label != Label::Ceiling;
+    return settings.withCeiling() || label != Label::Ceiling;
 }
 
 SceneSample sampleOf(const SceneContent& content) {

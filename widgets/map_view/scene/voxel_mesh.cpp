@@ -38,7 +38,7 @@ double grain(const Eigen::Array3i& cell) {
     return 0.94 + 0.06 * static_cast<double>(hash >> 16U) / 65'535.0;
 }
 
-Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
+Rgba plainColourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
     const auto onRamp = [&recipe](double value) {
         return viridis((value - recipe.ramp.low) / (recipe.ramp.high - recipe.ramp.low));
     };
@@ -55,6 +55,12 @@ Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
     return {};
 }
 
+Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
+    constexpr double Tint = 0.7;
+    const Rgba plain = plainColourOf(voxel, height, recipe);
+    return voxel.certain ? plain : mixed(plain, recipe.uncertain, Tint);
+}
+
 bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recipe,
           const std::function<bool()>& interrupted) {
     constexpr std::size_t PointsBetweenLooks = 1U << 16U;
@@ -68,7 +74,9 @@ bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recip
         const Eigen::Vector3f& inScan = source.points->points[i];
         const Eigen::Vector3f inMap = rotation * inScan + translation;
         if (inMap.z() < low || inMap.z() > high) continue;
-        table.add(inMap, source.points->labels[i], inScan.norm(), static_cast<std::uint32_t>(source.scan));
+        if (!recipe.withCeiling && source.points->labels[i] == Label::Ceiling) continue;
+        table.add(inMap, source.points->labels[i], inScan.norm(), static_cast<std::uint32_t>(source.scan),
+                  !source.uncertain);
     }
     return true;
 }

@@ -14,6 +14,7 @@ struct VoxelSource {
     ScanPointsPtr points;
     Eigen::Matrix4d poseInMap;
     std::size_t scan = 0;  ///< position in the map
+    bool uncertain = false;
 
     bool operator==(const VoxelSource&) const = default;
 };
@@ -25,6 +26,8 @@ struct VoxelRecipe {
     std::optional<double> minHeight, maxHeight;
     MapColouring colouring = MapColouring::Label;
     ColourRamp ramp;
+    bool withCeiling = true;
+    Rgba uncertain = {};  ///< tints cubes in which only uncertain scans have points
 
     bool operator==(const VoxelRecipe&) const = default;
 };

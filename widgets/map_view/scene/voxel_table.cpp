@@ -19,7 +19,8 @@ Label Voxel::majority() const {
 
 VoxelTable::VoxelTable(double size) : m_cellsPerMetre(static_cast<float>(1.0 / size)), m_slots(1U << 14) {}
 
-void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float range, std::uint32_t scan) {
+void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float range, std::uint32_t scan,
+                     bool certain) {
     const Eigen::Array3i cell = (pointInMap.array() * m_cellsPerMetre).floor().cast<int>();
     const std::uint64_t key = keyOf(cell);
     Voxel* voxel = &m_slots[slotOf(key)];
@@ -32,6 +33,7 @@ void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float range
         ++m_used;
     }
     ++voxel->points;
+    voxel->certain = voxel->certain || certain;
     ++voxel->labels[static_cast<std::size_t>(label)];
     voxel->rangeSum += range;
     if (voxel->votes == 0) voxel->scan = scan;

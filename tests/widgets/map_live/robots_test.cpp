@@ -1,0 +1,162 @@
+#include <cmath>
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+#include "tests/widgets/map_live/live_map.h"
+#include "tests/widgets/map_view/golden.h"
+#include "tests/widgets/map_view/shown_view.h"
+
+namespace leitstand::test {
+namespace {
+
+constexpr QRgb Amber = 0xFFE69F00, Trail = 0xFFCC79A7, KurtBlue = 0xFF56B4E9;
+
+MapViewSettings following(MapFollow how, MapLook look = MapLook::Points) {
+    MapViewSettings settings = settingsOf(look);
+    settings.follow = how;
+    return settings;
+}
+
+/// Kurt3D on a slope with a goal, and the Crawler in doubt.
+std::vector<RobotMark> team() {
+    RobotMark kurt = kurt3d(poseFrom({2.0, 0.3, RoomFloor + 0.1}, degrees(8), degrees(-10), degrees(20)));
+    kurt.goalInMap = onFloor(3.6, -0.3, degrees(-90));
+    RobotMark other = crawler(onFloor(1.2, -0.9, degrees(70)));
+    other.doubtRadius = 0.6;
+    other.note = QStringLiteral("place uncertain");
+    other.tone = Tone::Attention;
+    return {kurt, other};
+}
+
+/// For people: the picture in the folder LEITSTAND_PICTURES.
+void lookAt(const QImage& picture, const QString& name) {
+    const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
+    if (!folder.isEmpty()) picture.save(folder + "/map_" + name + ".png");
+}
+
+TEST(RobotsOnTheMap, AreDrawnAsEver) {
+    ShownView view(liveRoom(true), following(MapFollow::Behind));
+    view->setRobots(team());
+    view.settle();
+    EXPECT_TRUE(looksLikeGolden(view->picture(), "robots-follow"));
+    view.set(settingsOf(MapLook::Top, MapColouring::Label, Theme::Light));
+    EXPECT_TRUE(looksLikeGolden(view->picture(), "robots-top-light"));
+}
+
+TEST(RobotsOnTheMap, PicturesForPeople) {
+    if (qEnvironmentVariableIsEmpty("LEITSTAND_PICTURES")) GTEST_SKIP() << "nobody looks";
+    ShownView view(liveRoom(true), {}, {1280, 800});
+    view->setRobots(team());
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        for (const MapLook look : {MapLook::Points, MapLook::Voxels, MapLook::Top}) {
+            for (const MapFollow follow : {MapFollow::Free, MapFollow::Behind, MapFollow::Above}) {
+                MapViewSettings settings = following(follow, look);
+                settings.theme = theme;
+                view->setSettings(settings);
+                view->setRobots(team());
+                view.settle();
+                lookAt(view->picture(), QStringLiteral("%1_%2_%3")
+                                            .arg(theme == Theme::Dark ? "dark" : "light")
+                                            .arg(static_cast<int>(look))
+                                            .arg(static_cast<int>(follow)));
+            }
+        }
+    }
+}
+
+TEST(RobotsOnTheMap, MoveWithoutDrawingThePointsAgain) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    QSignalSpy drawn(&*view, &MapView::becameSettled);
+    RobotMark robot = kurt3d(onFloor(1, 0, 0));
+    robot.trail = {};
+    view->setRobots({robot});
+    const QPoint here = view.at({1, 0, RoomFloor}).toPoint(), there = view.at({3, 0.5, RoomFloor}).toPoint();
+    EXPECT_EQ(colourAt(view.onScreen(), here, 0), KurtBlue);
+    robot.baseInMap = onFloor(3, 0.5, 0);
+    view->setRobots({robot});
+    const QImage moved = view.onScreen();
+    EXPECT_EQ(colourAt(moved, there, 0), KurtBlue);
+    EXPECT_NE(colourAt(moved, here, 0), KurtBlue);
+    EXPECT_TRUE(view->settled());
+    EXPECT_EQ(drawn.count(), 0);
+}
+
+TEST(RobotsOnTheMap, HaveTrails) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    EXPECT_GT(countPixels(view->picture(), Trail), 10) << "from scan to scan";
+    view->setRobots({kurt3d(onFloor(3, 0, 0))});
+    EXPECT_GT(countPixels(view->picture(), Trail), 80);
+}
+
+TEST(RobotsOnTheMap, InDoubtHaveADashedAmberRing) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    RobotMark robot = crawler(onFloor(2, 0, 0));
+    view->setRobots({robot});
+    EXPECT_EQ(countPixels(view->picture(), Amber), 0) << "calm";
+    robot.doubtRadius = 1.0;
+    view->setRobots({robot});
+    EXPECT_GT(countPixels(view->picture(), Amber), 30);
+}
+
+TEST(UncertainScans, AreAmberAndThinAndMarked) {
+    ShownView view(liveRoom(false));
+    const QImage calm = view->picture();
+    EXPECT_EQ(countPixels(calm, Amber, 6), 0);
+    view->setMap(liveRoom(true));
+    view.settle();
+    const QImage doubted = view->picture();
+    EXPECT_LT(countPixels(doubted, WallYellow), countPixels(calm, WallYellow));
+    EXPECT_GT(countPixels(doubted, Amber, 6), 20) << "the mark where it was taken";
+    view->setHighlighted(2);
+    view.settle();
+    EXPECT_GT(countPixels(view->picture(), Amber, 30), countPixels(doubted, Amber, 30) + 200);
+}
+
+TEST(UncertainScans, TintOnlyVoxelsOfTheirOwn) {
+    auto map = std::make_shared<Map>(*liveRoom(true));
+    map->scans[0].poseInMap = poseFrom({40, 0, 0}, 0, 0, 0) * map->scans[0].poseInMap;
+    ShownView apart(map, voxelsOf(0.15));
+    const int amberApart = countPixels(apart->picture(), 0xFFE2AB08, 40);
+    ShownView together(liveRoom(true), voxelsOf(0.15));
+    EXPECT_GT(amberApart, 200);
+    EXPECT_GT(countPixels(together->picture(), 0xFFDAB80F, 20), 50) << "walls that both saw stay yellow";
+}
+
+TEST(FollowView, HidesTheCeilingAndKeepsTheRobotInSight) {
+    ShownView view(liveRoom(), following(MapFollow::Behind));
+    view->setRobots({kurt3d(onFloor(1, 0, degrees(30)))});
+    view.settle();
+    EXPECT_EQ(countPixels(view->picture(), CeilingRed), 0);
+    const Pose robot = onFloor(1, 0, degrees(30));
+    const QPointF here = view.at(robot.translation()), ahead = view.at(robot * Eigen::Vector3d(1, 0, 0));
+    EXPECT_TRUE(view->rect().contains(here.toPoint()));
+    EXPECT_LT(ahead.y(), here.y());
+    EXPECT_NEAR(ahead.x(), here.x(), 3) << "its heading is up";
+    view.alter([](MapViewSettings& settings) { settings.follow = MapFollow::Free; });
+    EXPECT_NEAR(view.at(robot.translation()).x(), here.x(), 3) << "the camera stays where it was";
+}
+
+TEST(FollowView, EndsWhenTheMapIsPulledAside) {
+    ShownView view(liveRoom(), following(MapFollow::Above, MapLook::Top));
+    view->setRobots({kurt3d(onFloor(1, 0, 0))});
+    view.settle();
+    QSignalSpy ended(&*view, &MapView::followEnded);
+    view.wheel({240, 150}, 1);
+    EXPECT_EQ(view->settings().follow, MapFollow::Above) << "zooming does not end it";
+    view.drag(Qt::LeftButton, {200, 150}, {260, 170});
+    EXPECT_EQ(ended.count(), 1);
+    EXPECT_EQ(view->settings().follow, MapFollow::Free);
+}
+
+TEST(FollowView, AScanIsFramedOnRequest) {
+    ShownView view(liveRoom(true));
+    view.wheel({20, 20}, 6);
+    view->showScan(2);
+    view.settle();
+    EXPECT_TRUE(view->rect().contains(view.at(liveRoom()->scans[1].poseInMap.translation()).toPoint()));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,113 @@
+#include <utility>
+
+#include <QMouseEvent>
+
+#include "widgets/map_view/map_view_state.h"
+
+namespace leitstand {
+
+void MapView::setRobots(std::vector<RobotMark> robots) {
+    for (const RobotMark& robot : robots) {
+        if (robot.selected) m_state->scenery.aim(robot.baseInMap);
+    }
+    m_state->robots = std::move(robots);
+    update();
+}
+
+void MapView::setArea(std::vector<Eigen::Vector2d> area) {
+    m_state->area = std::move(area);
+    update();
+}
+
+void MapView::setGround(double height) {
+    m_state->ground = height;
+}
+
+void MapView::setHint(const QString& text) {
+    if (text == m_state->hint) return;
+    m_state->hint = text;
+    setAccessibleDescription(text);
+    update();
+}
+
+void MapView::startPose(const RobotMark& robot) {
+    m_state->tools.startPose(robot);
+    setCursor(Qt::CrossCursor);
+}
+
+void MapView::startArea() {
+    m_state->tools.startArea();
+    setCursor(Qt::CrossCursor);
+}
+
+void MapView::endGesture() {
+    m_state->tools.end();
+    setCursor(m_state->measuring ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+bool MapView::drawing() const {
+    return m_state->tools.posing() || m_state->tools.drawingArea();
+}
+
+std::optional<Eigen::Vector3d> MapView::State::groundAt(const QPointF& position) const {
+    const auto picked = view.pick(position.toPoint());
+    if (picked && picked->label == Label::Floor) return picked->pointInMap;
+    return groundUnder(scenery.projection(), position, ground);
+}
+
+bool MapView::State::pressGesture(const QMouseEvent& event) {
+    if (!view.drawing()) return false;
+    if (event.button() == Qt::RightButton) {
+        if (tools.drawingArea()) {
+            tools.takeCornerBack();
+            view.update();
+        } else {
+            view.endGesture();
+            emit view.gestureEnded();
+        }
+        return true;
+    }
+    if (event.button() != Qt::LeftButton) return false;  // the middle one shifts the map meanwhile
+    if (const auto place = groundAt(event.position())) {
+        tools.press(*place, event.position());
+        tools.addCorner(*place);
+        view.update();
+    }
+    return true;
+}
+
+bool MapView::State::moveGesture(const QMouseEvent& event) {
+    if (!view.drawing()) return false;
+    // While a heading is drawn the level of the press counts: picked points would make it jump.
+    if (const auto place = event.buttons().testFlag(Qt::LeftButton)
+                               ? groundUnder(scenery.projection(), event.position(), ground)
+                               : groundAt(event.position())) {
+        tools.moveTo(*place, event.position());
+        view.update();
+    }
+    return true;
+}
+
+bool MapView::State::releaseGesture(const QMouseEvent& event) {
+    if (!view.drawing()) return false;
+    if (event.button() != Qt::LeftButton) return true;
+    if (const auto pose = tools.release()) emit view.poseDrawn(*pose);
+    view.update();
+    return true;
+}
+
+void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
+    State& state = *m_state;
+    if (event->button() != Qt::LeftButton || state.measuring || state.tools.posing()) {
+        mousePressEvent(event);
+        return;
+    }
+    if (state.tools.drawingArea()) {
+        if (const auto area = state.tools.takeArea()) emit areaDrawn(*area);
+        return;
+    }
+    if (const auto place = state.groundAt(event->position())) emit groundActivated(*place);
+}
+
+}  // namespace leitstand

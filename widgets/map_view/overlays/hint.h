@@ -1,0 +1,14 @@
+#pragma once
+
+class QPainter;
+class QSize;
+class QString;
+
+namespace leitstand {
+
+struct OverlayStyle;
+
+/// Says @p text at the upper edge of a widget of @p size: what the next click does, what is missing.
+void paintHint(QPainter& painter, const QString& text, QSize size, const OverlayStyle& style);
+
+}  // namespace leitstand

@@ -1,0 +1,263 @@
+#include "widgets/map_view/robots/robot_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/map_view/robots/robot_shape.h"
+#include "widgets/models/map/robot_mark.h"
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double SmallestBody = 13.0;  ///< half of a body's length on screen; below it is an arrow [px]
+constexpr double ArrowSize = 11.0, BadgeSize = 18.0, TargetSize = 9.0;  ///< [px]
+constexpr double GoalAhead = 0.45;                                      ///< length of a goal's heading [m]
+
+std::optional<QPointF> seen(const MapProjection& projection, const Eigen::Vector3d& pointInMap) {
+    const auto projected = projection.project(pointInMap);
+    if (!projected) return std::nullopt;
+    return projected->position;
+}
+
+std::optional<QPolygonF> seen(const MapProjection& projection, const Pose& pose,
+                              const std::vector<Eigen::Vector3d>& corners) {
+    QPolygonF polygon;
+    for (const Eigen::Vector3d& corner : corners) {
+        const auto at = seen(projection, pose * corner);
+        if (!at) return std::nullopt;
+        polygon << *at;
+    }
+    return polygon;
+}
+
+QColor colourOf(const RobotMark& robot, const OverlayStyle& style) {
+    const QColor colour = style.window->robot(robot.face.place);
+    return robot.stale ? greyed(colour) : colour;
+}
+
+QColor facetColour(const RobotFacet& facet, const QColor& robot, const OverlayStyle& style) {
+    switch (facet.part) {
+        case RobotPart::Gear:
+            return QColor(0x2A, 0x2F, 0x38).lighter(static_cast<int>(100 * facet.light + 30));
+        case RobotPart::Mast:
+            return QColor(0xB8, 0xC0, 0xCC).darker(static_cast<int>(100 / facet.light));
+        case RobotPart::Arrow:
+            return asColour(style.colours.background);
+        case RobotPart::Body:
+            break;
+    }
+    return robot.darker(static_cast<int>(100 / std::clamp(facet.light, 0.3, 1.0)));
+}
+
+void paintBody(QPainter& painter, const MapProjection& projection, const RobotMark& robot, bool dashed,
+               const OverlayStyle& style) {
+    struct Seen {
+        QPolygonF outline;
+        double depth;
+        RobotFacet facet;
+    };
+    const Eigen::Vector3d eye = projection.camera().eye();
+    std::vector<Seen> facets;
+    for (RobotFacet& facet : robotFacets(robot)) {
+        const Eigen::Vector3d outward = robot.baseInMap.linear() * facet.outward;
+        if (outward.dot(robot.baseInMap * facet.corners.front() - eye) >= 0.0) continue;
+        const auto outline = seen(projection, robot.baseInMap, facet.corners);
+        if (!outline) continue;
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& corner : facet.corners)
+            middle += corner / static_cast<double>(facet.corners.size());
+        const double nearer = facet.part == RobotPart::Arrow ? 0.02 : 0.0;
+        const double depth = (robot.baseInMap * middle - eye).dot(projection.camera().forward()) - nearer;
+        facets.push_back({*outline, depth, std::move(facet)});
+    }
+    std::sort(facets.begin(), facets.end(), [](const Seen& a, const Seen& b) { return a.depth > b.depth; });
+    const QColor colour = colourOf(robot, style);
+    for (const Seen& one : facets) {
+        QColor fill = facetColour(one.facet, colour, style);
+        if (dashed) fill.setAlpha(one.facet.part == RobotPart::Arrow ? 200 : 60);
+        painter.setBrush(fill);
+        painter.setPen(dashed ? QPen(colour, 1.3, Qt::DashLine) : QPen(fill.darker(130), 0.8));
+        painter.drawPolygon(one.outline);
+    }
+}
+
+/// Half of the body's length on screen [px].
+double sizeOnScreen(const MapProjection& projection, const RobotMark& robot) {
+    const auto at = projection.project(robot.baseInMap.translation());
+    if (!at) return 0.0;
+    double half = 0.2;
+    for (const Eigen::Vector2d& corner : robot.footprint) half = std::max(half, corner.x());
+    return half / projection.metresPerPixel(at->depth);
+}
+
+void paintArrow(QPainter& painter, const MapProjection& projection, const RobotMark& robot, bool dashed,
+                const OverlayStyle& style) {
+    const auto at = seen(projection, robot.baseInMap.translation());
+    const auto ahead = seen(projection, robot.baseInMap * Eigen::Vector3d(0.3, 0, 0));
+    if (!at || !ahead) return;
+    painter.save();
+    painter.translate(*at);
+    painter.rotate(qRadiansToDegrees(std::atan2(ahead->y() - at->y(), ahead->x() - at->x())));
+    QColor fill = colourOf(robot, style);
+    painter.setPen(QPen(asColour(style.colours.markerEdge), 1.5, dashed ? Qt::DashLine : Qt::SolidLine));
+    if (dashed) fill.setAlpha(60);
+    painter.setBrush(fill);
+    painter.drawPolygon(QPolygonF({{ArrowSize, 0.0},
+                                   {-0.8 * ArrowSize, 0.75 * ArrowSize},
+                                   {-0.4 * ArrowSize, 0.0},
+                                   {-0.8 * ArrowSize, -0.75 * ArrowSize}}));
+    painter.restore();
+}
+
+void paintDoubt(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
+                const OverlayStyle& style) {
+    constexpr int Corners = 48;
+    std::vector<Eigen::Vector3d> ring;
+    for (int i = 0; i < Corners; ++i) {
+        const double angle = degrees(360.0 * i / Corners);
+        ring.emplace_back(*robot.doubtRadius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
+    }
+    Pose level = Pose::Identity();
+    level.translation() = robot.baseInMap.translation();
+    const auto outline = seen(projection, level, ring);
+    if (!outline) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(asColour(style.colours.uncertain), 1.6, Qt::DashLine));
+    painter.drawPolygon(*outline);
+}
+
+void paintBadge(QPainter& painter, const MapProjection& projection, const RobotMark& robot, double lift,
+                const OverlayStyle& style) {
+    const auto top = seen(projection, robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
+    if (!top) return;
+    const QRectF badge(*top - QPointF(BadgeSize / 2, BadgeSize + lift), QSizeF(BadgeSize, BadgeSize));
+    painter.setPen(robot.selected ? QPen(asColour(style.colours.text), 2.0) : QPen(Qt::NoPen));
+    painter.setBrush(colourOf(robot, style));
+    painter.drawRoundedRect(badge, 4, 4);
+    painter.setFont(sized(style.font, 12, true));
+    painter.setPen(style.window->window);
+    painter.drawText(badge, Qt::AlignCenter, robot.face.letter);
+    if (robot.note.isEmpty()) return;
+    painter.setFont(sized(style.font, 12));
+    QRectF box(badge.right() + 4, badge.top(),
+               QFontMetricsF(painter.font()).horizontalAdvance(robot.note) + 12, BadgeSize);
+    paintPanel(painter, box, style);
+    painter.setPen(toneColour(robot.tone, *style.window));
+    painter.drawText(box, Qt::AlignCenter, robot.note);
+}
+
+void paintGoal(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
+               const OverlayStyle& style) {
+    const auto at = seen(projection, robot.goalInMap->translation());
+    const auto ahead = seen(projection, *robot.goalInMap * Eigen::Vector3d(GoalAhead, 0, 0));
+    const auto from = seen(projection, robot.baseInMap.translation());
+    if (!at || !ahead) return;
+    const QColor colour = colourOf(robot, style);
+    painter.setBrush(Qt::NoBrush);
+    // A dark line below makes it seen on every colour of the map.
+    for (const QPen& pen : {QPen(asColour(style.colours.background), 4.0), QPen(colour, 2.0)}) {
+        QPen line = pen;
+        painter.setPen(line);
+        painter.drawEllipse(*at, TargetSize, TargetSize);
+        painter.drawLine(*at, *ahead);
+        line.setStyle(Qt::DashLine);
+        painter.setPen(line);
+        if (from) painter.drawLine(*from, *at);
+    }
+    painter.setBrush(colour);
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(*at, 3.0, 3.0);
+}
+
+void paintRobot(QPainter& painter, const MapProjection& projection, const RobotMark& robot, bool dashed,
+                const OverlayStyle& style) {
+    const double size = sizeOnScreen(projection, robot);
+    if (size <= 0.0) return;
+    const bool large = size >= SmallestBody;
+    if (large) {
+        paintBody(painter, projection, robot, dashed, style);
+    } else {
+        paintArrow(painter, projection, robot, dashed, style);
+    }
+    paintBadge(painter, projection, robot, large ? 6.0 : ArrowSize, style);
+}
+
+Qt::PenStyle dashesOf(const RobotMark& robot) {
+    switch (robot.face.place % 3) {
+        case 0:
+            return Qt::SolidLine;
+        case 1:
+            return Qt::DashLine;
+        default:
+            return Qt::DotLine;
+    }
+}
+
+}  // namespace
+
+void paintTrails(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
+                 const OverlayStyle& style) {
+    constexpr double LeastStep = 2.0;  // [px]
+    painter.setBrush(Qt::NoBrush);
+    for (const RobotMark& robot : robots) {
+        if (!robot.trail || robot.trail->empty()) continue;
+        QPainterPath path;
+        std::optional<QPointF> last;
+        const auto lineTo = [&](const Eigen::Vector3d& place, bool always) {
+            const auto at = seen(projection, place);
+            if (at && last && !always && (*at - *last).manhattanLength() < LeastStep) return;
+            if (at && last) path.lineTo(*at);
+            if (at && !last) path.moveTo(*at);
+            last = at;
+        };
+        for (const Eigen::Vector3f& place : *robot.trail) lineTo(place.cast<double>(), false);
+        lineTo(robot.baseInMap.translation(), true);
+        painter.setPen(QPen(asColour(style.colours.trail), 2.0, dashesOf(robot), Qt::FlatCap, Qt::RoundJoin));
+        painter.drawPath(path);
+        const auto began = seen(projection, robot.trail->front().cast<double>());
+        if (!began) continue;
+        painter.setFont(sized(style.font, 11, true));
+        painter.drawText(QRectF(*began + QPointF(-16, 4), QSizeF(14, 14)), Qt::AlignCenter,
+                         robot.face.letter);
+    }
+}
+
+void paintRobots(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
+                 const OverlayStyle& style) {
+    std::vector<const RobotMark*> order;
+    for (const RobotMark& robot : robots) order.push_back(&robot);
+    const auto depth = [&projection](const RobotMark* robot) {
+        return robot->baseInMap.translation().dot(projection.camera().forward());
+    };
+    std::sort(order.begin(), order.end(),
+              [&depth](const RobotMark* a, const RobotMark* b) { return depth(a) > depth(b); });
+    for (const RobotMark* robot : order) {
+        if (robot->goalInMap) paintGoal(painter, projection, *robot, style);
+        if (robot->doubtRadius) paintDoubt(painter, projection, *robot, style);
+    }
+    for (const RobotMark* robot : order) {
+        paintRobot(painter, projection, *robot, robot->doubtRadius.has_value() || robot->stale, style);
+    }
+}
+
+void paintPlanned(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
+                  const OverlayStyle& style) {
+    paintRobot(painter, projection, robot, true, style);
+    const auto at = seen(projection, robot.baseInMap.translation());
+    const auto ahead = seen(projection, robot.baseInMap * Eigen::Vector3d(2 * GoalAhead, 0, 0));
+    if (!at || !ahead) return;
+    painter.setPen(QPen(asColour(style.colours.background), 4.0));
+    painter.drawLine(*at, *ahead);
+    painter.setPen(QPen(colourOf(robot, style), 2.0));
+    painter.drawLine(*at, *ahead);
+}
+
+}  // namespace leitstand

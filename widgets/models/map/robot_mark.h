@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QString>
+
+#include "core/base/pose.h"
+#include "widgets/models/live/robot_face.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// A way over the ground, oldest place first [m]; immutable once shared.
+using TrailPtr = std::shared_ptr<const std::vector<Eigen::Vector3f>>;
+
+/// A robot as a map draws it.
+struct RobotMark {
+    RobotFace face;
+    std::vector<Eigen::Vector2d> footprint;  ///< base_link [m]
+    double height = 0.0;                     ///< [m]
+    bool tracked = false;                    ///< chains, else wheels
+    Pose baseInMap = Pose::Identity();
+    TrailPtr trail = {};                     ///< in the map's frame; may be null
+    std::optional<Pose> goalInMap = {};      ///< where it was sent
+    std::optional<double> doubtRadius = {};  ///< it is not sure where it is: somewhere within [m]
+    QString note = {};                       ///< said beside it: "place uncertain"; may be empty
+    Tone tone = Tone::Normal;                ///< of the note
+    bool selected = false;
+    bool stale = false;  ///< nothing was heard of it lately: it may be elsewhere
+};
+
+/// The heading of @p pose in the plane, from x to the left [rad].
+[[nodiscard]] inline double headingOf(const Pose& pose) {
+    const Eigen::Vector3d ahead = pose.linear().col(0);
+    return std::atan2(ahead.y(), ahead.x());
+}
+
+}  // namespace leitstand
