@@ -1,0 +1,103 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+#include "core/robot/control/drive_setpoint.h"
+
+namespace leitstand {
+
+/// How a robot's brake is tested, and what it must do (design, section 4: without commands it stops within
+/// 0.3 s; the rest is the way of the link and of the wheels).
+struct BrakeTestSettings {
+    double speed = 0.1;         ///< [m/s]
+    double neutral = 0.4;       ///< sticks are let go for so long first [s]
+    double drive = 1.0;         ///< at most [s]
+    double run = 0.5;           ///< driven at speed before the cut [s]
+    double stopTime = 0.5;      ///< allowed from the cut until standing [s]
+    double stopDistance = 0.1;  ///< allowed way from there [m]
+    double giveUp = 1.5;        ///< still moving so long after the cut: it has no watchdog [s]
+    double space = 0.6;         ///< that must be free ahead [m]
+    double hold = 0.25;         ///< the operator's key must have been told within [s]
+    double start = 3.0;         ///< waits so long for grant and neutral sticks [s]
+    double standing = 0.01;     ///< slower counts as standing [m/s], ten times that [rad/s]
+};
+
+/// What became of a brake test.
+struct BrakeResult {
+    enum class Verdict : std::uint8_t {
+        Untested,
+        Passed,
+        Failed,        ///< it did not stop, or too late, or too far
+        Inconclusive,  ///< it was not driven or not watched to the end: nothing is known
+    };
+    Verdict verdict = Verdict::Untested;
+    double seconds = 0.0;  ///< from the cut until standing [s]; of a robot that did not stop: until given up
+    double metres = 0.0;   ///< on that way [m]
+    std::string why = {};  ///< of Inconclusive, in English
+    Time when{};           ///< station's clock
+    friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
+};
+
+/// What the test has to know of the robot.
+struct BrakeFacts {
+    bool mayDrive = false;                                         ///< grant, no stop, drive focus
+    bool listening = false;                                        ///< it hears drive commands
+    bool needsNeutral = false;                                     ///< the sticks have to be let go first
+    double spaceAhead = std::numeric_limits<double>::quiet_NaN();  ///< [m]; NaN: nobody knows
+};
+
+/// Drives a robot at 0.1 m/s for up to a second, then says nothing more (no zero either), and measures by its
+/// odometry how long and how far it goes on. The operator holds a key meanwhile: when it is let go, or
+/// anything else is missing, the test ends and the robot is stopped by zeros. Pure: no clock, no thread.
+class BrakeTest {
+public:
+    enum class Phase : std::uint8_t { Idle, Neutral, Driving, Cut, Done };
+    /// What is to be done with the robot's commands now.
+    struct Step {
+        DriveVelocity sticks = {};
+        bool silent = false;  ///< nothing is sent, no zero either
+    };
+
+    explicit BrakeTest(const BrakeTestSettings& settings = {}) : m_settings(settings) {}
+
+    void start(SteadyTime now);
+    void hold(SteadyTime now) { m_held = now; }  ///< the operator's key is down
+    /// The newest odometry, @p stamp on the robot's clock: speeds in its own frame [m/s, rad/s].
+    void odometry(Time stamp, const Eigen::Vector2d& position, double speed, double turn);
+    Step step(const BrakeFacts& facts, SteadyTime now);
+    void end(const std::string& why);  ///< inconclusive, unless it is over
+
+    [[nodiscard]] Phase phase() const { return m_phase; }
+    [[nodiscard]] bool isRunning() const { return m_phase != Phase::Idle && m_phase != Phase::Done; }
+    [[nodiscard]] const BrakeResult& result() const { return m_result; }
+
+private:
+    struct Motion {
+        Time stamp{};
+        Eigen::Vector2d position = Eigen::Vector2d::Zero();
+        double speed = 0.0, turn = 0.0;
+    };
+    void enter(Phase phase, SteadyTime now);
+    void finish(BrakeResult::Verdict verdict, double seconds, double metres);
+    [[nodiscard]] bool isStanding() const;
+    Step neutral(const BrakeFacts& facts, SteadyTime now);
+    Step drive(SteadyTime now);
+    Step watch(SteadyTime now);
+
+    BrakeTestSettings m_settings;
+    Phase m_phase = Phase::Idle;
+    SteadyTime m_since = {}, m_held = {};
+    std::optional<SteadyTime> m_released;  ///< since when the sticks are let go and accepted
+    std::optional<SteadyTime> m_moving;    ///< since when it drives at speed
+    std::optional<Motion> m_newest, m_cut;
+    BrakeResult m_result;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/robot/preflight/brake_test.h"
+#include "core/robot/robot_description.h"
+#include "core/robot/robot_view.h"
+
+namespace leitstand {
+
+/// A network card of this computer.
+struct NetworkCard {
+    std::string name, address;  ///< "wlan0", "192.168.0.7"
+    bool up = false, loopback = false;
+    bool used = false;  ///< by the station
+};
+
+/// What is to be judged of one robot.
+struct RobotFacts {
+    RobotDescription robot;
+    RobotView view;
+    BrakeResult brake;                    ///< newest
+    bool brakeOverridden = false;         ///< driven although it failed
+    std::vector<std::string> complaints;  ///< of the wire, in words
+};
+
+/// Everything that the preflight page judges.
+struct PreflightFacts {
+    std::vector<RobotFacts> robots;
+    std::vector<std::string> strangers;   ///< robots in the domain that the station does not drive
+    std::vector<std::string> complaints;  ///< of the wire, about no robot in particular
+    std::vector<std::string> limits;      ///< of this computer, that cost samples
+    std::vector<NetworkCard> cards;
+    std::string folder;  ///< of the mission
+    std::uint64_t freeBytes = 0;
+    std::optional<double> writeRate;  ///< of the mission's disk [B/s]; empty: not measured yet
+    double logRate = 0.0;             ///< that the log needs now [B/s]
+    std::string logProblem;           ///< why nothing can be recorded; empty: all is well
+    std::string gamepad;              ///< its name; empty: there is none
+    bool secured = false;
+    std::string security;               ///< who we are, in words, or why not
+    std::vector<std::string> versions;  ///< of the programs
+    Time now{};                         ///< station's clock
+};
+
+enum class CheckState : std::uint8_t { Ok, Attention, Fail };
+
+/// One line of the page. Core finds what is so; widgets find the words for it by its kind.
+struct PreflightCheck {
+    enum class Kind : std::uint8_t {
+        RobotConnected,  ///< number: round trip [s]; detail: why it is degraded
+        RobotMissing,    ///< never heard, or lost; number: silence [s]
+        StreamsComing,   ///< number: how many
+        StreamsMissing,  ///< detail: which; a stream of its file that never came
+        StreamsStale,    ///< detail: which came, and do not any more
+        PicturesFresh,   ///< number: age of the oldest camera's newest picture [s]
+        PicturesOld,     ///< detail: which; number: age of the oldest [s]
+        Wire,            ///< detail: what readers and writers complain about
+        ClockSteady,     ///< number: how far the robot's clock is ahead [s]
+        ClockFar,        ///< number: the same, and that is much
+        ClockUnknown,
+        Grant,        ///< ours
+        GrantFree,    ///< nobody's: taken when driving begins
+        GrantOthers,  ///< detail: who has it
+        Deaf,         ///< it hears no drive commands
+        Stopped,      ///< a stop stands
+        BrakePassed,  ///< number: until standing [s]; other: way [m]
+        BrakeOld,     ///< the same, more than a day ago
+        BrakeUntested,
+        BrakeFailed,      ///< refused for driving
+        BrakeOverridden,  ///< failed, and driven nevertheless
+        BrakeUnclear,     ///< detail: why
+        Stranger,         ///< detail: name of a robot that may be added
+        Network,          ///< detail: card and address that are used
+        NetworkNone,      ///< no card but the computer's own
+        Limits,           ///< detail: the limit and what lifts it
+        Disk,             ///< number: hours; other: write rate [B/s]
+        DiskSlow,         ///< number: write rate [B/s]; other: what the log needs
+        DiskShort,        ///< number: hours that are left
+        DiskBroken,       ///< detail: why nothing is recorded
+        Gamepad,          ///< detail: its name
+        GamepadNone,
+        Secured,   ///< detail: who
+        Open,      ///< anybody in the network may speak
+        Versions,  ///< detail
+    };
+    Kind kind = Kind::Versions;
+    CheckState state = CheckState::Ok;
+    std::string robot = {};   ///< name; empty: the station's own
+    std::string detail = {};  ///< as the kind says
+    double number = 0.0, other = 0.0;
+};
+
+/// What is in order, what needs a look, what prevents the mission: robot by robot in their order, then the
+/// station's own.
+[[nodiscard]] std::vector<PreflightCheck> preflight(const PreflightFacts& facts);
+/// The worst of @p checks.
+[[nodiscard]] CheckState worstOf(const std::vector<PreflightCheck>& checks);
+
+}  // namespace leitstand
