@@ -70,6 +70,10 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                  "Folder to record into; one that exists is gone on with (a new one, named by the time)"),
              nullptr)
         ->type_name("FOLDER");
+    onRobots(app.add_option("--layout", options.layout,
+                            "How panes are arranged: drive, explore, map, or one of your own"),
+             nullptr)
+        ->type_name("NAME");
     onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)
         ->check(CLI::Range(0, 132))
         ->type_name("N");

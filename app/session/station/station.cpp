@@ -14,6 +14,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/robot_line.h"
+#include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
 #include "core/io/station_file.h"
@@ -41,6 +42,7 @@ struct Station::State {
     std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
+    std::unique_ptr<StationClock> clock;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
@@ -76,6 +78,7 @@ Station::State::~State() {
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
+    clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
     lines.clear();
@@ -205,6 +208,7 @@ Result<void> Station::State::start() {
         if (auto made = lineTo(robot); !made) return made;
     }
     map(std::move(earlier));
+    clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {
         const std::lock_guard lock(mutex);
         open = true;
@@ -263,8 +267,16 @@ MissionStatePtr Station::mission() const {
     return m_state->mission->state();
 }
 
+StationClock& Station::clock() {
+    return *m_state->clock;
+}
+
 StationMapping& Station::mapping() {
     return *m_state->mapping;
+}
+
+const std::filesystem::path& Station::folder() const {
+    return m_state->settings.mission.folder;
 }
 
 LiveMissionStatus Station::log() const {

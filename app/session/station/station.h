@@ -40,6 +40,7 @@ struct StationListener {
     std::function<void(const LiveMapPtr&)> onScans = {};     ///< likewise: its scans, and how far they count
 };
 
+class StationClock;
 class StationMapping;
 
 /// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds
@@ -61,7 +62,9 @@ public:
     [[nodiscard]] std::optional<VirtualScanView> around(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
+    [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
+    [[nodiscard]] StationClock& clock();      ///< of the mission
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
 
     /// Gives the sticks to one robot: all others stand. Empty: to none.

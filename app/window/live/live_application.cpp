@@ -15,6 +15,7 @@
 
 #include "app/session/station/choose_robots.h"
 #include "app/window/live/demo_robots.h"
+#include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
 #include "widgets/map_view/map_view.h"
@@ -97,6 +98,9 @@ int runLive(const Options& options) {
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
     LiveWindow window(**bridge, remembered.view);
+    const QString layout = QString::fromStdString(options.layout);
+    if (!layout.isEmpty() && !window.layouts().use(layout))
+        return complain("--layout " + window.newest().toStdString()), 2;
     std::optional<DemoRobots> demo;
     if (options.demo) {
         DemoSettings simulated;

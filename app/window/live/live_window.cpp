@@ -16,6 +16,7 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
+#include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
@@ -34,6 +35,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_panes = new PaneDocks(this);
     const LiveContext context{m_bridge, *m_selection, *m_commands, *m_panes, *this};
     // Each of these makes its panes and commands; the layouts come last, which place and bind them.
+    m_mission = new MissionFeature(context, QString::fromStdString(bridge.station().folder()));
     m_robots = new RobotsFeature(context);
     m_drive = new DriveFeature(context);
     m_cameras = new CameraViews(context);
@@ -62,6 +64,7 @@ void LiveWindow::build() {
     bar->setSpacing(12);
     bar->addWidget(m_robots->bar());
     bar->addWidget(m_layouts->bar());
+    bar->addWidget(m_mission->bar());
     bar->addWidget(m_word, 1);
     bar->addWidget(m_robots->stop());
 
@@ -82,6 +85,7 @@ void LiveWindow::connectFeatures() {
     connect(m_selection, &Selection::changed, this, watch);
     connect(m_cameras, &CameraViews::driveWanted, this, [this] { setDriving(true); });
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
+    connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();
@@ -106,6 +110,10 @@ void LiveWindow::setDriving(bool on) {
 void LiveWindow::tell(const QString& text) {
     m_word->setText(text);
     m_word->setToolTip(text);
+}
+
+QString LiveWindow::newest() const {
+    return m_word->text();
 }
 
 QString LiveWindow::missing() const {

@@ -19,6 +19,7 @@ class LayoutFeature;
 class LiveBridge;
 class MapFeature;
 class MapView;
+class MissionFeature;
 class PaneDocks;
 class RobotsFeature;
 class Selection;
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;
     [[nodiscard]] bool driving() const;
+    [[nodiscard]] QString newest() const;  ///< message
     /// What is not to be seen yet; empty: each robot is connected, a turn is registered, and each camera pane
     /// shows a picture.
     [[nodiscard]] QString missing() const;
@@ -60,6 +62,7 @@ private:
     PaneDocks* m_panes;
     LayoutFeature* m_layouts = nullptr;
     RobotsFeature* m_robots = nullptr;
+    MissionFeature* m_mission = nullptr;
     DriveFeature* m_drive = nullptr;
     CameraViews* m_cameras = nullptr;
     MapFeature* m_map = nullptr;

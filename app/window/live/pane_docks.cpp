@@ -103,7 +103,12 @@ void PaneDocks::arrange(const WindowLayout& layout) {
     if (named.empty()) return;
     addDockWidget(Qt::LeftDockWidgetArea, dock(cornerOf(tree)));
     place(tree);
-    for (const std::string& id : named) dock(QString::fromStdString(id))->show();
+    for (const auto& [id, dock] : m_docks) {
+        const bool shown = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
+        // Hidden ones are part of what arrangement() tells.
+        if (!shown) addDockWidget(Qt::LeftDockWidgetArea, dock);
+        dock->setVisible(shown);
+    }
     m_placed = tree;
     fit();
 }

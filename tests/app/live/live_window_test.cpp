@@ -70,10 +70,13 @@ TEST_F(LiveWindowTest, ModesThatTheRobotOffersAreInTheMenu) {
         if (menu->title() == "&Mode") modes = menu;
     }
     ASSERT_NE(modes, nullptr);
-    emit modes->aboutToShow();
     QStringList texts;
-    for (const QAction* action : modes->actions()) texts += action->text();
-    EXPECT_TRUE(texts.contains("explore")) << texts.join(", ").toStdString();
+    EXPECT_TRUE(soon([&] {
+        emit modes->aboutToShow();
+        texts.clear();
+        for (const QAction* action : modes->actions()) texts += action->text();
+        return texts.contains("explore");
+    })) << texts.join(", ").toStdString();
 }
 
 TEST(LiveScreenshot, ShowsTheDemo) {

@@ -78,10 +78,14 @@ TEST_F(PaneDocksTest, AnArrangementComesBack) {
     WindowLayout mine = layout();
     mine.arrangement = m_docks.arrangement();
     m_docks.setArranging(false);
-    m_docks.arrange(layout());
+    WindowLayout all = layout();
+    all.panes.parts.push_back(pane("other"));
+    m_docks.arrange(all);
     ASSERT_TRUE(m_docks.isPaneVisible("scan"));
+    ASSERT_TRUE(m_docks.isPaneVisible("other"));
     m_docks.arrange(mine);
     EXPECT_FALSE(m_docks.isPaneVisible("scan"));
+    EXPECT_FALSE(m_docks.isPaneVisible("other"));
     EXPECT_TRUE(m_docks.isPaneVisible("map"));
 }
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/mission/mission_clock.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// The mission's clock as this station sets it: each change is an event of the mission. Any thread.
+class StationClock {
+public:
+    /// Starts the clock of a mission that has none yet.
+    StationClock(LiveMission& mission, std::string station);
+
+    [[nodiscard]] MissionClock now() const;
+    Result<void> run(bool running);
+    Result<void> limit(std::chrono::nanoseconds length);  ///< 0: none
+    Result<void> reset();
+
+private:
+    [[nodiscard]] MissionClock present() const;  ///< under the mutex
+    template <class Change>
+    Result<void> change(Change change);
+
+    LiveMission& m_mission;
+    const std::string m_station;
+    mutable std::mutex m_mutex;         ///< one change after the other
+    std::optional<ClockSample> m_said;  ///< by this station, under the mutex; may not be in the state yet
+};
+
+}  // namespace leitstand

@@ -1,0 +1,105 @@
+#include "app/window/live/mission/mission_feature.h"
+
+#include <chrono>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "app/session/station/station_clock.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "widgets/mission/clock_face.h"
+#include "widgets/mission/record_light.h"
+#include "widgets/models/live/clock_text.h"
+#include "widgets/models/live/record_text.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int TicksALog = 15;          ///< the log is asked twice a second
+constexpr double Megabyte = 1e6;       ///< [B]
+constexpr int LongestMission = 1'440;  ///< [min]
+
+}  // namespace
+
+MissionFeature::MissionFeature(const LiveContext& context, const QString& folder)
+    : QObject(&context.window),
+      m_context(context),
+      m_folder(folder),
+      m_bar(new QWidget(&context.window)),
+      m_light(new RecordLight(m_bar)),
+      m_face(new ClockFace(m_bar)) {
+    auto* row = new QHBoxLayout(m_bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(10);
+    row->addWidget(m_light);
+    row->addWidget(m_face);
+    addCommands();
+    connect(m_face, &ClockFace::clicked, this, [this] {
+        auto* menu = new QMenu(m_face);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions({m_run, m_length, m_reset});
+        menu->popup(m_face->mapToGlobal(QPoint(0, m_face->height())));
+    });
+    connect(&context.bridge, &LiveBridge::ticked, this, &MissionFeature::show);
+}
+
+void MissionFeature::addCommands() {
+    CommandTable& commands = m_context.commands;
+    StationClock& clock = m_context.bridge.station().clock();
+    const auto tell = [this](const Result<void>& done) {
+        if (!done) emit told(QString::fromStdString(done.error().text));
+    };
+    m_run = &commands.add({.id = "mission.clock",
+                           .menu = CommandMenu::Mission,
+                           .text = tr("&Clock runs"),
+                           .hint = tr("Lets the mission's clock go, or holds it"),
+                           .checkable = true});
+    connect(m_run, &QAction::triggered, this, [&clock, tell](bool on) { tell(clock.run(on)); });
+    m_length = &commands.add({.id = "mission.length",
+                              .menu = CommandMenu::Mission,
+                              .text = tr("&Length of the mission…"),
+                              .hint = tr("How long the mission may last: the clock counts down from it")});
+    connect(m_length, &QAction::triggered, this, &MissionFeature::askForLength);
+    m_reset = &commands.add({.id = "mission.clockReset",
+                             .menu = CommandMenu::Mission,
+                             .text = tr("Clock to &zero"),
+                             .hint = tr("The mission begins now")});
+    connect(m_reset, &QAction::triggered, this, [&clock, tell] { tell(clock.reset()); });
+}
+
+void MissionFeature::askForLength() {
+    StationClock& clock = m_context.bridge.station().clock();
+    auto* question = new QInputDialog(&m_context.window);  // not modal: robots may be driving
+    question->setObjectName(QStringLiteral("missionLength"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setWindowTitle(tr("Length of the mission"));
+    question->setLabelText(tr("Minutes; 0: without end"));
+    question->setInputMode(QInputDialog::IntInput);
+    question->setIntRange(0, LongestMission);
+    question->setIntValue(
+        static_cast<int>(std::chrono::duration_cast<std::chrono::minutes>(clock.now().limit).count()));
+    connect(question, &QInputDialog::intValueSelected, this, [this, &clock](int minutes) {
+        if (const auto set = clock.limit(std::chrono::minutes(minutes)); !set)
+            emit told(QString::fromStdString(set.error().text));
+    });
+    question->show();
+}
+
+void MissionFeature::show(const LiveMoment& /*moment*/) {
+    const MissionClock clock = m_context.bridge.station().clock().now();
+    m_face->show(clockText(clock));
+    m_run->setChecked(clock.running);
+    if (m_sinceLog++ % TicksALog != 0) return;
+    const LiveMissionStatus log = m_context.bridge.station().log();
+    m_light->show(recordText({.folder = m_folder,
+                              .megabytes = static_cast<double>(log.bytes) / Megabyte,
+                              .minutesLeft = log.minutesLeft,
+                              .lost = log.lost,
+                              .problem = QString::fromStdString(log.problem)}));
+}
+
+}  // namespace leitstand

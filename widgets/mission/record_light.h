@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/live/record_text.h"
+
+namespace leitstand {
+
+/// Whether the mission is recorded: a dot and a word, in the top bar.
+class RecordLight final : public QWidget {
+    Q_OBJECT
+public:
+    explicit RecordLight(QWidget* parent = nullptr);
+
+    void show(const RecordText& text);
+    using QWidget::show;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    RecordText m_text;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QString>
+
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// How the mission's log is doing.
+struct RecordState {
+    QString folder = {};          ///< of the mission
+    double megabytes = 0.0;       ///< written in this session
+    double minutesLeft = 0.0;     ///< until the disk is full; infinite: nothing is written
+    unsigned long long lost = 0;  ///< events other than pictures that will never be written
+    QString problem = {};         ///< why nothing can be written; empty: all is well
+};
+
+/// The log in words.
+struct RecordText {
+    QString value;    ///< "rec", "not recording"
+    QString details;  ///< folder, size, how long the disk lasts
+    Tone tone = Tone::Muted;
+
+    friend bool operator==(const RecordText&, const RecordText&) = default;
+};
+
+/// Calm while all is written; attention when the disk lasts less than 10 minutes, act when something is lost.
+[[nodiscard]] RecordText recordText(const RecordState& state);
+
+}  // namespace leitstand
