@@ -1,12 +1,18 @@
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "core/perception/picture_watch.h"
 #include "core/perception/virtual_scan_view.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/control/grant_book.h"
+#include "core/robot/control/sight_cap.h"
 #include "core/robot/control/stop_control.h"
 #include "core/robot/link_status.h"
+#include "core/robot/samples/motion_samples.h"
 
 namespace leitstand {
 
@@ -18,6 +24,13 @@ struct DriveView {
     bool driving = false;       ///< permitted, with fresh sticks
     bool needsNeutral = false;  ///< the sticks have to be let go first
     bool listening = false;     ///< the robot hears drive commands
+    SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
+};
+
+/// One camera's pictures as they come.
+struct CameraView {
+    std::string sensor;  ///< StreamDescription::sensor
+    PictureAges age;
 };
 
 /// One robot as the station has it now.
@@ -26,7 +39,14 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
+<<<<<<< HEAD
     std::optional<VirtualScanView> around;  ///< where it was asked for
+=======
+    std::optional<VirtualScanView> around;
+    std::vector<CameraView> cameras;    ///< those that sent pictures; not the thermal ones
+    std::optional<JointSample> joints;  ///< newest: chains, pan and tilt
+    double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]
+>>>>>>> 892d255 (feat(station): the speed is capped by the age of what the driver sees, whatever the input device)
 };
 
 }  // namespace leitstand

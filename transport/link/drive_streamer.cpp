@@ -94,13 +94,23 @@ void DriveStreamer::State::send(const DriveVelocity& velocity) {
 SteadyTime DriveStreamer::State::step() {
     const DriveConditions conditions = settings.conditions ? settings.conditions() : DriveConditions{};
     DriveVelocity velocity;
-    bool driving = false;
+    bool driving = false, withoutEyes = false;
     SteadyTime expires;
     {
         const std::lock_guard lock(mutex);
         setpoint.permit(status.focus && conditions.mayDrive && !conditions.hold);
+        velocity = setpoint.at(steadyNow());
+        withoutEyes = setpoint.withoutEyes(steadyNow());
+    }
+    // It looks at what others have locked: not under our own mutex.
+    const SightCap sight = settings.sight ? settings.sight(velocity, withoutEyes) : SightCap{};
+    {
+        const std::lock_guard lock(mutex);
         const SteadyTime now = steadyNow();
         velocity = setpoint.at(now);
+        if (sight.factor <= 0.0 && !isZero(velocity)) setpoint.halt();
+        velocity = capped(velocity, sight, setpoint.limits());
+        status.sight = sight;
         driving = setpoint.isFresh(now);
         expires = setpoint.expires();
         status.driving = driving;
@@ -154,9 +164,13 @@ Result<std::unique_ptr<DriveStreamer>> DriveStreamer::create(Node& node, const R
     return std::unique_ptr<DriveStreamer>(new DriveStreamer(std::move(state)));
 }
 
-void DriveStreamer::set(const DriveVelocity& velocity) {
+void DriveStreamer::set(const DriveVelocity& velocity, bool withoutEyes) {
     const SteadyTime now = steadyNow();
-    m_state->change([&] { m_state->setpoint.set(velocity, now); });
+    m_state->change([&] { m_state->setpoint.set(velocity, now, withoutEyes); });
+}
+
+void DriveStreamer::halt() {
+    m_state->change([&] { m_state->setpoint.halt(); });
 }
 
 void DriveStreamer::setFocus(bool focus) {

@@ -42,6 +42,7 @@ Result<void> RobotLine::open(Node& node, const std::string& station,
     LinkClientSettings pings;
     pings.station = station;
     watch.onStatus = [this, then = std::move(watch.onStatus)](const LinkStatus& status) {
+        m_linkLost = status.state == LinkState::Lost;
         if (status.clock) m_clockAhead = status.clock->ahead.count();
         if (then) then(status);
     };
@@ -52,7 +53,14 @@ Result<void> RobotLine::open(Node& node, const std::string& station,
                         m_robot.stream(StreamRole::TrackCommand) != nullptr;
     if (!driven) return {};
     DriveStreamerSettings driving;
-    driving.conditions = std::move(conditions);
+    driving.conditions = [this, given = std::move(conditions)] {
+        DriveConditions now = given();
+        if (m_linkLost) now.mayDrive = false;  // when it is back, sticks that are still held move nothing
+        return now;
+    };
+    driving.sight = [this](const DriveVelocity& sticks, bool withoutEyes) {
+        return m_sight.cap(sticks, withoutEyes);
+    };
     driving.clockAhead = [this] { return std::chrono::nanoseconds(m_clockAhead); };
     auto drive = DriveStreamer::create(node, m_robot, std::move(driving));
     if (!drive) return drive.error();

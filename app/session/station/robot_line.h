@@ -50,6 +50,7 @@ private:
     };
     const RobotDescription m_robot;
     RobotSight m_sight;
+    std::atomic<bool> m_linkLost = false;
     std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's minus station's [ns]
     std::map<StreamRole, Command> m_commands;
     std::unique_ptr<LinkClient> m_link;

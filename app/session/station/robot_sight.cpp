@@ -10,6 +10,10 @@ namespace {
 constexpr std::chrono::seconds Kept(90);
 constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);  ///< of a clock, backwards
 
+double secondsBetween(SteadyTime earlier, SteadyTime later) {
+    return std::chrono::duration<double>(later - earlier).count();
+}
+
 VirtualScanSettings scanOf(const RobotDescription& robot) {
     VirtualScanSettings settings;
     settings.body = boxAround(robot.footprint);
@@ -18,10 +22,20 @@ VirtualScanSettings scanOf(const RobotDescription& robot) {
 
 }  // namespace
 
-RobotSight::RobotSight(const RobotDescription& robot) : m_poses(robot), m_scan(scanOf(robot)) {}
+RobotSight::RobotSight(const RobotDescription& robot) : m_poses(robot), m_scan(scanOf(robot)) {
+    const StreamDescription* camera = robot.stream(StreamRole::Picture);
+    m_hasCamera = camera != nullptr;
+    if (m_hasCamera) m_driversCamera = camera->sensor;
+    m_hasScanner = robot.stream(StreamRole::Points) != nullptr || robot.stream(StreamRole::Ranges) != nullptr;
+}
 
 void RobotSight::take(const Event& event) {
     const std::lock_guard lock(m_mutex);
+    const SteadyTime now = std::chrono::steady_clock::now();
+    if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
+        if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture->content.bytes, now);
+        return;
+    }
     m_poses.add(event);
     const auto base = [this](Time at) { return m_poses.baseInOdom(at); };
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
@@ -29,20 +43,59 @@ void RobotSight::take(const Event& event) {
         if (m_newest && stamp < *m_newest - Jump) m_scan.clear();  // the robot began anew
         if (m_newest && stamp < *m_newest && stamp >= *m_newest - Jump) return;
         m_newest = stamp;
-        m_arrived = std::chrono::steady_clock::now();
+        m_arrived = now;
         m_base = odometry->baseInOdom;
         m_poses.forgetBefore(stamp - Kept);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        m_scanned = now;
         m_scan.add(*cloud, m_poses.inBase(event.sensor, cloud->header.frame), base);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+        m_scanned = now;
         m_scan.add(*ranges, m_poses.inBase(event.sensor, ranges->header.frame), base);
+    } else if (const auto* joints = std::get_if<JointSample>(&event.sample);
+               joints != nullptr && event.role == StreamRole::Joints) {
+        m_joints = *joints;
+        m_jointsCame = now;
     }
+}
+
+void RobotSight::lookThrough(const std::string& sensor) {
+    const std::lock_guard lock(m_mutex);
+    m_driversCamera = sensor;
+}
+
+SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes) const {
+    const std::lock_guard lock(m_mutex);
+    const SteadyTime now = std::chrono::steady_clock::now();
+    SightAges ages;
+    ages.camera = m_hasCamera;
+    ages.scanner = m_hasScanner;
+    if (const auto camera = m_cameras.find(m_driversCamera); camera != m_cameras.end())
+        ages.picture = camera->second.at(now);
+    if (m_scanned) {
+        ages.scan = secondsBetween(*m_scanned, now);
+        if (const auto view = look(now)) ages.ahead = scanAgeAlong(*view, sticks);
+    }
+    return sightCap(ages, withoutEyes);
+}
+
+void RobotSight::tell(RobotView& robot) const {
+    const std::lock_guard lock(m_mutex);
+    const SteadyTime now = std::chrono::steady_clock::now();
+    robot.around = look(now);
+    for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
+    robot.joints = m_joints;
+    if (m_joints) robot.jointsAge = secondsBetween(m_jointsCame, now);
 }
 
 std::optional<VirtualScanView> RobotSight::view() const {
     const std::lock_guard lock(m_mutex);
+    return look(std::chrono::steady_clock::now());
+}
+
+std::optional<VirtualScanView> RobotSight::look(SteadyTime now) const {
     if (!m_newest) return std::nullopt;
-    return m_scan.view(m_base, *m_newest + (std::chrono::steady_clock::now() - m_arrived));
+    return m_scan.view(m_base, *m_newest + (now - m_arrived));
 }
 
 }  // namespace leitstand

@@ -1,32 +1,51 @@
 #pragma once
 
+#include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "app/session/scans/sensor_poses.h"
 #include "core/mission/event.h"
+#include "core/perception/picture_watch.h"
 #include "core/perception/virtual_scan.h"
-#include "core/robot/link_status.h"
+#include "core/robot/control/sight_cap.h"
+#include "core/robot/robot_view.h"
 
 namespace leitstand {
 
-/// What is around one robot: its virtual 2D scan out of what it said. Any thread.
+/// What is around one robot: its virtual 2D scan out of what it said, and how old what its driver sees is.
+/// Any thread.
 class RobotSight {
 public:
     explicit RobotSight(const RobotDescription& robot);
 
-    void take(const Event& event);  ///< odometry, transforms, scans of this robot; others are passed by
+    void take(const Event& event);  ///< what this robot said; what tells nothing here is passed by
+    /// The driver looks through the camera @p sensor from now on; at first, through the one named first.
+    void lookThrough(const std::string& sensor);
+    /// How fast the robot may be driven where @p sticks lead.
+    [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
+    /// Fills what is around, cameras and joints.
+    void tell(RobotView& robot) const;
     /// As seen from where the robot was by its newest odometry; ages run on while nothing comes. Empty before
     /// any odometry. Sectors' ages are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;
 
 private:
+    [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
+
     mutable std::mutex m_mutex;
     SensorPoses m_poses;
     VirtualScan m_scan;
     std::optional<Time> m_newest;    ///< odometry, robot's clock
     SteadyTime m_arrived = {};       ///< of it
     Pose m_base = Pose::Identity();  ///< in odom, then
+    bool m_hasCamera = false, m_hasScanner = false;
+    std::string m_driversCamera;                    ///< sensor
+    std::map<std::string, PictureWatch> m_cameras;  ///< by sensor
+    std::optional<SteadyTime> m_scanned;            ///< when anything of a scan came
+    std::optional<JointSample> m_joints;
+    SteadyTime m_jointsCame = {};
 };
 
 }  // namespace leitstand

@@ -246,6 +246,10 @@ RobotView Station::robot(const std::string& name) const {
     view.link = line->link().status();
     view.grant = m_state->grants->view(driveGrant(name));
     view.stop = m_state->stops->status(name);
+<<<<<<< HEAD
+=======
+    line->sight().tell(view);
+>>>>>>> 892d255 (feat(station): the speed is capped by the age of what the driver sees, whatever the input device)
     if (const DriveStreamer* drive = line->drive()) {
         const DriveStatus status = drive->status();
         view.drive = {.drivable = true,
@@ -253,7 +257,8 @@ RobotView Station::robot(const std::string& name) const {
                       .focus = status.focus,
                       .driving = status.driving,
                       .needsNeutral = status.needsNeutral,
-                      .listening = status.listeners > 0};
+                      .listening = status.listeners > 0,
+                      .sight = status.sight};
     }
     return view;
 }
@@ -298,10 +303,26 @@ void Station::focus(const std::string& robot) {
         line->drive()->setFocus(true);
 }
 
-void Station::push(const DriveVelocity& sticks) {
+void Station::push(const DriveVelocity& sticks, bool withoutEyes) {
     for (const auto& [name, line] : m_state->lines) {
-        if (line->drive() != nullptr && line->drive()->status().focus) line->drive()->set(sticks);
+        if (line->drive() != nullptr && line->drive()->status().focus)
+            line->drive()->set(sticks, withoutEyes);
     }
+}
+
+void Station::halt() {
+    const MissionStatePtr said = mission();
+    for (const auto& [name, line] : m_state->lines) {
+        if (line->drive() == nullptr || !line->drive()->status().focus) continue;
+        line->drive()->halt();
+        const auto robot = said->robots.find(name);
+        if (robot != said->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
+            (void)setMode(name, "teleoperation");  // one that takes no modes stands by its sticks alone
+    }
+}
+
+void Station::lookThrough(const std::string& robot, const std::string& sensor) {
+    if (RobotLine* const line = m_state->line(robot)) line->sight().lookThrough(sensor);
 }
 
 void Station::ask(const std::string& robot) {

@@ -70,7 +70,14 @@ public:
     /// Gives the sticks to one robot: all others stand. Empty: to none.
     void focus(const std::string& robot);
     /// The sticks as they are now, also when neutral; to be told at least ten times a second.
-    void push(const DriveVelocity& sticks);
+    /// However they came, the speed is capped by the age of what the driver sees (SightCap), but while
+    /// @p withoutEyes is told with them.
+    void push(const DriveVelocity& sticks, bool withoutEyes = false);
+    /// The robot that has the sticks stands until they were neutral; one that drives itself is asked to obey
+    /// them again.
+    void halt();
+    /// The driver looks at @p robot's surroundings through its camera @p sensor; at first, through its first.
+    void lookThrough(const std::string& robot, const std::string& sensor);
 
     void ask(const std::string& robot);                   ///< for the grant to drive
     void giveUp(const std::string& robot);                ///< the grant

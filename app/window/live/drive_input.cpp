@@ -11,6 +11,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Rhythm(20);
+constexpr int OverrideKey = Qt::Key_G;
 
 const std::map<std::string, DriveKey>& actions() {
     static const std::map<std::string, DriveKey> all = {{"forward", DriveKey::Forward},
@@ -51,6 +52,7 @@ void DriveInput::setRobot(const RobotDescription& robot) {
 
 void DriveInput::setFocus(bool focus) {
     m_keys.releaseAll();
+    m_withoutEyes = false;
     if (focus == m_focus) return;
     m_focus = focus;
     if (focus) {
@@ -64,7 +66,14 @@ void DriveInput::setFocus(bool focus) {
 
 bool DriveInput::take(const QKeyEvent& event, bool held) {
     if (event.key() == Qt::Key_Space) {
-        if (held) m_keys.releaseAll();
+        if (held && !event.isAutoRepeat()) {
+            m_keys.releaseAll();
+            emit halted();
+        }
+        return true;
+    }
+    if (event.key() == OverrideKey) {
+        if (!event.isAutoRepeat()) m_withoutEyes = held;
         return true;
     }
     const auto bound = m_bindings.find(event.key());
@@ -85,7 +94,8 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::ShortcutOverride: {
             // Letters that drive are no shortcuts meanwhile.
             const auto& key = static_cast<const QKeyEvent&>(*event);
-            if (key.key() != Qt::Key_Space && !m_bindings.contains(key.key())) return false;
+            if (key.key() != Qt::Key_Space && key.key() != OverrideKey && !m_bindings.contains(key.key()))
+                return false;
             event->accept();
             return true;
         }

@@ -16,8 +16,8 @@ class QWidget;
 namespace leitstand {
 
 /// Driving with keys, in an explicit drive focus: forward, back, left, right as the robot's file binds them
-/// (W S A D) or by the arrows; Shift is slow, Ctrl fast, Space lets everything go. The focus ends when the
-/// window loses the keyboard.
+/// (W S A D) or by the arrows; Shift is slow, Ctrl fast, Space lets everything go, G, while it is held,
+/// drives without eyes. The focus ends when the window loses the keyboard.
 class DriveInput final : public QObject {
     Q_OBJECT
 public:
@@ -28,6 +28,8 @@ public:
     void setRobot(const RobotDescription& robot);
     [[nodiscard]] bool hasFocus() const { return m_focus; }
     void setFocus(bool focus);
+    /// The override of the speed cap is held.
+    [[nodiscard]] bool withoutEyes() const { return m_withoutEyes; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -35,6 +37,7 @@ signals:
     void focusChanged(bool focus);
     /// The sticks as they are; fifty times a second while there is focus.
     void sticks(const leitstand::DriveVelocity& velocity);
+    void halted();  ///< Space
 
 private:
     /// Whether the key is one of driving, and was taken.
@@ -45,7 +48,7 @@ private:
     DriveLimits m_limits;
     DriveKeys m_keys;
     QTimer m_rhythm;
-    bool m_focus = false;
+    bool m_focus = false, m_withoutEyes = false;
 };
 
 }  // namespace leitstand

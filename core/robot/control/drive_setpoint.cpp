@@ -57,10 +57,11 @@ DriveVelocity velocityOf(std::pair<double, double> tracks, double distance) {
 DriveSetpoint::DriveSetpoint(const DriveLimits& limits, std::chrono::nanoseconds lifetime)
     : m_limits(limits), m_lifetime(lifetime) {}
 
-void DriveSetpoint::set(const DriveVelocity& velocity, SteadyTime now) {
+void DriveSetpoint::set(const DriveVelocity& velocity, SteadyTime now, bool withoutEyes) {
     m_velocity = limited(velocity, m_limits);
     m_set = now;
     m_any = true;
+    m_withoutEyes = withoutEyes;
     if (!isFinite(velocity)) {
         m_neutral = false;  // broken sticks are not neutral
     } else if (m_permitted && isZero(velocity)) {

@@ -46,12 +46,17 @@ public:
     explicit DriveSetpoint(const DriveLimits& limits,
                            std::chrono::nanoseconds lifetime = std::chrono::milliseconds(200));
 
-    /// The sticks as they are at @p now; to be set again and again while they are held.
-    void set(const DriveVelocity& velocity, SteadyTime now);
+    /// The sticks as they are at @p now; to be set again and again while they are held. @p withoutEyes: the
+    /// driver holds the override of the speed cap.
+    void set(const DriveVelocity& velocity, SteadyTime now, bool withoutEyes = false);
     void permit(bool permitted);
+    void halt() { m_neutral = false; }  ///< zero until the sticks were neutral
 
     [[nodiscard]] DriveVelocity at(SteadyTime now) const;
     [[nodiscard]] bool isFresh(SteadyTime now) const;  ///< permitted, and set within its lifetime
+    /// Whether the override is held: it ends with the sticks that told it.
+    [[nodiscard]] bool withoutEyes(SteadyTime now) const { return isFresh(now) && m_withoutEyes; }
+    [[nodiscard]] const DriveLimits& limits() const { return m_limits; }
     /// When what was set last is too old.
     [[nodiscard]] SteadyTime expires() const { return m_set + m_lifetime; }
     /// Permission is there, but the sticks have not been neutral since.
@@ -62,7 +67,7 @@ private:
     std::chrono::nanoseconds m_lifetime;
     DriveVelocity m_velocity;
     SteadyTime m_set = {};
-    bool m_any = false, m_permitted = false, m_neutral = false;
+    bool m_any = false, m_permitted = false, m_neutral = false, m_withoutEyes = false;
 };
 
 }  // namespace leitstand

@@ -78,6 +78,30 @@ TEST_F(DriveInputTest, SpaceLetsGoAndAKeyThatIsStillHeldDoesNotDriveOn) {
     EXPECT_TRUE(isZero(sticks()));
 }
 
+TEST_F(DriveInputTest, SpaceIsToldOnceWhateverElseIsHeld) {
+    QSignalSpy halted(&m_input, &DriveInput::halted);
+    hold(Qt::Key_Space);
+    EXPECT_EQ(halted.count(), 0) << "without the drive focus it is no key of driving";
+    m_input.setFocus(true);
+    hold(Qt::Key_Space);
+    let(Qt::Key_Space);
+    EXPECT_EQ(halted.count(), 1);
+}
+
+TEST_F(DriveInputTest, TheOverrideIsHeldAndEndsWithTheKeyOrTheFocus) {
+    hold(Qt::Key_G);
+    EXPECT_FALSE(m_input.withoutEyes());
+    let(Qt::Key_G);
+    m_input.setFocus(true);
+    hold(Qt::Key_G);
+    EXPECT_TRUE(m_input.withoutEyes());
+    let(Qt::Key_G);
+    EXPECT_FALSE(m_input.withoutEyes());
+    hold(Qt::Key_G);
+    m_input.setFocus(false);
+    EXPECT_FALSE(m_input.withoutEyes());
+}
+
 TEST_F(DriveInputTest, TheFocusEndsWithTheWindowsAndTheSticksAreZero) {
     m_input.setFocus(true);
     hold(Qt::Key_W);

@@ -140,6 +140,55 @@ TEST_F(DriveLatency, ASetpointOlderThanTwoHundredMillisecondsBecomesZero) {
     }
 }
 
+TEST_F(Drive, NoStickGoesRoundWhatTheDriverSees) {
+    std::atomic<double> factor = 1.0;
+    DriveStreamerSettings settings;
+    settings.sight = [&factor](const DriveVelocity&, bool withoutEyes) {
+        SightCap cap;
+        cap.overridden = withoutEyes;
+        cap.factor = withoutEyes ? 1.0 : factor.load();
+        cap.reason = factor < 1.0 ? SightReason::OldPicture : SightReason::Fresh;
+        return cap;
+    };
+    start(drivenRobot(), StreamRole::DriveCommand, settings);
+    const auto speed = [&] { return m_wire->last()->speed(); };
+    ASSERT_TRUE(pushUntil(0.3, [&] { return speed() == 0.3; }));
+    factor = 0.2;
+    ASSERT_TRUE(pushUntil(0.3, [&] { return speed() == 0.1; })) << "a fifth of what the robot can";
+    EXPECT_EQ(m_streamer->status().sight.reason, SightReason::OldPicture);
+    factor = 0.0;
+    ASSERT_TRUE(pushUntil(0.3, [&] { return speed() == 0.0; }));
+    factor = 1.0;
+    ASSERT_FALSE(pushUntil(
+        0.3, [&] { return speed() != 0.0; }, 300ms))
+        << "it never moves on by itself";
+    EXPECT_TRUE(m_streamer->status().needsNeutral);
+    ASSERT_TRUE(pushUntil(0.0, [&] { return !m_streamer->status().needsNeutral; }));
+    ASSERT_TRUE(pushUntil(0.3, [&] { return speed() == 0.3; }));
+
+    // The override, as long as it is told.
+    factor = 0.0;
+    ASSERT_TRUE(pushUntil(0.0, [&] { return speed() == 0.0 && !m_streamer->status().needsNeutral; }));
+    ASSERT_TRUE(waitUntil([&] {
+        m_streamer->set({0.3, 0.0, 0.0}, true);
+        return speed() == 0.3;
+    }));
+    EXPECT_TRUE(m_streamer->status().sight.overridden);
+    ASSERT_TRUE(pushUntil(0.3, [&] { return speed() == 0.0; })) << "let go";
+    EXPECT_FALSE(m_streamer->status().sight.overridden);
+}
+
+TEST_F(Drive, HaltedItStandsUntilTheSticksWereNeutral) {
+    start(drivenRobot());
+    ASSERT_TRUE(pushUntil(0.3, [&] { return m_wire->last()->speed() == 0.3; }));
+    m_streamer->halt();
+    ASSERT_TRUE(pushUntil(0.3, [&] { return m_wire->last()->speed() == 0.0; }));
+    ASSERT_FALSE(pushUntil(
+        0.3, [&] { return m_wire->last()->speed() != 0.0; }, 300ms));
+    ASSERT_TRUE(pushUntil(0.0, [&] { return !m_streamer->status().needsNeutral; }));
+    ASSERT_TRUE(pushUntil(0.3, [&] { return m_wire->last()->speed() == 0.3; }));
+}
+
 TEST_F(Drive, WithoutFocusOrGrantItIsZeroAtOnceAndThenSilent) {
     start(drivenRobot());
     ASSERT_TRUE(pushUntil(0.3, [&] { return m_wire->last()->speed() == 0.3; }));

@@ -7,6 +7,7 @@
 #include "widgets/models/live/drive_state.h"
 #include "widgets/models/live/link_text.h"
 #include "widgets/models/live/robot_chip.h"
+#include "widgets/models/live/sight_text.h"
 #include "widgets/models/live/stop_line.h"
 
 namespace leitstand {
@@ -115,6 +116,36 @@ TEST_F(LiveWords, TheHintSaysWhatKeepsItFromMoving) {
     robot.view.drive.drivable = false;
     EXPECT_EQ(stateOf(robot).hint.toStdString(), "takes no drive commands");
     EXPECT_EQ(stateOf(robot).grant.choice, Choice::None);
+}
+
+TEST_F(LiveWords, TheCapOnTheSpeedIsSaidInWordsAndTheOverrideAllTheTime) {
+    SightCap& sight = robot.view.drive.sight;
+    EXPECT_EQ(sightNote(robot.view.drive).toStdString(), "full speed");
+    sight = {.factor = 0.2, .reason = SightReason::OldPicture, .age = 0.6};
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "creep speed: the picture is 600 ms old");
+    EXPECT_EQ(sightNote(robot.view.drive).toStdString(), "creep speed");
+    sight = {.factor = 0.0, .reason = SightReason::FrozenPicture, .age = 2.4};
+    EXPECT_EQ(stateOf(robot).hint.toStdString(),
+              "held: it is the same picture for 2.4 s · hold G to drive without eyes");
+    EXPECT_EQ(stateOf(robot).hintTone, Tone::Attention);
+    EXPECT_EQ(sightNote(robot.view.drive).toStdString(), "held");
+    robot.view.drive.needsNeutral = true;
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("same picture"))
+        << "neutral sticks would not help";
+    robot.view.drive.needsNeutral = false;
+    sight.overridden = true;
+    sight.factor = 1.0;
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("override: driving without eyes"));
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "TELEOPERATION · OVERRIDE") << "in the picture too";
+    EXPECT_EQ(sightNote(robot.view.drive).toStdString(), "override: driving without eyes");
+    sight = {.factor = 1.0, .reason = SightReason::ScanAlone, .age = 4.0};
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "the picture is 4.0 s old: drive by the virtual scan");
+    sight = {.factor = 0.0, .reason = SightReason::NoPicture};
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("there is no picture"));
+    sight = {.factor = 1.0, .reason = SightReason::NoEyes};
+    EXPECT_EQ(stateOf(robot).hintTone, Tone::Muted);
+    robot.view.drive.focus = false;
+    EXPECT_TRUE(sightNote(robot.view.drive).isEmpty());
 }
 
 TEST_F(LiveWords, AGrantIsAskedForGivenUpAndAnswered) {

@@ -8,6 +8,7 @@
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
 #include "widgets/models/live/proximity.h"
+#include "widgets/models/live/sight_text.h"
 #include "widgets/models/live/stop_line.h"
 #include "widgets/models/numbers.h"
 
@@ -46,7 +47,10 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
     if (!robot.grant.mine) return {mode.reason, Tone::Muted};
     if (!drive.listening) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
     if (!drive.focus) return {DriveTexts::tr("the sticks are not on this robot"), Tone::Muted};
+    const SightLine sight = sightLineOf(drive);
+    if (drive.sight.overridden || drive.sight.factor <= 0.0) return {sight.text, sight.tone};
     if (drive.needsNeutral) return {DriveTexts::tr("sticks must be neutral first"), Tone::Attention};
+    if (!sight.text.isEmpty()) return {sight.text, sight.tone};
     if (!mode.reason.isEmpty()) return {mode.reason, Tone::Muted};
     return {drive.driving ? DriveTexts::tr("you drive") : DriveTexts::tr("ready: you have the sticks"),
             Tone::Muted};

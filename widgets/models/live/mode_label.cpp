@@ -53,7 +53,10 @@ ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSam
     if (robot.stop.sent || robot.stop.stopped) {
         return {ModeKind::Stop, ModeTexts::tr("STOP"), {}};
     }
-    return said && !said->sample.mode.empty() ? labelOf(said->sample) : labelWithoutWord(robot);
+    ModeLabel label = said && !said->sample.mode.empty() ? labelOf(said->sample) : labelWithoutWord(robot);
+    if (robot.drive.focus && robot.drive.sight.overridden)
+        label.text = ModeTexts::tr("%1 · OVERRIDE").arg(label.text);
+    return label;
 }
 
 }  // namespace leitstand
