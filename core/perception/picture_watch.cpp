@@ -1,15 +1,13 @@
 #include "core/perception/picture_watch.h"
 
 #include <chrono>
-#include <functional>
-#include <string_view>
+
+#include "core/perception/content_hash.h"
 
 namespace leitstand {
 
 void PictureWatch::arrived(std::span<const std::byte> bytes, SteadyTime now) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
-                                bytes.size());  // bytes may be read as char
-    const std::uint64_t fingerprint = std::hash<std::string_view>{}(text);
+    const std::uint64_t fingerprint = contentHash(bytes);
     if (m_fingerprint != fingerprint) m_change = now;
     m_fingerprint = fingerprint;
     m_arrival = now;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -31,17 +33,38 @@ protected:
         settings.memory = m_folder / (name + ".yaml");
         return settings;
     }
-    [[nodiscard]] std::unique_ptr<Station> stationFor(std::vector<RobotDescription> robots) {
+    [[nodiscard]] std::unique_ptr<Station> stationFor(std::vector<RobotDescription> robots,
+                                                      const std::string& name = "station",
+                                                      std::function<void(const Event&)> onEvent = {}) {
         StationListener listener;
+        listener.onEvent = std::move(onEvent);
         listener.onMessage = [this](const std::string& text) {
             const std::scoped_lock lock(m_mutex);
             m_words += text + "\n";
         };
-        return must(Station::open(settingsFor(std::move(robots)), std::move(listener)));
+        return must(Station::open(settingsFor(std::move(robots), name), std::move(listener)));
     }
     [[nodiscard]] std::string words() const {
         const std::scoped_lock lock(m_mutex);
         return m_words;
+    }
+    /// Asks for the grant, takes the sticks and pushes them until @p moved holds: neutral for a moment first,
+    /// and again when that did not help, as an operator would.
+    template <class Moved>
+    [[nodiscard]] static bool drive(Station& station, const std::string& robot, const DriveVelocity& sticks,
+                                    Moved moved) {
+        using namespace std::chrono_literals;
+        using Clock = std::chrono::steady_clock;
+        station.ask(robot);
+        station.focus(robot);
+        auto neutral = Clock::now();
+        return waitUntil([&] {
+            const DriveView now = station.robot(robot).drive;
+            const auto held = Clock::now() - neutral;
+            if (!now.listening || now.needsNeutral || held > 2s) neutral = Clock::now();
+            station.push(held > 200ms && held < 2s ? sticks : DriveVelocity{});
+            return moved();
+        });
     }
     /// The robot's file that comes with the program.
     [[nodiscard]] static RobotDescription kurt3d() {

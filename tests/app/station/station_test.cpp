@@ -1,17 +1,14 @@
 #include "app/session/station/station.h"
 
 #include <atomic>
-#include <mutex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/io/bag/bag_reader.h"
 #include "core/io/robot/robot_file.h"
+#include "tests/app/station/station_scene.h"
 #include "tests/support/child_process.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/wait.h"
-#include "tests/transport/dds/test_node.h"
 #include "tests/transport/link/control_robot.h"
 
 namespace leitstand::test {
@@ -19,57 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What a station said, for failures.
-class Words {
-public:
-    void add(const std::string& text) {
-        const std::scoped_lock lock(m_mutex);
-        m_all += text + "\n";
-    }
-    [[nodiscard]] std::string all() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_all;
-    }
-
-private:
-    mutable std::mutex m_mutex;
-    std::string m_all;
-};
-
-class StationTest : public testing::Test {
+class StationTest : public StationScene {
 protected:
-    [[nodiscard]] std::unique_ptr<Station> stationFor(const std::vector<RobotDescription>& robots,
-                                                      const std::string& name = "station",
-                                                      std::function<void(const Event&)> onEvent = {}) {
-        StationSettings settings;
-        settings.domain.domain = m_domain.number();
-        settings.mission.folder = m_folder / (name + "-mission");
-        settings.mission.robots = robots;
-        settings.mission.title = "Test desk";
-        settings.mission.version = "test";
-        settings.memory = m_folder / (name + ".yaml");
-        StationListener listener;
-        listener.onMessage = [this](const std::string& text) { m_words.add(text); };
-        listener.onEvent = std::move(onEvent);
-        return must(Station::open(settings, std::move(listener)));
-    }
-    /// Asks for the grant, takes the sticks and pushes them until @p moved holds: neutral for a moment first,
-    /// and again when that did not help, as an operator would.
-    template <class Moved>
-    [[nodiscard]] static bool drive(Station& station, const std::string& robot, const DriveVelocity& sticks,
-                                    Moved moved) {
-        using Clock = std::chrono::steady_clock;
-        station.ask(robot);
-        station.focus(robot);
-        auto neutral = Clock::now();
-        return waitUntil([&] {
-            const DriveView now = station.robot(robot).drive;
-            const auto held = Clock::now() - neutral;
-            if (!now.listening || now.needsNeutral || held > 2s) neutral = Clock::now();
-            station.push(held > 200ms && held < 2s ? sticks : DriveVelocity{});
-            return moved();
-        });
-    }
     [[nodiscard]] std::uint64_t recorded(const std::string& topic) const {
         const auto bag = must(BagReader::open(m_folder / "station-mission"));
         BagQuery query;
@@ -79,10 +27,6 @@ protected:
         while (cursor.next()) ++count;
         return count;
     }
-
-    const TestDomain m_domain;
-    const TemporaryFolder m_folder;
-    Words m_words;
 };
 
 TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
@@ -90,8 +34,7 @@ TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
     const auto node = nodeIn(m_domain);
     ControlRobot robot(*node, description);
     auto station = stationFor({description});
-    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; }))
-        << m_words.all();
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; })) << words();
     EXPECT_TRUE(station->robot("kurt3d").grant.mine);
     EXPECT_EQ(station->robot("kurt3d").link.state, LinkState::Connected);
 
@@ -192,7 +135,7 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     });
     const auto view = [&] { return station->robot("kurt3d"); };
     ASSERT_TRUE(waitUntil([&] { return view().link.state == LinkState::Connected; }, 30s))
-        << m_words.all() << process.out();
+        << words() << process.out();
     // All around is known after a turn of the scanner, 2.3 s.
     const auto around = [&] { return station->around("kurt3d"); };
     ASSERT_TRUE(waitUntil([&] { return around() && around()->oldest(-3.1, 3.1) < 10.0; }, 30s));
@@ -210,7 +153,7 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     ASSERT_TRUE(waitUntil([&] {
         const auto mode = station->mission()->robots.at("kurt3d")->mode;
         return mode && mode->sample.mode == "explore";
-    })) << m_words.all();
+    })) << words();
     station->stop("kurt3d");
     ASSERT_TRUE(waitUntil([&] { return view().stop.acknowledged && view().stop.standing; }));
 }
@@ -223,7 +166,7 @@ TEST_F(StationTest, ARestartedStationGoesOnWithItsMap) {
     RobotDescription bare = description;
     bare.sensors.clear();  // only tf_static tells where the scanner sits, and is said once
     auto station = stationFor({bare});
-    ASSERT_TRUE(waitUntil([&] { return !station->mission()->keyScans->empty(); }, 60s)) << m_words.all();
+    ASSERT_TRUE(waitUntil([&] { return !station->mission()->keyScans->empty(); }, 60s)) << words();
     EXPECT_NEAR(station->mission()->keyScans->begin()->second.entry.sensorInBase.translation().z(), 0.48,
                 0.01);
     station.reset();
