@@ -107,9 +107,11 @@ SteadyTime DriveStreamer::State::step() {
     {
         const std::lock_guard lock(mutex);
         const SteadyTime now = steadyNow();
-        velocity = setpoint.at(now);
-        if (sight.factor <= 0.0 && !isZero(velocity)) setpoint.halt();
-        velocity = capped(velocity, sight, setpoint.limits());
+        const DriveVelocity sticks = setpoint.at(now);
+        // Sticks told meanwhile, with the override perhaps, are judged in the next step, which comes at once.
+        const bool judged = sticks == velocity && setpoint.withoutEyes(now) == withoutEyes;
+        if (sight.factor <= 0.0 && !isZero(sticks) && judged) setpoint.halt();
+        velocity = capped(sticks, sight, setpoint.limits());
         status.sight = sight;
         driving = setpoint.isFresh(now);
         expires = setpoint.expires();

@@ -72,7 +72,8 @@ TEST_F(DrivingTest, PicturesThatStopComingStopTheRobotAndTheOverrideIsHeld) {
     EXPECT_FALSE(holdUntil([&] { return !stands(); }, 300ms, true))
         << "sticks that were held when it stopped come first";
     ASSERT_TRUE(goneNeutral());
-    ASSERT_TRUE(holdUntil([&] { return m_robot->speed() >= 0.2; }, 20s, true));
+    ASSERT_TRUE(holdUntil([&] { return m_robot->speed() >= 0.2; }, 20s, true))
+        << sight() << " neutral " << drive().needsNeutral << " driving " << drive().driving;
     EXPECT_TRUE(drive().sight.overridden);
     EXPECT_TRUE(drive().sight.isBlind());
     EXPECT_TRUE(holdUntil([&] { return stands(); })) << "let go";
