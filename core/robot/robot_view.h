@@ -39,14 +39,10 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-<<<<<<< HEAD
     std::optional<VirtualScanView> around;  ///< where it was asked for
-=======
-    std::optional<VirtualScanView> around;
-    std::vector<CameraView> cameras;    ///< those that sent pictures; not the thermal ones
-    std::optional<JointSample> joints;  ///< newest: chains, pan and tilt
+    std::vector<CameraView> cameras;        ///< those that sent pictures; not the thermal ones
+    std::optional<JointSample> joints;      ///< newest: chains, pan and tilt
     double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]
->>>>>>> 892d255 (feat(station): the speed is capped by the age of what the driver sees, whatever the input device)
 };
 
 }  // namespace leitstand

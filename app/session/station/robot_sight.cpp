@@ -72,17 +72,18 @@ SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes) const {
     ages.scanner = m_hasScanner;
     if (const auto camera = m_cameras.find(m_driversCamera); camera != m_cameras.end())
         ages.picture = camera->second.at(now);
-    if (m_scanned) {
-        ages.scan = secondsBetween(*m_scanned, now);
+    if (m_scanned) ages.scan = secondsBetween(*m_scanned, now);
+    // What is around takes long to make: only where it matters.
+    const SightRules rules;
+    if (ages.picture.seconds() >= rules.full && ages.scan < rules.creep) {
         if (const auto view = look(now)) ages.ahead = scanAgeAlong(*view, sticks);
     }
-    return sightCap(ages, withoutEyes);
+    return sightCap(ages, withoutEyes, rules);
 }
 
 void RobotSight::tell(RobotView& robot) const {
     const std::lock_guard lock(m_mutex);
     const SteadyTime now = std::chrono::steady_clock::now();
-    robot.around = look(now);
     for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
     robot.joints = m_joints;
     if (m_joints) robot.jointsAge = secondsBetween(m_jointsCame, now);

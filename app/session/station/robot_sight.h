@@ -25,7 +25,7 @@ public:
     void lookThrough(const std::string& sensor);
     /// How fast the robot may be driven where @p sticks lead.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
-    /// Fills what is around, cameras and joints.
+    /// Fills cameras and joints.
     void tell(RobotView& robot) const;
     /// As seen from where the robot was by its newest odometry; ages run on while nothing comes. Empty before
     /// any odometry. Sectors' ages are on the robot's clock.

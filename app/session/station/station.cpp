@@ -246,10 +246,7 @@ RobotView Station::robot(const std::string& name) const {
     view.link = line->link().status();
     view.grant = m_state->grants->view(driveGrant(name));
     view.stop = m_state->stops->status(name);
-<<<<<<< HEAD
-=======
     line->sight().tell(view);
->>>>>>> 892d255 (feat(station): the speed is capped by the age of what the driver sees, whatever the input device)
     if (const DriveStreamer* drive = line->drive()) {
         const DriveStatus status = drive->status();
         view.drive = {.drivable = true,

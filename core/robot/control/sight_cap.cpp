@@ -32,7 +32,7 @@ SightCap sightCap(const SightAges& ages, bool overridden, const SightRules& rule
         cap.reason = SightReason::Fresh;
     } else if (!ages.camera) {
         cap.reason = scan < rules.full ? SightReason::Fresh : SightReason::OldScan;
-        cap.age = std::max(ages.scan, ages.ahead < rules.turn ? 0.0 : ages.ahead);
+        cap.age = ages.scan < rules.full ? ages.ahead : ages.scan;
     } else if (factorOf(scan, rules) > factorOf(picture, rules)) {
         cap.reason = SightReason::ScanAlone;
     } else if (!std::isfinite(picture)) {

@@ -16,6 +16,7 @@
 #include "widgets/models/live/drive_state.h"
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/live/proximity.h"
+#include "widgets/models/live/sight_text.h"
 
 namespace leitstand {
 namespace {
@@ -119,7 +120,9 @@ void CameraViews::showPicture(const ShownPicturePtr& picture) {
 void CameraViews::showAge(CameraPane& pane, const std::string& sensor, const LiveMoment& moment) {
     const auto camera = m_cameras.find({m_context.selection.name().toStdString(), sensor});
     pane.setCamera(m_context.selection.face(), titleOf(sensor));
-    pane.setAge(camera == m_cameras.end() ? DataAge{} : camera->second.age.at(moment.steady));
+    pane.setAge(camera == m_cameras.end() ? DataAge{} : camera->second.age.at(moment.steady),
+                &pane == m_large ? sightNote(moment.view(m_context.selection.name().toStdString()).drive)
+                                 : QString());
 }
 
 CameraOverlay CameraViews::overlay(const RobotDescription& robot, const LiveMoment& moment) const {

@@ -20,7 +20,8 @@ DriveFeature::DriveFeature(const LiveContext& context)
     context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
     Station& station = context.bridge.station();
     connect(&m_input, &DriveInput::sticks, this,
-            [&station](const DriveVelocity& sticks) { station.push(sticks); });
+            [this, &station](const DriveVelocity& sticks) { station.push(sticks, m_input.withoutEyes()); });
+    connect(&m_input, &DriveInput::halted, this, [&station] { station.halt(); });
     connect(&m_input, &DriveInput::focusChanged, this, [this, &station](bool focus) {
         station.focus(focus ? m_context.selection.name().toStdString() : std::string());
         m_drive->setChecked(focus);
@@ -41,7 +42,7 @@ void DriveFeature::addCommands() {
                                  .menu = CommandMenu::Robot,
                                  .text = tr("&Drive with keys"),
                                  .hint = tr("W S A D or the arrows drive the selected robot; Shift slow, "
-                                            "Ctrl fast, Space lets go"),
+                                            "Ctrl fast, Space halts, G held drives without eyes"),
                                  .keys = QKeySequence(Qt::Key_F2),
                                  .checkable = true});
     connect(m_drive, &QAction::triggered, this, &DriveFeature::setDriving);
