@@ -34,6 +34,7 @@ struct StationMapping::State {
     std::deque<Event> heldBack;  ///< scans; of the mission's thread
     mutable std::mutex mutex;    ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
+    MapCrop crop;
     /// Of the poses and undos that we said, how much came back from the log: only then the mission has all of
     /// it.
     std::uint64_t said = 0, heard = 0;
@@ -169,6 +170,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
                                StationMappingListener listener)
     : m_state(std::make_unique<State>(mission, std::move(mayMap), setup.station, std::move(listener))) {
     State& state = *m_state;
+    state.crop = setup.settings.crop;
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
@@ -234,6 +236,22 @@ Result<void> StationMapping::undo() {
 
 Result<void> StationMapping::redo() {
     return m_state->takeBack(&redoOfScans, "nothing to be done again: nothing was taken back last");
+}
+
+Result<void> StationMapping::setCrop(const MapCrop& crop) {
+    if (auto may = m_state->granted(); !may) return may;
+    {
+        const std::lock_guard lock(m_state->mutex);
+        m_state->crop = crop;
+    }
+    m_state->mapping->post([crop](LiveMapper& mapper) { mapper.setCrop(crop); });
+    return m_state->mission.say(NoteSample{stationTime(), m_state->station, {}, inWords(crop)},
+                                station_topic::Notes);
+}
+
+MapCrop StationMapping::crop() const {
+    const std::lock_guard lock(m_state->mutex);
+    return m_state->crop;
 }
 
 LiveMapPtr StationMapping::scans() const {

@@ -58,6 +58,11 @@ public:
     Result<void> undo();               ///< the newest decision of ours that is not undone
     Result<void> redo();               ///< what was undone last
 
+    /// What of the world enters the map, from the next scan on; noted in the log. Errors: another station has
+    /// the map.
+    Result<void> setCrop(const MapCrop& crop);
+    [[nodiscard]] MapCrop crop() const;
+
     [[nodiscard]] LiveMapPtr scans() const;       ///< never null
     [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null
 

@@ -86,6 +86,7 @@ void LiveWindow::connectFeatures() {
     connect(m_cameras, &CameraViews::driveWanted, this, [this] { setDriving(true); });
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
+    connect(m_map, &MapFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();

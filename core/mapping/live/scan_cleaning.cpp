@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 namespace leitstand {
 namespace {
 
@@ -39,6 +41,21 @@ bool nearTo(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& 
 bool MapCrop::contains(const Eigen::Vector3d& pointInMap) const {
     if (!(pointInMap.z() <= ceiling)) return false;
     return polygon.empty() || within(polygon, pointInMap.head<2>());
+}
+
+std::string inWords(const MapCrop& crop) {
+    if (crop.open()) return "map: everything belongs into it";
+    std::string text = "map:";
+    if (!crop.polygon.empty()) {
+        text += fmt::format(" within {} corners (", crop.polygon.size());
+        for (std::size_t i = 0; i < crop.polygon.size(); ++i)
+            text +=
+                fmt::format("{}{:.2f} {:.2f}", i == 0 ? "" : ", ", crop.polygon[i].x(), crop.polygon[i].y());
+        text += ")";
+    }
+    if (crop.ceiling < 1e9)
+        text += fmt::format("{} below {:.2f} m", crop.polygon.empty() ? "" : " and", crop.ceiling);
+    return text;
 }
 
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,6 +25,10 @@ struct MapCrop {
     [[nodiscard]] bool contains(const Eigen::Vector3d& pointInMap) const;
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
 };
+
+/// What of the world belongs into the map, for the log, in English: "map: within 4 corners (0.0 1.0, ...) and
+/// below 2.0 m".
+[[nodiscard]] std::string inWords(const MapCrop& crop);
 
 /// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);

@@ -137,8 +137,8 @@ void paintHighlight(QPainter& painter, const MapProjection& projection, const Sc
         const auto seen = projection.project(scan.poseInMap.translation());
         if (!seen) return;
         painter.setBrush(Qt::NoBrush);
-        for (const QPen& pen :
-             {QPen(asColour(style.colours.background), 5.0), QPen(asColour(style.colours.uncertain), 2.5)}) {
+        const Rgba colour = scan.uncertain ? style.colours.uncertain : style.colours.measurement;
+        for (const QPen& pen : {QPen(asColour(style.colours.background), 5.0), QPen(asColour(colour), 2.5)}) {
             painter.setPen(pen);
             painter.drawEllipse(seen->position, HighlightRadius, HighlightRadius);
         }

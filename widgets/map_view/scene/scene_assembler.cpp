@@ -150,7 +150,7 @@ void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, c
         ready.shown = std::make_shared<const std::vector<std::int32_t>>(
             shownPoints(*ready.points, withCeiling, thinned));
     }
-    const double tint = standsOut ? HighlightTint : scan.uncertain ? UncertainTint : 0.0;
+    const double tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
     const ColourRamp ramp = content.ramp.value_or(ColourRamp{});
     const bool same =
         ready.colours && ready.settings.colouring == settings.colouring &&

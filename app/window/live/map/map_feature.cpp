@@ -4,13 +4,19 @@
 #include <QApplication>
 #include <QMainWindow>
 
+#include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/view_commands.h"
 #include "app/window/live/live_bridge.h"
+#include "app/window/live/map/decisions_feature.h"
+#include "app/window/live/map/go_to.h"
+#include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
 #include "app/window/map_pane.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map_summary.h"
+#include "widgets/models/map/live_summary.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -26,13 +32,32 @@ MapFeature::MapFeature(const LiveContext& context, const MapViewSettings& view)
     connect(&context.bridge, &LiveBridge::mapChanged, this, [this](const MapPtr& map) {
         m_seen = m_seen || !map->scans.empty();
         m_pane->view().setMap(map);
-        m_pane->setSummary(summaryOf(*map));
     });
+    connect(&context.bridge, &LiveBridge::ticked, this, &MapFeature::showSummary);
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
         if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
         m_pane->view().setSettings(settings);
     });
     m_pane->view().setSettings(m_view.settings());
+    addRobots();
+}
+
+void MapFeature::addRobots() {
+    auto* gestures = new MapGestures(m_pane->view(), this);
+    auto* robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *gestures, this);
+    auto* going = new GoTo(m_context, *gestures, *robots, this);
+    connect(going, &GoTo::told, this, &MapFeature::told);
+    connect(&m_pane->view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
+        going->go({place, std::nullopt});
+    });
+    auto* decisions = new DecisionsFeature(m_context, m_pane->view(), *gestures, *robots, this);
+    connect(decisions, &DecisionsFeature::told, this, &MapFeature::told);
+}
+
+void MapFeature::showSummary(const LiveMoment& moment) {
+    const bool follows = m_view.settings().follow != MapFollow::Free;
+    m_pane->setSummary(liveSummaryOf(*m_context.bridge.station().mapping().scans(),
+                                     follows ? m_context.selection.face().letter : QString(), moment.now));
 }
 
 MapView& MapFeature::view() const {

@@ -10,6 +10,7 @@ namespace leitstand {
 
 class MapPane;
 class MapView;
+struct LiveMoment;
 
 /// The 3D map as it grows ("map"), and how it is looked at.
 class MapFeature final : public QObject {
@@ -22,8 +23,13 @@ public:
     /// What is not to be seen of the map yet.
     [[nodiscard]] QStringList missing() const;
 
+signals:
+    void told(const QString& text);
+
 private:
     void addCommands();
+    void showSummary(const LiveMoment& moment);
+    void addRobots();  ///< and what is done with them and their scans
 
     LiveContext m_context;
     ViewState m_view;

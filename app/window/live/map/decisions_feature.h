@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include <QObject>
+#include <QString>
+
+#include "app/window/live/live_context.h"
+#include "core/base/result.h"
+#include "widgets/models/map/key_scan_model.h"
+
+class QAction;
+
+namespace leitstand {
+
+class DecisionsPanel;
+class MapGestures;
+class MapView;
+class RobotsOnMap;
+struct GroundPose;
+
+/// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
+/// in the mission's log.
+class DecisionsFeature final : public QObject {
+    Q_OBJECT
+public:
+    DecisionsFeature(const LiveContext& context, MapView& view, MapGestures& gestures, RobotsOnMap& robots,
+                     QObject* parent);
+
+    [[nodiscard]] const KeyScanModel& scans() const { return m_scans; }
+
+signals:
+    void told(const QString& text);
+
+private:
+    void addDecisions();
+    void addArea();
+    QAction& add(const QString& id, const QString& text, const QString& hint, const QKeySequence& keys = {},
+                 bool checkable = false);
+    void answer(const Result<void>& done);  ///< tells what went wrong
+    void toNextUncertain();
+    void retry();
+    void dragForRetry(bool on);
+    void retryFrom(std::uint64_t id, const GroundPose& pose);
+    void rewind();
+    void drawArea(bool on);
+    void show();
+    void showArea();
+
+    LiveContext m_context;
+    MapView& m_view;
+    MapGestures& m_gestures;
+    RobotsOnMap& m_robots;
+    KeyScanModel m_scans;
+    DecisionsPanel* m_panel;
+    std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+};
+
+}  // namespace leitstand

@@ -1,0 +1,144 @@
+#include "app/window/live/map/go_to.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <QAction>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/selection.h"
+#include "core/robot/goal.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Arrived = 0.4;               ///< [m]
+constexpr std::chrono::seconds Patience(10);  ///< for the grant, and for the robot to begin
+constexpr auto DrivesByItself = "explore";    ///< mode in which robots drive to goals
+
+bool offers(const RobotState& said, const std::string& mode) {
+    if (!said.mode) return false;
+    const auto& modes = said.mode->sample.available;
+    return std::find(modes.begin(), modes.end(), mode) != modes.end();
+}
+
+bool moves(const RobotState& said) {
+    constexpr double Still = 0.02;  // [m/s, rad/s]
+    return said.odometry &&
+           (said.odometry->sample.linear.norm() > Still || said.odometry->sample.angular.norm() > Still);
+}
+
+}  // namespace
+
+GoTo::GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots, QObject* parent)
+    : QObject(parent),
+      m_context(context),
+      m_gestures(gestures),
+      m_robots(robots),
+      m_action(&context.commands.add(
+          {.id = "map.goTo",
+           .menu = CommandMenu::Map,
+           .text = tr("&Go to a place"),
+           .hint = tr(
+               "Click where the selected robot shall go by itself, drag its heading; a double click on the "
+               "floor does the same"),
+           .keys = QKeySequence(Qt::Key_O),
+           .checkable = true})) {
+    connect(m_action, &QAction::triggered, this, &GoTo::arm);
+    connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
+    connect(&context.bridge, &LiveBridge::ticked, this, &GoTo::follow);
+    showSelected();
+}
+
+void GoTo::showSelected() {
+    const RobotDescription* const robot = m_context.selection.robot();
+    m_action->setEnabled(robot != nullptr && robot->stream(StreamRole::GoalPose) != nullptr);
+    if (m_action->isChecked()) m_gestures.disarm();
+}
+
+void GoTo::arm(bool on) {
+    const std::string robot = m_context.selection.name().toStdString();
+    if (!on) return m_gestures.disarm();
+    if (!m_robots.placed(robot)) {
+        m_action->setChecked(false);
+        emit told(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
+        return;
+    }
+    m_gestures.armPose(*m_action, m_robots.mark(robot),
+                       tr("Click where %1 shall go, drag its heading · right button: not at all")
+                           .arg(m_context.selection.face().title),
+                       [this](const GroundPose& pose) { go(pose); });
+}
+
+void GoTo::go(const GroundPose& pose) {
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr || !m_action->isEnabled()) return;
+    if (!m_robots.placed(robot->name)) {
+        emit told(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
+        return;
+    }
+    const Eigen::Vector3d from = m_robots.mark(robot->name).baseInMap.translation();
+    const Eigen::Vector3d way = pose.place - from;
+    const double heading = pose.heading.value_or(std::atan2(way.y(), way.x()));
+    const Pose goal = poseFrom(pose.place, 0, 0, heading);
+    m_context.bridge.station().ask(robot->name);
+    m_ways[robot->name] = {goal, m_context.bridge.moment().now};
+    m_robots.setGoal(robot->name, goal);
+}
+
+bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {
+    const RobotState& said = moment.said(robot);
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    if (!said.odometry || known == nullptr || !m_robots.placed(robot)) return false;
+    // The robot does not know our map: it is told where that lies in its own odometry.
+    PoseSample goal;
+    goal.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
+    goal.poseInFrame =
+        goalInOdom(m_robots.mark(robot).baseInMap, said.odometry->sample.baseInOdom, way.goalInMap);
+    Station& station = m_context.bridge.station();
+    Result<void> done = station.goTo(robot, goal);
+    if (done && offers(said, DrivesByItself)) done = station.setMode(robot, DrivesByItself);
+    if (!done) emit told(QString::fromStdString(done.error().text));
+    return done.ok();
+}
+
+bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
+    const bool late = moment.now - way.asked > Patience;
+    if (!way.sent) {
+        if (moment.view(robot).grant.mine) {
+            if (!send(robot, way, moment)) return true;
+            way.sent = true;
+            way.asked = moment.now;
+        } else if (late) {
+            emit told(tr("%1 was not sent: the grant to drive it is another station's")
+                          .arg(QString::fromStdString(robot)));
+            return true;
+        }
+        return false;
+    }
+    const RobotState& said = moment.said(robot);
+    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    way.began = way.began || drives;
+    if (offers(said, DrivesByItself) && !drives && (way.began || late)) return true;
+    if (!way.began || moves(said)) way.moved = moment.now;
+    if (moment.now - way.moved > Patience) return true;  // it has come as near as it can, or gave up
+    const RobotMark mark = m_robots.mark(robot);
+    return (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
+}
+
+void GoTo::follow(const LiveMoment& moment) {
+    for (auto way = m_ways.begin(); way != m_ways.end();) {
+        if (!over(way->first, way->second, moment)) {
+            ++way;
+            continue;
+        }
+        m_robots.setGoal(way->first, std::nullopt);
+        way = m_ways.erase(way);
+    }
+}
+
+}  // namespace leitstand

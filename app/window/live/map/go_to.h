@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "widgets/map_view/gestures/ground_pose.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapGestures;
+class RobotsOnMap;
+struct LiveMoment;
+
+/// Sends robots that take goals to places on the map: a pose drawn onto the floor, or a double click. Asks
+/// for the grant first, since robots listen to its holder only.
+class GoTo final : public QObject {
+    Q_OBJECT
+public:
+    GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots, QObject* parent);
+
+    /// Sends the selected robot there.
+    void go(const GroundPose& pose);
+
+signals:
+    void told(const QString& text);
+
+private:
+    /// A robot on its way.
+    struct Way {
+        Pose goalInMap;
+        Time asked{};
+        bool sent = false, began = false;
+        Time moved{};  ///< last, as its odometry tells
+    };
+    void arm(bool on);
+    void follow(const LiveMoment& moment);
+    [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
+    /// Whether nothing more is to be expected of @p way.
+    [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
+    void showSelected();
+
+    LiveContext m_context;
+    MapGestures& m_gestures;
+    RobotsOnMap& m_robots;
+    QAction* m_action;
+    std::map<std::string, Way> m_ways;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+#include "widgets/map_view/gestures/ground_pose.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapView;
+struct RobotMark;
+
+/// What the operator draws onto the map: one gesture at a time, which belongs to the command that stays
+/// checked meanwhile.
+class MapGestures final : public QObject {
+    Q_OBJECT
+public:
+    /// Draws in @p view, which must outlive it.
+    MapGestures(MapView& view, QObject* parent);
+
+    /// The next pose drawn is handed to @p then; @p hint is said over the map until then.
+    void armPose(QAction& by, const RobotMark& robot, const QString& hint,
+                 std::function<void(const GroundPose&)> then);
+    void armArea(QAction& by, const QString& hint,
+                 std::function<void(const std::vector<Eigen::Vector2d>&)> then);
+    void disarm();
+    [[nodiscard]] bool armed() const { return m_by != nullptr; }
+
+    /// Said over the map while nothing is drawn.
+    void setCalmHint(const QString& text);
+
+private:
+    void arm(QAction& by, const QString& hint);
+
+    MapView& m_view;
+    QPointer<QAction> m_by;
+    QString m_calmHint;
+    std::function<void(const GroundPose&)> m_thenPose;
+    std::function<void(const std::vector<Eigen::Vector2d>&)> m_thenArea;
+};
+
+}  // namespace leitstand

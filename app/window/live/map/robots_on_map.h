@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+#include "widgets/map_view/map_view_settings.h"
+#include "widgets/models/map/robot_mark.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapGestures;
+class MapView;
+class ViewState;
+struct LiveMoment;
+
+/// The robots on the live map, 30 times a second, and the camera that follows the selected one.
+class RobotsOnMap final : public QObject {
+    Q_OBJECT
+public:
+    RobotsOnMap(const LiveContext& context, ViewState& state, MapView& view, MapGestures& gestures,
+                QObject* parent);
+
+    /// As drawn last; a robot that nobody knows the place of stands at the selected one's, or the origin.
+    [[nodiscard]] RobotMark mark(const std::string& robot) const;
+    [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
+    /// Where a robot was sent, to be shown; empty: nowhere.
+    void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
+
+private:
+    void addCommands();
+    void follow(MapFollow how);
+    void show(const LiveMoment& moment);
+
+    LiveContext m_context;
+    ViewState& m_state;
+    MapView& m_view;
+    MapGestures& m_gestures;
+    std::map<MapFollow, QAction*> m_follow;
+    std::map<std::string, RobotMark> m_marks;  ///< of those that are placed
+    std::map<std::string, Pose> m_goals;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include <QAction>
+#include <QLabel>
+#include <QTableView>
+
+#include <gtest/gtest.h>
+
+#include "app/session/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/selection.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
+#include "widgets/map_view/map_view.h"
+
+namespace leitstand::test {
+namespace {
+
+/// The live map with real robot processes.
+class LiveMapOnScreen : public LivePage {
+protected:
+    LiveMapOnScreen() {
+        m_window->layouts().use("map");
+        EXPECT_TRUE(soon([&] { return place("kurt3d").placed; })) << "no scan was registered";
+    }
+    [[nodiscard]] RobotInMap place(const std::string& name) const {
+        for (const RobotInMap& robot : *station().mapping().robots()) {
+            if (robot.robot == name) return robot;
+        }
+        return {};
+    }
+    void trigger(const char* id) {
+        QAction* const action = m_window->commands().find(id);
+        ASSERT_NE(action, nullptr) << id;
+        EXPECT_TRUE(action->isEnabled()) << id;
+        action->trigger();
+    }
+    [[nodiscard]] std::size_t operatorDecisions() const {
+        std::size_t count = 0;
+        for (const Decision& one : *station().mission()->decisions) {
+            const auto* poses = std::get_if<ScanPosesSample>(&one.content);
+            if (poses != nullptr && poses->cause == ScanPosesSample::Cause::Operator && !one.undone) ++count;
+        }
+        return count;
+    }
+    [[nodiscard]] MapView& map() const { return m_window->mapView(); }
+};
+
+TEST_F(LiveMapOnScreen, GoesToAPlaceThatWasClicked) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    trigger("map.followAbove");
+    const Pose before = place("kurt3d").baseInMap;
+    const Eigen::Vector3d goal = before * Eigen::Vector3d(0.9, 0, 0);
+    ASSERT_TRUE(soon([&] {
+        const auto at = map().project(goal);
+        return at && map().rect().contains(at->toPoint()) && map().settled();
+    }));
+    trigger("map.goTo");
+    EXPECT_TRUE(map().drawing());
+    QTest::mouseClick(&map(), Qt::LeftButton, {}, map().project(goal)->toPoint());
+    EXPECT_FALSE(map().drawing());
+    EXPECT_FALSE(m_window->commands().find("map.goTo")->isChecked());
+    const auto mode = [&] { return station().mission()->robots.at("kurt3d")->mode; };
+    EXPECT_TRUE(soon([&] { return mode() && mode()->sample.mode == "explore"; }));
+    // As near as walls and victims beside its way let it.
+    const auto away = [&] { return (place("kurt3d").baseInMap.translation() - goal).head<2>().norm(); };
+    EXPECT_TRUE(soon([&] { return away() < 0.8; })) << "it is " << away() << " m away";
+    lookAt("map_went");
+}
+
+TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
+    station().ask("kurt3d");
+    ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
+    ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
+    ASSERT_TRUE(soon([&] { return station().mapping().scans()->scans.size() >= 2; })) << "it moved not";
+    station().stopAll();
+    ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    const auto scans = [&] { return station().mapping().scans()->scans; };
+    const auto aside = [&] {
+        const auto all = scans();
+        return std::count_if(all.begin(), all.end(),
+                             [](const auto& one) { return one.pose.trust == ScanTrust::SetAside; });
+    };
+    auto* table = m_window->findChild<QTableView*>("keyScans");
+    ASSERT_NE(table, nullptr);
+    const auto title = [&] { return m_window->findChild<QLabel*>("mapTitle")->text(); };
+    ASSERT_TRUE(soon([&] { return table->model()->rowCount() >= 2; }));
+    table->selectRow(table->model()->rowCount() - 1);
+    trigger("scan.rewind");
+    EXPECT_TRUE(soon([&] { return title().contains(" 1 key scan "); })) << title().toStdString();
+    EXPECT_TRUE(soon([&] { return operatorDecisions() == 1; }));
+    trigger("scan.undo");
+    EXPECT_TRUE(soon([&] { return aside() == 0 && operatorDecisions() == 0; }));
+    EXPECT_TRUE(soon([&] { return title().contains("key scans"); })) << title().toStdString();
+    trigger("scan.reject");
+    EXPECT_TRUE(soon([&] { return aside() == 1 && operatorDecisions() == 1; }));
+    EXPECT_TRUE(soon([&] {
+        return table->model()->index(table->model()->rowCount() - 1, 1).data().toString() == "set aside";
+    }));
+    trigger("scan.undo");
+    EXPECT_TRUE(soon([&] { return aside() == 0 && operatorDecisions() == 0; }));
+    trigger("scan.redo");
+    EXPECT_TRUE(soon([&] { return aside() == 1 && operatorDecisions() == 1; }));
+    trigger("scan.accept");
+    EXPECT_TRUE(soon([&] { return aside() == 0; }));
+    lookAt("map_decisions");
+}
+
+TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsNoted) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && map().settled(); }));
+    trigger("map.area");
+    for (const QPoint corner : {QPoint(60, 60), QPoint(300, 60), QPoint(300, 200), QPoint(60, 200)})
+        QTest::mouseClick(&map(), Qt::LeftButton, {}, corner);
+    QTest::mouseDClick(&map(), Qt::LeftButton, {}, {60, 200});
+    EXPECT_TRUE(soon([&] { return station().mapping().crop().polygon.size() >= 3; }));
+    EXPECT_TRUE(soon([&] { return !station().mission()->notes->empty(); }));
+    trigger("map.everywhere");
+    EXPECT_TRUE(station().mapping().crop().polygon.empty());
+}
+
+}  // namespace
+}  // namespace leitstand::test

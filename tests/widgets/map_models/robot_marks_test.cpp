@@ -1,0 +1,73 @@
+#include "widgets/models/map/robot_marks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace leitstand::test {
+namespace {
+
+using testing::HasSubstr;
+
+const RobotFace Kurt{QStringLiteral("kurt3d"), QStringLiteral("K"), QStringLiteral("Kurt3D"), 0};
+
+RobotDescription tracked() {
+    RobotDescription robot;
+    robot.drive = DriveType::Tracked;
+    robot.footprint = {{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}};
+    robot.height = 0.35;
+    return robot;
+}
+
+RobotInMap placed(bool certain, double certainty) {
+    RobotInMap place;
+    place.placed = true;
+    place.certain = certain;
+    place.certainty = certainty;
+    place.baseInMap = poseFrom({1, 2, 0}, 0, 0, degrees(30));
+    return place;
+}
+
+LinkStatus linked(LinkState state) {
+    LinkStatus link;
+    link.state = state;
+    return link;
+}
+
+TEST(RobotMarks, StandWhereTheRobotIs) {
+    const auto mark = robotMarkOf(Kurt, tracked(), placed(true, 0.9), linked(LinkState::Connected), true);
+    ASSERT_TRUE(mark);
+    EXPECT_NEAR(headingOf(mark->baseInMap), degrees(30), 1e-9);
+    EXPECT_TRUE(mark->tracked);
+    EXPECT_TRUE(mark->selected);
+    EXPECT_FALSE(mark->doubtRadius);
+    EXPECT_TRUE(mark->note.isEmpty());
+}
+
+TEST(RobotMarks, AreNotThereWhileNobodyKnowsWhere) {
+    EXPECT_FALSE(robotMarkOf(Kurt, tracked(), RobotInMap{}, linked(LinkState::Connected), true));
+}
+
+TEST(RobotMarks, DoubtIsARingThatGrows) {
+    const auto some = robotMarkOf(Kurt, tracked(), placed(false, 0.8), linked(LinkState::Connected), false);
+    const auto much = robotMarkOf(Kurt, tracked(), placed(false, 0.1), linked(LinkState::Connected), false);
+    ASSERT_TRUE(some && some->doubtRadius && much && much->doubtRadius);
+    EXPECT_LT(*some->doubtRadius, *much->doubtRadius);
+    EXPECT_EQ(some->tone, Tone::Attention);
+    EXPECT_THAT(some->note.toStdString(), HasSubstr("uncertain"));
+}
+
+TEST(RobotMarks, ALostOneWasSeenThereLast) {
+    const auto mark = robotMarkOf(Kurt, tracked(), placed(true, 1.0), linked(LinkState::Lost), false);
+    ASSERT_TRUE(mark);
+    EXPECT_TRUE(mark->stale);
+    EXPECT_THAT(mark->note.toStdString(), HasSubstr("last"));
+}
+
+TEST(RobotMarks, WhoIsMissingIsSaid) {
+    EXPECT_EQ(unplacedText({}, QStringLiteral("Shift+O")), "");
+    EXPECT_THAT(unplacedText({Kurt}, QStringLiteral("Shift+O")).toStdString(), HasSubstr("Kurt3D"));
+    EXPECT_THAT(unplacedText({Kurt}, QStringLiteral("Shift+O")).toStdString(), HasSubstr("Shift+O"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

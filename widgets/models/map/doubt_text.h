@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include <QString>
+
+#include "core/robot/samples/map_samples.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// What speaks against a scan (bits of ScanDoubt), in the operator's words: "little overlap, jump"; empty:
+/// nothing.
+[[nodiscard]] QString doubtText(std::uint8_t doubts);
+/// Each doubt with what it means and what may help, a line each; empty: there is none.
+[[nodiscard]] QString doubtDetails(std::uint8_t doubts);
+
+/// "certain", "uncertain ?", "set aside".
+[[nodiscard]] QString trustText(ScanTrust trust);
+[[nodiscard]] Tone toneOf(ScanTrust trust);
+
+}  // namespace leitstand

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <QAbstractTableModel>
+
+#include "core/mapping/live/live_map.h"
+#include "widgets/models/live/robot_face.h"
+
+namespace leitstand {
+
+/// The key scans of a live map, newest first: how far each counts, and what speaks against it.
+class KeyScanModel final : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Name, Trust, Doubts, Overlap, Entered, ColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Letters of the robots whose scans these are.
+    void setRobots(const std::vector<RobotFace>& robots);
+    void setScans(LiveMapPtr scans);
+    [[nodiscard]] const LiveMap& scans() const { return *m_scans; }
+    /// The scan of @p row; null when there is none.
+    [[nodiscard]] const LiveKeyScan* scanAt(int row) const;
+    [[nodiscard]] int rowOf(std::uint64_t id) const;  ///< -1: there is none
+    /// The newest scan that waits for a decision; 0: none.
+    [[nodiscard]] std::uint64_t newestUncertain() const;
+    /// Likewise, but the next older one where @p id is one that waits; from the oldest on to the newest.
+    [[nodiscard]] std::uint64_t uncertainBefore(std::uint64_t id) const;
+    /// How many wait.
+    [[nodiscard]] int uncertain() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] QString text(const LiveKeyScan& scan, int column) const;
+
+    LiveMapPtr m_scans = std::make_shared<const LiveMap>();
+    std::map<std::string, QString> m_letters;  ///< by robot
+};
+
+/// All there is to say about @p scan, in lines.
+[[nodiscard]] QString keyScanDetails(const LiveKeyScan& scan);
+
+/// The scans in a line: "12 scans · 2 wait for a decision".
+[[nodiscard]] QString keyScanSummary(const KeyScanModel& model);
+
+}  // namespace leitstand

@@ -1,0 +1,55 @@
+#include "widgets/models/map/robot_marks.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace leitstand {
+namespace {
+
+/// A robot whose scan fits badly is taken to be so near to where it is drawn [m]; more the less is certain.
+constexpr double LeastDoubt = 0.3, MoreDoubt = 0.7;
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("leitstand::RobotMark", text);
+}
+
+}  // namespace
+
+std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescription& robot,
+                                     const RobotInMap& place, const LinkStatus& link, bool selected,
+                                     const std::optional<Pose>& goalInMap) {
+    if (!place.placed) return std::nullopt;
+    RobotMark mark;
+    mark.face = face;
+    mark.footprint = robot.footprint;
+    mark.height = robot.height;
+    mark.tracked = robot.drive == DriveType::Tracked;
+    mark.baseInMap = place.baseInMap;
+    mark.trail = place.trail;
+    mark.goalInMap = goalInMap;
+    mark.selected = selected;
+    mark.stale = link.state == LinkState::Lost;
+    if (!place.certain) {
+        mark.doubtRadius = LeastDoubt + MoreDoubt * (1.0 - std::clamp(place.certainty, 0.0, 1.0));
+        mark.note = translated("place uncertain");
+        mark.tone = Tone::Attention;
+    }
+    if (mark.stale) {
+        mark.note = translated("link lost: seen here last");
+        mark.tone = Tone::Attention;
+    }
+    return mark;
+}
+
+QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys) {
+    if (unplaced.empty()) return {};
+    QStringList titles;
+    for (const RobotFace& face : unplaced) titles += face.title;
+    const QString names = titles.join(QStringLiteral(", "));
+    if (placeKeys.isEmpty()) return translated("%1 is not in the map yet").arg(names);
+    return translated("%1 is not in the map yet · %2 places it").arg(names, placeKeys);
+}
+
+}  // namespace leitstand
