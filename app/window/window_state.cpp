@@ -101,6 +101,8 @@ WindowState loadWindowState() {
         state.geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
         state.layout = file.value(QStringLiteral("window/layout")).toByteArray();
     }
+    state.liveGeometry = file.value(QStringLiteral("live/geometry")).toByteArray();
+    state.liveLayout = file.value(QStringLiteral("live/layout")).toString();
     readView(file, state.view);
     readRegistration(file, state.registration);
     for (const QString& entry : file.value(QStringLiteral("recent")).toStringList()) {
@@ -118,6 +120,8 @@ void saveWindowState(const WindowState& state) {
     file.setValue(QStringLiteral("window/version"), LayoutVersion);
     file.setValue(QStringLiteral("window/geometry"), state.geometry);
     file.setValue(QStringLiteral("window/layout"), state.layout);
+    file.setValue(QStringLiteral("live/geometry"), state.liveGeometry);
+    file.setValue(QStringLiteral("live/layout"), state.liveLayout);
     write(file, state.view);
     write(file, state.registration);
     QStringList recent;

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QSize>
+#include <QString>
 #include <QStringList>
 
 #include "core/mapping/registration_settings.h"
@@ -19,7 +20,9 @@ using Sources = std::vector<std::filesystem::path>;
 struct WindowState {
     QByteArray geometry;  ///< QWidget::saveGeometry; empty: firstSize decides
     QSize firstSize{1280, 800};
-    QByteArray layout;  ///< QMainWindow::saveState
+    QByteArray layout;        ///< QMainWindow::saveState
+    QByteArray liveGeometry;  ///< of the live window
+    QString liveLayout;       ///< name of the live window's; empty: the first
     MapViewSettings view;
     RegistrationSettings registration;
     std::vector<Sources> recent;  ///< newest first

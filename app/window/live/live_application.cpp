@@ -70,6 +70,13 @@ int takePicture(LiveWindow& window, const Options& options) {
     return 0;
 }
 
+void remember(const LiveWindow& window, WindowState state) {
+    state.liveGeometry = window.saveGeometry();
+    state.liveLayout = QString::fromStdString(window.layouts().current().name);
+    state.view = window.view();
+    saveWindowState(state);
+}
+
 }  // namespace
 
 int runLive(const Options& options) {
@@ -98,8 +105,7 @@ int runLive(const Options& options) {
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
     LiveWindow window(**bridge, remembered.view);
-    const QString layout = QString::fromStdString(options.layout);
-    if (!layout.isEmpty() && !window.layouts().use(layout))
+    if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), 2;
     std::optional<DemoRobots> demo;
     if (options.demo) {
@@ -114,6 +120,10 @@ int runLive(const Options& options) {
     }
     if (picture) return takePicture(window, options);
     window.resize(remembered.firstSize);
+    if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
+    if (options.layout.empty() && !remembered.liveLayout.isEmpty())
+        window.layouts().use(remembered.liveLayout);
+    QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
     window.show();
     std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
     std::fflush(stdout);

@@ -24,7 +24,6 @@
 #include "widgets/theme.h"
 
 namespace leitstand {
-
 LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts, QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
     applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
@@ -55,7 +54,8 @@ void LiveWindow::build() {
     m_word->setObjectName(QStringLiteral("word"));
     m_word->setAccessibleName(tr("Newest message"));
     m_word->setProperty("muted", true);
-    m_word->setMinimumWidth(1);  // the last to get room
+    m_word->setContentsMargins(8, 0, 12, 0);
+    menuBar()->setCornerWidget(m_word);
 
     auto* top = new QWidget(this);
     top->setAttribute(Qt::WA_StyledBackground);
@@ -65,7 +65,7 @@ void LiveWindow::build() {
     bar->addWidget(m_robots->bar());
     bar->addWidget(m_layouts->bar());
     bar->addWidget(m_mission->bar());
-    bar->addWidget(m_word, 1);
+    bar->addStretch(1);
     bar->addWidget(m_robots->stop());
 
     auto* whole = new QWidget(this);
@@ -96,6 +96,10 @@ MapView& LiveWindow::mapView() const {
     return m_map->view();
 }
 
+const MapViewSettings& LiveWindow::view() const {
+    return m_map->settings();
+}
+
 const QString& LiveWindow::selected() const {
     return m_selection->name();
 }
@@ -109,12 +113,15 @@ void LiveWindow::setDriving(bool on) {
 }
 
 void LiveWindow::tell(const QString& text) {
-    m_word->setText(text);
+    // The menus need the other half.
+    m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, width() / 2));
     m_word->setToolTip(text);
+    menuBar()->setCornerWidget(m_word);  // lays it out anew
+    m_word->show();
 }
 
 QString LiveWindow::newest() const {
-    return m_word->text();
+    return m_word->toolTip();
 }
 
 QString LiveWindow::missing() const {
@@ -130,6 +137,7 @@ QString LiveWindow::missing() const {
 
 void LiveWindow::closeEvent(QCloseEvent* event) {
     setDriving(false);
+    emit closing();
     QMainWindow::closeEvent(event);
 }
 

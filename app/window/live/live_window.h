@@ -34,6 +34,7 @@ public:
     ~LiveWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
+    [[nodiscard]] const MapViewSettings& view() const;  ///< how the map is looked at now
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
@@ -44,6 +45,9 @@ public:
     /// What is not to be seen yet; empty: each robot is connected, a turn is registered, and each camera pane
     /// shows a picture.
     [[nodiscard]] QString missing() const;
+
+signals:
+    void closing();
 
 public slots:
     void setDriving(bool on);
