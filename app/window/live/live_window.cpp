@@ -54,7 +54,7 @@ void LiveWindow::build() {
     m_word->setObjectName(QStringLiteral("word"));
     m_word->setAccessibleName(tr("Newest message"));
     m_word->setProperty("muted", true);
-    m_word->setContentsMargins(8, 0, 12, 0);
+    m_word->setContentsMargins(8, 7, 12, 0);
     menuBar()->setCornerWidget(m_word);
 
     auto* top = new QWidget(this);
