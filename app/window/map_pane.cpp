@@ -18,6 +18,8 @@ namespace {
 constexpr int ToolGap = 8, ToolSpacing = 6, IconSize = 20;  ///< [px]
 
 void setTone(QLabel& label, Tone tone) {
+    const QVariant before = label.property("attention");
+    if (before.isValid() && before.toBool() == (tone == Tone::Attention)) return;  // dressing anew is dear
     label.setProperty("attention", tone == Tone::Attention);
     label.setProperty("muted", tone != Tone::Attention);
     label.style()->unpolish(&label);

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <utility>
 
 #include <QMouseEvent>
 
 #include "widgets/map_view/map_view_state.h"
+#include "widgets/models/map/robot_marks.h"
 
 namespace leitstand {
 
@@ -10,8 +12,10 @@ void MapView::setRobots(std::vector<RobotMark> robots) {
     for (const RobotMark& robot : robots) {
         if (robot.selected) m_state->scenery.aim(robot.baseInMap);
     }
+    const bool same =
+        std::equal(robots.begin(), robots.end(), m_state->robots.begin(), m_state->robots.end(), sameMark);
     m_state->robots = std::move(robots);
-    update();
+    if (!same) update();
 }
 
 void MapView::setArea(std::vector<Eigen::Vector2d> area) {

@@ -63,6 +63,18 @@ TEST(RobotMarks, ALostOneWasSeenThereLast) {
     EXPECT_THAT(mark->note.toStdString(), HasSubstr("last"));
 }
 
+TEST(RobotMarks, AreTheSameUntilSomethingIsDrawnOtherwise) {
+    const auto mark = *robotMarkOf(Kurt, tracked(), placed(true, 1.0), linked(LinkState::Connected), false);
+    RobotMark other = mark;
+    EXPECT_TRUE(sameMark(mark, other));
+    other.goalInMap = Pose::Identity();
+    EXPECT_FALSE(sameMark(mark, other));
+    EXPECT_TRUE(sameMark(other, other));
+    other = mark;
+    other.baseInMap.translation().x() += 0.001;
+    EXPECT_FALSE(sameMark(mark, other));
+}
+
 TEST(RobotMarks, WhoIsMissingIsSaid) {
     EXPECT_EQ(unplacedText({}, QStringLiteral("Shift+O")), "");
     EXPECT_THAT(unplacedText({Kurt}, QStringLiteral("Shift+O")).toStdString(), HasSubstr("Kurt3D"));

@@ -43,6 +43,15 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     return mark;
 }
 
+bool sameMark(const RobotMark& a, const RobotMark& b) {
+    const auto sameGoal = [](const std::optional<Pose>& x, const std::optional<Pose>& y) {
+        return x.has_value() == y.has_value() && (!x || x->matrix() == y->matrix());
+    };
+    return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
+           sameGoal(a.goalInMap, b.goalInMap) && a.doubtRadius == b.doubtRadius && a.note == b.note &&
+           a.tone == b.tone && a.selected == b.selected && a.stale == b.stale;
+}
+
 QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys) {
     if (unplaced.empty()) return {};
     QStringList titles;

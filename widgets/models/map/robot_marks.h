@@ -14,6 +14,9 @@ namespace leitstand {
                                                    const RobotInMap& place, const LinkStatus& link,
                                                    bool selected, const std::optional<Pose>& goalInMap = {});
 
+/// Whether both are drawn alike.
+[[nodiscard]] bool sameMark(const RobotMark& a, const RobotMark& b);
+
 /// What is to be said of robots that are not in the map yet; empty: all are. @p placeKeys: that place one.
 [[nodiscard]] QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys);
 

@@ -87,6 +87,15 @@ RobotMark RobotsOnMap::mark(const std::string& robot) const {
     return *robotMarkOf(m_context.selection.faceOfRobot(*known), *known, place, {}, false);
 }
 
+std::string RobotsOnMap::toPlace() const {
+    const std::string selected = m_context.selection.name().toStdString();
+    if (!placed(selected)) return selected;
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        if (!placed(robot.name)) return robot.name;
+    }
+    return selected;
+}
+
 void RobotsOnMap::setGoal(const std::string& robot, const std::optional<Pose>& goalInMap) {
     m_goals.erase(robot);
     if (goalInMap) m_goals.emplace(robot, *goalInMap);
