@@ -136,8 +136,13 @@ void paintDoubt(QPainter& painter, const MapProjection& projection, const RobotM
 
 void paintBadge(QPainter& painter, const MapProjection& projection, const RobotMark& robot, double lift,
                 const OverlayStyle& style) {
-    const auto top = seen(projection, robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
+    auto top = seen(projection, robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
     if (!top) return;
+    // Above all of it: from above the body's arrow shall be seen.
+    for (const Eigen::Vector2d& corner : robot.footprint) {
+        const auto at = seen(projection, robot.baseInMap * Eigen::Vector3d(corner.x(), corner.y(), 0.0));
+        if (at) top->setY(std::min(top->y(), at->y()));
+    }
     const QRectF badge(*top - QPointF(BadgeSize / 2, BadgeSize + lift), QSizeF(BadgeSize, BadgeSize));
     painter.setPen(robot.selected ? QPen(asColour(style.colours.text), 2.0) : QPen(Qt::NoPen));
     painter.setBrush(colourOf(robot, style));
