@@ -39,12 +39,4 @@ Result<void> PadMemory::keep(const std::string& guid, const std::string& name,
     return m_folder.empty() ? Result<void>() : writePad(bindings, name, fileOf(guid));
 }
 
-Result<void> PadMemory::forget(const std::string& guid) const {
-    if (m_folder.empty()) return {};
-    std::error_code error;
-    std::filesystem::remove(fileOf(guid), error);
-    if (error) return Error{fileOf(guid).string() + ": cannot be removed: " + error.message()};
-    return {};
-}
-
 }  // namespace leitstand

@@ -20,7 +20,6 @@ public:
     [[nodiscard]] PadBindings bindings(const std::string& guid, PadLayout layout, std::string& warning) const;
     /// Keeps @p bindings for the next time; @p name is what the pad calls itself. Errors name the file.
     Result<void> keep(const std::string& guid, const std::string& name, const PadBindings& bindings) const;
-    Result<void> forget(const std::string& guid) const;
 
 private:
     [[nodiscard]] std::filesystem::path fileOf(const std::string& guid) const;

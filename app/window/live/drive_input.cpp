@@ -50,24 +50,45 @@ void DriveInput::setRobot(const RobotDescription& robot) {
     }
 }
 
-void DriveInput::setFocus(bool focus) {
+void DriveInput::take(bool keys, bool pad) {
     m_keys.releaseAll();
-    m_withoutEyes = false;
-    if (focus == m_focus) return;
-    m_focus = focus;
-    if (focus) {
+    if (keys == m_focus && pad == m_pad) return;
+    const bool padEnds = m_pad && !pad;
+    m_focus = keys;
+    m_pad = pad;
+    if (!hasFocus()) m_withoutEyes = false;
+    if (m_focus && !m_pad) {
         m_rhythm.start();
     } else {
         m_rhythm.stop();
-        emit sticks({});
     }
-    emit focusChanged(focus);
+    if (padEnds || !hasFocus()) emit sticks({});
+    emit focusChanged(hasFocus());
+}
+
+void DriveInput::setFocus(bool focus) {
+    const bool padHad = m_pad;
+    take(focus, focus && m_pad);
+    if (padHad && !m_pad) emit padMustLetGo();
+}
+
+void DriveInput::setPad(const DriveVelocity& velocity, bool driving) {
+    if (driving != m_pad) take(m_focus, driving);
+    if (m_pad) emit sticks(velocity);
+}
+
+bool DriveInput::isTaken(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Space || event.key() == OverrideKey ||
+           (m_focus && m_bindings.contains(event.key()));
 }
 
 bool DriveInput::take(const QKeyEvent& event, bool held) {
+    if (!isTaken(event)) return false;
     if (event.key() == Qt::Key_Space) {
+        const bool padHad = m_pad;
         if (held && !event.isAutoRepeat()) {
-            m_keys.releaseAll();
+            take(m_focus, false);
+            if (padHad) emit padMustLetGo();
             emit halted();
         }
         return true;
@@ -76,14 +97,14 @@ bool DriveInput::take(const QKeyEvent& event, bool held) {
         if (!event.isAutoRepeat()) m_withoutEyes = held;
         return true;
     }
-    const auto bound = m_bindings.find(event.key());
-    if (bound == m_bindings.end()) return false;
-    if (!event.isAutoRepeat()) m_keys.set(bound->second, held);
+    if (event.isAutoRepeat() || m_pad) return true;
+    m_keys.set(m_bindings.at(event.key()), held);
+    emit sticks(m_keys.sticks(m_limits));
     return true;
 }
 
 bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
-    if (!m_focus) return false;
+    if (!hasFocus()) return false;
     switch (event->type()) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {
@@ -93,9 +114,7 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         }
         case QEvent::ShortcutOverride: {
             // Letters that drive are no shortcuts meanwhile.
-            const auto& key = static_cast<const QKeyEvent&>(*event);
-            if (key.key() != Qt::Key_Space && key.key() != OverrideKey && !m_bindings.contains(key.key()))
-                return false;
+            if (!isTaken(static_cast<const QKeyEvent&>(*event))) return false;
             event->accept();
             return true;
         }

@@ -15,9 +15,11 @@ class QWidget;
 
 namespace leitstand {
 
-/// Driving with keys, in an explicit drive focus: forward, back, left, right as the robot's file binds them
-/// (W S A D) or by the arrows; Shift is slow, Ctrl fast, Space lets everything go, G, while it is held,
-/// drives without eyes. The focus ends when the window loses the keyboard.
+/// Who has the sticks: the one place that decides between keys and gamepad. Keys drive in an explicit drive
+/// focus: forward, back, left, right as the robot's file binds them (W S A D) or by the arrows; Shift is
+/// slow, Ctrl fast. While the gamepad's trigger is held the pad drives, with or without that focus, and keys
+/// do nothing; then whatever is held has to be pressed anew. Space lets everything go, G, while it is held,
+/// drives without eyes. All ends when the window loses the keyboard.
 class DriveInput final : public QObject {
     Q_OBJECT
 public:
@@ -26,29 +28,37 @@ public:
 
     /// Whose keys and limits count; ends the focus.
     void setRobot(const RobotDescription& robot);
-    [[nodiscard]] bool hasFocus() const { return m_focus; }
-    void setFocus(bool focus);
+    [[nodiscard]] bool hasFocus() const { return m_focus || m_pad; }  ///< of keys or gamepad
+    [[nodiscard]] bool keysHaveFocus() const { return m_focus; }
+    void setFocus(bool focus);  ///< of the keys; without it the pad has to let go too
+    /// The gamepad's sticks; @p driving: its trigger is held and counts.
+    void setPad(const DriveVelocity& velocity, bool driving);
     /// The override of the speed cap is held.
     [[nodiscard]] bool withoutEyes() const { return m_withoutEyes; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
+    /// Of hasFocus(), or of keysHaveFocus() alone.
     void focusChanged(bool focus);
-    /// The sticks as they are; fifty times a second while there is focus.
+    /// The sticks as they are: with every change, and fifty times a second while keys have the focus.
     void sticks(const leitstand::DriveVelocity& velocity);
     void halted();  ///< Space
+    /// What the gamepad holds counts no more: its trigger and sticks have to be let go first.
+    void padMustLetGo();
 
 private:
     /// Whether the key is one of driving, and was taken.
     bool take(const QKeyEvent& event, bool held);
+    [[nodiscard]] bool isTaken(const QKeyEvent& event) const;
+    void take(bool keys, bool pad);  ///< who has the sticks from now on
 
     QWidget& m_window;
     std::map<int, DriveKey> m_bindings;  ///< by Qt::Key
     DriveLimits m_limits;
     DriveKeys m_keys;
     QTimer m_rhythm;
-    bool m_focus = false, m_withoutEyes = false;
+    bool m_focus = false, m_pad = false, m_withoutEyes = false;
 };
 
 }  // namespace leitstand

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <QApplication>
 #include <QDateTime>
@@ -104,7 +105,9 @@ int runLive(const Options& options) {
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
-    LiveWindow window(**bridge, remembered.view);
+    PadMemory pads(picture ? fs::path()
+                           : under(QStandardPaths::GenericConfigLocation, QStringLiteral("pads")));
+    LiveWindow window(**bridge, remembered.view, {}, std::move(pads));
     if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), 2;
     std::optional<DemoRobots> demo;

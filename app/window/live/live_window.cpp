@@ -17,6 +17,7 @@
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/mission/mission_feature.h"
+#include "app/window/live/pad/pad_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
@@ -24,7 +25,9 @@
 #include "widgets/theme.h"
 
 namespace leitstand {
-LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts, QWidget* parent)
+
+LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts, PadMemory pads,
+                       QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
     applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
     setWindowTitle(tr("Leitstand"));
@@ -40,6 +43,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_cameras = new CameraViews(context);
     m_map = new MapFeature(context, view);
     new ScanFeature(context);
+    m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();
@@ -88,6 +92,8 @@ void LiveWindow::connectFeatures() {
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
     connect(m_map, &MapFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
+    connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
+    connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();
 }

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 
 #include "app/session/layouts/layout_book.h"
+#include "app/session/pad/pad_memory.h"
 #include "widgets/map_view/map_view_settings.h"
 
 class QLabel;
@@ -20,6 +21,7 @@ class LiveBridge;
 class MapFeature;
 class MapView;
 class MissionFeature;
+class PadFeature;
 class PaneDocks;
 class RobotsFeature;
 class Selection;
@@ -30,7 +32,7 @@ class LiveWindow final : public QMainWindow {
     Q_OBJECT
 public:
     LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts = {},
-               QWidget* parent = nullptr);
+               PadMemory pads = PadMemory({}), QWidget* parent = nullptr);
     ~LiveWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
@@ -70,6 +72,7 @@ private:
     DriveFeature* m_drive = nullptr;
     CameraViews* m_cameras = nullptr;
     MapFeature* m_map = nullptr;
+    PadFeature* m_pads = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };
 

@@ -117,7 +117,7 @@ PadBindings defaultBindings(PadLayout layout) {
     return bindings;
 }
 
-bool bind(PadBindings& bindings, PadAction action, const PadControl& control) {
+bool bindPad(PadBindings& bindings, PadAction action, const PadControl& control) {
     const PadControl other = oppositeOf(control);
     const auto opposite = oppositeOf(action);
     const bool both = opposite && other.kind != PadControl::Kind::None;
@@ -131,7 +131,7 @@ bool bind(PadBindings& bindings, PadAction action, const PadControl& control) {
     return true;
 }
 
-bool bind(PadBindings& bindings, const std::string& id, const PadControl& control) {
+bool bindPad(PadBindings& bindings, const std::string& id, const PadControl& control) {
     if (isStop(bindings, control)) return false;
     free(bindings, control);
     std::erase_if(bindings.commands, [&](const PadCommand& one) { return one.id == id; });

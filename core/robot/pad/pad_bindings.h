@@ -91,9 +91,9 @@ struct PadBindings {
 
 /// Gives @p action to @p control, and to its other end the opposite action. Who had the control has none
 /// then. False, and nothing is changed: it is the control that stops all.
-[[nodiscard]] bool bind(PadBindings& bindings, PadAction action, const PadControl& control);
+[[nodiscard]] bool bindPad(PadBindings& bindings, PadAction action, const PadControl& control);
 /// The same for the command @p id; of none, it is taken off the pad.
-[[nodiscard]] bool bind(PadBindings& bindings, const std::string& id, const PadControl& control);
+[[nodiscard]] bool bindPad(PadBindings& bindings, const std::string& id, const PadControl& control);
 
 /// The control that does @p id; none when the pad does not.
 [[nodiscard]] PadControl controlOf(const PadBindings& bindings, const std::string& id);

@@ -134,5 +134,53 @@ TEST_F(DriveInputTest, AnotherRobotEndsTheFocus) {
     EXPECT_TRUE(isZero(m_sticks));
 }
 
+TEST_F(DriveInputTest, ThePadsTriggerTakesTheSticksWithoutTheDriveFocusAndGivesThemBack) {
+    QSignalSpy changed(&m_input, &DriveInput::focusChanged);
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    EXPECT_TRUE(m_input.hasFocus());
+    EXPECT_FALSE(m_input.keysHaveFocus());
+    EXPECT_DOUBLE_EQ(m_sticks.forward, 0.2);
+    hold(Qt::Key_W);
+    EXPECT_DOUBLE_EQ(m_sticks.forward, 0.2) << "keys do nothing";
+    m_input.setPad({}, false);
+    EXPECT_TRUE(isZero(m_sticks));
+    EXPECT_FALSE(m_input.hasFocus());
+    EXPECT_EQ(changed.count(), 2);
+}
+
+TEST_F(DriveInputTest, KeysAndPadNeverDriveTogether) {
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    ASSERT_GT(m_sticks.forward, 0.0);
+    m_input.setPad({}, true);
+    EXPECT_TRUE(isZero(m_sticks)) << "the pad has them, neutral";
+    QTest::qWait(60);  // the keys' rhythm
+    EXPECT_TRUE(isZero(m_sticks));
+    hold(Qt::Key_A);
+    EXPECT_TRUE(isZero(m_sticks));
+    m_input.setPad({}, false);
+    EXPECT_TRUE(m_input.keysHaveFocus());
+    EXPECT_TRUE(isZero(sticks())) << "keys that are still held have to be pressed anew";
+    let(Qt::Key_W);
+    hold(Qt::Key_W);
+    EXPECT_GT(sticks().forward, 0.0);
+}
+
+TEST_F(DriveInputTest, SpaceAndAnotherRobotMakeThePadLetGo) {
+    QSignalSpy mustLetGo(&m_input, &DriveInput::padMustLetGo);
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    hold(Qt::Key_Space);
+    EXPECT_TRUE(isZero(m_sticks));
+    EXPECT_FALSE(m_input.hasFocus());
+    EXPECT_EQ(mustLetGo.count(), 1);
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    m_input.setRobot(robot());
+    EXPECT_TRUE(isZero(m_sticks));
+    EXPECT_EQ(mustLetGo.count(), 2);
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    m_input.setPad({}, false);
+    EXPECT_EQ(mustLetGo.count(), 2) << "its own letting go is enough";
+}
+
 }  // namespace
 }  // namespace leitstand::test

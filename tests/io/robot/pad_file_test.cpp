@@ -13,11 +13,11 @@ using testing::HasSubstr;
 
 PadBindings unusual() {
     PadBindings bindings = defaultBindings(PadLayout::Plain);
-    EXPECT_TRUE(bind(bindings, PadAction::DeadMan, padButton(7)));
-    EXPECT_TRUE(bind(bindings, PadAction::Forward, padAxis(2, 1, -1.0)));
-    EXPECT_TRUE(bind(bindings, PadAction::TurnLeft, padAxis(0, -1)));
-    EXPECT_TRUE(bind(bindings, PadAction::Stop, padButton(127)));
-    EXPECT_TRUE(bind(bindings, "view.look-2", padAxis(5, -1, 0.25)));
+    EXPECT_TRUE(bindPad(bindings, PadAction::DeadMan, padButton(7)));
+    EXPECT_TRUE(bindPad(bindings, PadAction::Forward, padAxis(2, 1, -1.0)));
+    EXPECT_TRUE(bindPad(bindings, PadAction::TurnLeft, padAxis(0, -1)));
+    EXPECT_TRUE(bindPad(bindings, PadAction::Stop, padButton(127)));
+    EXPECT_TRUE(bindPad(bindings, "view.look-2", padAxis(5, -1, 0.25)));
     bindings.deadZone = 0.3;
     bindings.expo = 0.0;
     bindings.press = 0.9;

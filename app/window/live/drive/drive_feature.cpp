@@ -23,8 +23,10 @@ DriveFeature::DriveFeature(const LiveContext& context)
             [this, &station](const DriveVelocity& sticks) { station.push(sticks, m_input.withoutEyes()); });
     connect(&m_input, &DriveInput::halted, this, [&station] { station.halt(); });
     connect(&m_input, &DriveInput::focusChanged, this, [this, &station](bool focus) {
-        station.focus(focus ? m_context.selection.name().toStdString() : std::string());
-        m_drive->setChecked(focus);
+        const std::string robot = m_context.selection.name().toStdString();
+        if (focus) station.ask(robot);
+        station.focus(focus ? robot : std::string());
+        m_drive->setChecked(m_input.keysHaveFocus());
     });
     const auto setRobot = [this] {
         if (const RobotDescription* robot = m_context.selection.robot()) m_input.setRobot(*robot);

@@ -24,6 +24,7 @@ public:
     explicit DriveFeature(const LiveContext& context);
 
     [[nodiscard]] bool driving() const { return m_input.hasFocus(); }
+    [[nodiscard]] DriveInput& input() { return m_input; }
     /// Takes the drive focus, and asks for the grant; or lets both sticks and focus go.
     void setDriving(bool on);
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/robot/pad/pad_overlay.h"
+
 namespace leitstand {
 
 PadInput::PadInput(PadInputSettings settings, QObject* parent)
     : QObject(parent),
       m_settings(std::move(settings)),
-      m_memory(m_settings.memory),
       m_sdl(std::make_unique<SdlPads>(
           PadListener{.onCame = [this](const PadInfo& info) { came(info); },
                       .onState = [this](int id, const PadState& state) { says(id, state); },
@@ -22,8 +23,8 @@ PadInput::~PadInput() = default;
 
 void PadInput::came(const PadInfo& info) {
     std::string warning;
-    const PadBindings bindings = m_memory.bindings(info.guid, info.layout, warning);
-    useBindings(info.id, bindings);
+    const PadBindings bindings = m_settings.memory.bindings(info.guid, info.layout, warning);
+    watchStop(info.id, bindings);
     hop([this, info, bindings, words = QString::fromStdString(warning)] {
         if (!words.isEmpty()) emit told(words);
         add(info, bindings);
@@ -54,7 +55,7 @@ void PadInput::went(int id) {
     hop([this, id] { remove(id); });
 }
 
-void PadInput::useBindings(int id, const PadBindings& bindings) {
+void PadInput::watchStop(int id, const PadBindings& bindings) {
     const std::lock_guard lock(m_mutex);
     m_stops[id].setBindings(bindings);
 }
@@ -63,7 +64,7 @@ void PadInput::add(const PadInfo& info, const PadBindings& bindings) {
     m_pads.push_back({info, {}});
     if (m_chosen < 0) {
         m_chosen = info.id;
-        m_mapping.setBindings(bindings);
+        useOwn(bindings);
     }
     const QString name = QString::fromStdString(info.name);
     emit connected(name);
@@ -97,11 +98,13 @@ void PadInput::remove(int id) {
 void PadInput::choose(int id) {
     if (id == m_chosen) return;
     m_chosen = id;
+    PadBindings bindings;
     {
         const std::lock_guard lock(m_mutex);
         const auto found = m_stops.find(id);
-        m_mapping.setBindings(found == m_stops.end() ? PadBindings{} : found->second.bindings());
+        if (found != m_stops.end()) bindings = found->second.bindings();
     }
+    useOwn(bindings);
     update();
     emit padsChanged();
     emit moved();
@@ -149,20 +152,26 @@ PadState PadInput::state() const {
 void PadInput::setBindings(const PadBindings& bindings) {
     const PadInfo pad = chosen();
     if (pad.id < 0) return;
-    m_mapping.setBindings(bindings);
-    useBindings(pad.id, bindings);
-    if (const auto kept = m_memory.keep(pad.guid, pad.name, bindings); !kept)
+    useOwn(bindings);
+    watchStop(pad.id, bindings);
+    if (const auto kept = m_settings.memory.keep(pad.guid, pad.name, bindings); !kept)
         emit told(QString::fromStdString(kept.error().text));
     update();
     emit padsChanged();
 }
 
-void PadInput::resetBindings() {
-    const PadInfo pad = chosen();
-    if (pad.id < 0) return;
-    setBindings(defaultBindings(pad.layout));
-    if (const auto forgotten = m_memory.forget(pad.guid); !forgotten)
-        emit told(QString::fromStdString(forgotten.error().text));
+void PadInput::useOwn(const PadBindings& bindings) {
+    m_own = bindings;
+    PadOverlay overlay = withCommands(bindings, m_layout);
+    m_mapping.setBindings(std::move(overlay.bindings));
+}
+
+void PadInput::setLayoutCommands(std::map<std::string, std::string> byButton) {
+    if (byButton == m_layout) return;
+    m_layout = std::move(byButton);
+    useOwn(PadBindings(m_own));
+    update();
+    emit padsChanged();
 }
 
 void PadInput::setLimits(const DriveLimits& limits) {

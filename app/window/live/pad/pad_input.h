@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <QObject>
@@ -18,7 +18,7 @@ namespace leitstand {
 
 /// How gamepads are used.
 struct PadInputSettings {
-    std::filesystem::path memory = {};  ///< folder of what the operator bound; empty: nothing is kept
+    PadMemory memory{{}};  ///< of what the operator bound
     /// Called at once on the pads' thread when a pad's STOP is pressed, also while the window is busy.
     std::function<void()> onStop = {};
 };
@@ -36,11 +36,14 @@ public:
     /// The one that drives; its id is -1 when there is none.
     [[nodiscard]] PadInfo chosen() const;
     void choose(int id);
-    [[nodiscard]] PadBindings bindings() const;  ///< of the chosen one
-    [[nodiscard]] PadState state() const;        ///< of the chosen one
+    /// What the chosen one does: as the operator bound it, and the layout in use.
+    [[nodiscard]] PadBindings bindings() const;
+    [[nodiscard]] PadBindings ownBindings() const { return m_own; }  ///< without the layout
+    [[nodiscard]] PadState state() const;                            ///< of the chosen one
     /// What the chosen pad does from now on, and the next time.
     void setBindings(const PadBindings& bindings);
-    void resetBindings();
+    /// Commands that go before the operator's, by button (withCommands).
+    void setLayoutCommands(std::map<std::string, std::string> byButton);
 
     void setLimits(const DriveLimits& limits);
     /// Whether pads may drive, turn cameras and command now: the window has the focus, no stop stands.
@@ -79,19 +82,21 @@ private:
     void update();
     void tell(const PadWishes& wishes);
     [[nodiscard]] const Pad* chosenPad() const;
-    void useBindings(int id, const PadBindings& bindings);
+    void useOwn(const PadBindings& bindings);
+    void watchStop(int id, const PadBindings& bindings);
     template <class Call>
     void hop(Call call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
     }
 
     const PadInputSettings m_settings;
-    const PadMemory m_memory;
     mutable std::mutex m_mutex;
-    std::map<int, PadMapping> m_stops;  ///< under the mutex: who stops, and what pads do
+    std::map<int, PadMapping> m_stops;  ///< under the mutex: who stops; as the operator bound them
     std::vector<Pad> m_pads;
     int m_chosen = -1;
-    PadMapping m_mapping;  ///< of the chosen one
+    PadBindings m_own;                            ///< of the chosen one
+    std::map<std::string, std::string> m_layout;  ///< commands by button
+    PadMapping m_mapping;                         ///< of the chosen one
     PadWishes m_last;
     bool m_allowed = false;
     std::unique_ptr<SdlPads> m_sdl;  ///< last: its thread ends first

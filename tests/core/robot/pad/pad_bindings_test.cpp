@@ -11,23 +11,23 @@ using Kind = PadControl::Kind;
 
 TEST(PadBindings, BothEndsOfAStickAreBoundTogether) {
     PadBindings bindings = defaultBindings(PadLayout::Plain);
-    ASSERT_TRUE(bind(bindings, PadAction::Forward, padAxis(1, -1)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Forward, padAxis(1, -1)));
     EXPECT_EQ(bindings.at(PadAction::Back), padAxis(1, 1));
-    ASSERT_TRUE(bind(bindings, PadAction::Back, padButton(4)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Back, padButton(4)));
     EXPECT_EQ(bindings.at(PadAction::Forward), padAxis(1, -1)) << "a button has no other end";
-    ASSERT_TRUE(bind(bindings, PadAction::Back, padAxis(5, 1, -1.0)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Back, padAxis(5, 1, -1.0)));
     EXPECT_EQ(bindings.at(PadAction::Forward), padAxis(1, -1)) << "a trigger neither";
 }
 
 TEST(PadBindings, AControlDoesOneThing) {
     PadBindings bindings = defaultBindings(PadLayout::Standard);
-    ASSERT_TRUE(bind(bindings, PadAction::Slow, padButton(standard_button::Y)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Slow, padButton(standard_button::Y)));
     EXPECT_EQ(controlOf(bindings, "robot.next").kind, Kind::None);
-    ASSERT_TRUE(bind(bindings, "robot.next", padButton(standard_button::Y)));
+    ASSERT_TRUE(bindPad(bindings, "robot.next", padButton(standard_button::Y)));
     EXPECT_EQ(bindings.at(PadAction::Slow).kind, Kind::None);
-    ASSERT_TRUE(bind(bindings, "robot.next", padButton(standard_button::X)));
+    ASSERT_TRUE(bindPad(bindings, "robot.next", padButton(standard_button::X)));
     EXPECT_EQ(controlOf(bindings, "robot.next"), padButton(standard_button::X)) << "moved, not doubled";
-    ASSERT_TRUE(bind(bindings, PadAction::PanLeft, padAxis(standard_axis::LeftY, 1)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::PanLeft, padAxis(standard_axis::LeftY, 1)));
     EXPECT_EQ(bindings.at(PadAction::Forward).kind, Kind::None);
     EXPECT_EQ(bindings.at(PadAction::Back).kind, Kind::None);
     EXPECT_EQ(bindings.at(PadAction::PanRight), padAxis(standard_axis::LeftY, -1));
@@ -36,12 +36,12 @@ TEST(PadBindings, AControlDoesOneThing) {
 TEST(PadBindings, NobodyTakesTheControlThatStops) {
     PadBindings bindings = defaultBindings(PadLayout::Standard);
     const PadBindings before = bindings;
-    EXPECT_FALSE(bind(bindings, PadAction::Turbo, padButton(standard_button::B)));
-    EXPECT_FALSE(bind(bindings, "robot.next", padButton(standard_button::B)));
+    EXPECT_FALSE(bindPad(bindings, PadAction::Turbo, padButton(standard_button::B)));
+    EXPECT_FALSE(bindPad(bindings, "robot.next", padButton(standard_button::B)));
     EXPECT_EQ(bindings, before);
-    ASSERT_TRUE(bind(bindings, PadAction::Stop, padAxis(7, 1)));
-    EXPECT_FALSE(bind(bindings, PadAction::Forward, padAxis(7, -1))) << "its other end would go back";
-    EXPECT_TRUE(bind(bindings, PadAction::Stop, padButton(standard_button::A)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Stop, padAxis(7, 1)));
+    EXPECT_FALSE(bindPad(bindings, PadAction::Forward, padAxis(7, -1))) << "its other end would go back";
+    EXPECT_TRUE(bindPad(bindings, PadAction::Stop, padButton(standard_button::A)));
 }
 
 TEST(PadBindings, EveryActionHasANameOfItsOwnAndOppositesAreMutual) {

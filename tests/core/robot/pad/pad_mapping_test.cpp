@@ -243,8 +243,8 @@ TEST_F(PadMappingTest, AnUnknownJoystickMovesNothingUntilItIsBound) {
     EXPECT_EQ(now(), PadWishes{});
     // A joystick with one trigger button and a throttle that rests at its lower end.
     PadBindings bindings = defaultBindings(PadLayout::Plain);
-    ASSERT_TRUE(bind(bindings, PadAction::DeadMan, padButton(0)));
-    ASSERT_TRUE(bind(bindings, PadAction::Forward, padAxis(3, 1, -1.0)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::DeadMan, padButton(0)));
+    ASSERT_TRUE(bindPad(bindings, PadAction::Forward, padAxis(3, 1, -1.0)));
     m_mapping.setBindings(bindings);
     m_pad.buttons.assign(2, false);
     m_pad.axes = {0.0, 0.0, 0.0, -1.0};

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "app/session/pad/pad_memory.h"
+#include "app/window/live/live_context.h"
+#include "app/window/live/pad/pad_input.h"
+#include "widgets/models/pad/pad_texts.h"
+
+class QAction;
+
+namespace leitstand {
+
+class DriveInput;
+class PadLegend;
+class PadMappingDialog;
+struct LiveMoment;
+
+/// Gamepads in the live window: they drive through @p drive, turn cameras, command and stop; their legend and
+/// the dialog in which controls are bound.
+class PadFeature final : public QObject {
+    Q_OBJECT
+public:
+    PadFeature(const LiveContext& context, DriveInput& drive, PadMemory memory);
+    ~PadFeature() override;
+
+    [[nodiscard]] PadInput& input() { return m_input; }
+    /// Commands of the layout in use, by button of the pad.
+    void useLayout(const std::map<std::string, std::string>& byButton);
+
+signals:
+    void told(const QString& text);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void addCommands();
+    void connectDrive(DriveInput& drive);
+    void connectTexts();
+    void useRobot();
+    void allow();
+    void selectNext();
+    void showLegend(bool on);
+    void openDialog();
+    void fillDialog();
+    void refresh();  ///< what of legend and dialog is to be seen
+    [[nodiscard]] std::vector<PadCommandFace> faces() const;
+
+    LiveContext m_context;
+    PadInput m_input;
+    PadLegend* m_legend;
+    PadMappingDialog* m_dialog = nullptr;  ///< made when it is first wanted
+    QAction* m_legendAction = nullptr;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,104 @@
+#include <atomic>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <thread>
+
+#include <QLabel>
+
+#include <gmock/gmock.h>
+
+#include "tests/app/latency/command_wire.h"
+#include "tests/app/latency/gui_watch.h"
+#include "tests/app/live/live_page.h"
+#include "tests/app/pad/virtual_pad.h"
+
+namespace leitstand::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int Presses = 150;
+constexpr double MostToWire = 60.0, MostAway = 50.0;  ///< [ms]
+
+void print(const char* what, const GuiWatch::Figures& figures) {
+    std::cout << what << ": " << figures.count << " times, p50 " << figures.p50 << " ms, p99 " << figures.p99
+              << " ms, most " << figures.most << " ms\n";
+}
+
+/// The live window while the demo runs, and what it says on the wire.
+class InputLatency : public LivePage {
+protected:
+    /// Until everything is to be seen and the selected robot may be driven.
+    void whenDriving(const std::function<void()>& take) {
+        ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+        take();
+        ASSERT_TRUE(soon([&] {
+            return robot().grant.mine && robot().drive.listening && robot().drive.focus &&
+                   !robot().drive.needsNeutral && m_wire.hears();
+        }));
+    }
+    /// Turns to and fro by @p turn, on another thread than the window's; how long each took until the command
+    /// was heard [ms].
+    [[nodiscard]] std::vector<double> press(const std::function<void(bool on)>& turn) {
+        std::vector<double> took;
+        std::atomic<bool> done = false, lost = false;
+        std::jthread hand([&] {
+            std::mt19937 random(3);
+            for (int i = 0; i < Presses && !lost; ++i) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(30 + random() % 40));
+                const bool on = i % 2 == 0;
+                const auto since = Clock::now();
+                turn(on);
+                const auto heard = m_wire.waitFor(on);
+                lost = !heard;
+                if (heard) took.push_back(std::chrono::duration<double, std::milli>(*heard - since).count());
+            }
+            done = true;
+        });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return done.load(); }, 5 * Patience));
+        EXPECT_FALSE(lost) << "a command never came";
+        return took;
+    }
+
+    CommandWire m_wire{m_domain};
+};
+
+TEST_F(InputLatency, FromAKeyToTheWire) {
+    whenDriving([&] { LivePage::press(Qt::Key_F2); });
+    const auto took = press([&](bool on) {
+        QMetaObject::invokeMethod(
+            m_window.get(),
+            [this, on] {
+                on ? QTest::keyPress(m_window.get(), Qt::Key_A)
+                   : QTest::keyRelease(m_window.get(), Qt::Key_A);
+            },
+            Qt::QueuedConnection);
+    });
+    print("key to wire", GuiWatch::figures(took));
+    EXPECT_LE(GuiWatch::figures(took).p99, MostToWire);
+}
+
+TEST_F(InputLatency, FromAPadToTheWire) {
+    VirtualPad pad;
+    ASSERT_TRUE(soon([&] { return m_window->findChild<QLabel*>("word")->text().contains("plugged in"); }));
+    whenDriving([&] { pad.push(standard_axis::LeftTrigger, 1.0); });
+    const auto took = press([&](bool on) { pad.push(standard_axis::LeftX, on ? -1.0 : 0.0); });
+    print("pad to wire", GuiWatch::figures(took));
+    EXPECT_LE(GuiWatch::figures(took).p99, MostToWire);
+}
+
+TEST_F(InputLatency, TheWindowIsNeverAwayForLong) {
+    whenDriving([&] { LivePage::press(Qt::Key_F2); });
+    GuiWatch watch;
+    QTest::keyPress(m_window.get(), Qt::Key_A);
+    QTest::qWait(15'000);
+    QTest::keyRelease(m_window.get(), Qt::Key_A);
+    print("window away from its events", watch.wall());
+    print("... by its own doing", watch.own());
+    EXPECT_GT(watch.own().count, 100U);
+    EXPECT_LE(watch.own().most, MostAway);
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,129 @@
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <QAction>
+#include <QLabel>
+
+#include <gmock/gmock.h>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/pad/pad_input.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
+#include "tests/app/pad/virtual_pad.h"
+#include "widgets/pad/pad_legend.h"
+#include "widgets/pad/pad_mapping_dialog.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace axis = standard_axis;
+namespace button = standard_button;
+using Clock = std::chrono::steady_clock;
+
+/// The live window with a gamepad, on both simulated robots.
+class PadDriveTest : public LivePage {
+protected:
+    PadDriveTest() { plugIn(); }
+    void plugIn() {
+        m_pad.emplace();
+        EXPECT_TRUE(soon([this] { return word().contains("Test pad is plugged in"); }))
+            << word().toStdString();
+    }
+    [[nodiscard]] QString word() const { return m_window->findChild<QLabel*>("word")->text(); }
+    /// As the operator does it: the trigger, and the stick once the robot may move.
+    void drive() {
+        ASSERT_TRUE(soon([&] { return robot().link.state == LinkState::Connected; }));
+        m_pad->push(axis::LeftTrigger, 1.0);
+        ASSERT_TRUE(soon([&] {
+            const DriveView drive = robot().drive;
+            return drive.driving && drive.listening && !drive.needsNeutral;
+        }));
+        m_pad->push(axis::LeftY, -1.0);
+        ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    }
+    void letGo() {
+        m_pad->push(axis::LeftY, 0.0);
+        m_pad->push(axis::LeftTrigger, 0.0);
+        const auto* input = m_window->findChild<PadInput*>();
+        ASSERT_TRUE(soon([&] {
+            const PadState state = input->state();
+            return state.axis(axis::LeftTrigger) < 0.01 && std::abs(state.axis(axis::LeftY)) < 0.01;
+        }));
+    }
+    /// How long until the robot is commanded to stand [ms].
+    [[nodiscard]] double untilZero(Clock::time_point since) {
+        EXPECT_TRUE(soon([&] { return isZero(robot().drive.velocity); }));
+        return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+    }
+
+    std::optional<VirtualPad> m_pad;
+};
+
+TEST_F(PadDriveTest, DrivesWhileItsTriggerIsHeldAndUnpluggingStopsTheRobot) {
+    drive();
+    EXPECT_TRUE(m_window->driving());
+    auto since = Clock::now();
+    m_pad->push(axis::LeftTrigger, 0.0);
+    EXPECT_LT(untilZero(since), 500.0);
+    ASSERT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
+    EXPECT_FALSE(m_window->driving());
+    letGo();
+    drive();
+    since = Clock::now();
+    m_pad.reset();
+    const double zero = untilZero(since);
+    ASSERT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
+    const double stands = std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+    std::cout << "unplugged: told to stand after " << zero << " ms, stands after " << stands << " ms\n";
+    EXPECT_LT(zero, 500.0);
+    EXPECT_TRUE(soon([&] { return word().contains("unplugged"); }));
+}
+
+TEST_F(PadDriveTest, ItsStopStopsAllRobotsAlsoWithoutTheFocusAndAfterwardsEverythingIsLetGoFirst) {
+    drive();
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    ASSERT_TRUE(soon([&] { return !m_window->isActiveWindow(); }));
+    EXPECT_TRUE(soon([&] { return isZero(robot().drive.velocity); })) << "another window has the focus";
+    m_pad->press(button::B);
+    ASSERT_TRUE(soon([&] { return robot().stop.acknowledged && robot().stop.standing; }));
+    EXPECT_TRUE(soon([&] { return robot("crawler").stop.acknowledged; }));
+    m_pad->press(button::B, false);
+    other.hide();
+    m_window->activateWindow();
+    ASSERT_TRUE(soon([&] { return m_window->isActiveWindow(); }));
+    ASSERT_TRUE(station().release("kurt3d").ok());
+    ASSERT_TRUE(soon([&] { return !robot().stop.stopped && !robot().stop.sent; }));
+    // Trigger and stick are held as they were.
+    EXPECT_FALSE(QTest::qWaitFor([&] { return speed() > 0.02 || m_window->driving(); }, 500));
+    letGo();
+    drive();
+}
+
+TEST_F(PadDriveTest, TheNextRobotIsSelectedStandingAndTheLegendIsShown) {
+    drive();
+    m_pad->press(button::Y);
+    ASSERT_TRUE(soon([&] { return m_window->selected() == "crawler"; }));
+    m_pad->press(button::Y, false);
+    EXPECT_TRUE(soon([&] { return isZero(robot().drive.velocity); }));
+    EXPECT_FALSE(m_window->driving()) << "the trigger is held since before";
+    auto* legend = m_window->findChild<PadLegend*>();
+    ASSERT_FALSE(legend->isVisible());
+    m_pad->press(button::Back);
+    ASSERT_TRUE(soon([&] { return legend->isVisible(); }));
+    lookAt("pad_legend");
+    press(Qt::Key_H);
+    EXPECT_TRUE(soon([&] { return !legend->isVisible(); }));
+    m_window->commands().trigger("pad.controls");
+    auto* dialog = m_window->findChild<PadMappingDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->isVisible());
+    EXPECT_FALSE(dialog->isModal());
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "widgets/models/pad/pad_texts.h"
+
+namespace leitstand {
+
+/// One thing on a gamepad in the operator's hand: a stick with all its ends, a trigger, a button.
+struct PadSpot {
+    bool isButton = true;
+    int index = 0;  ///< of the button, or of the stick's first axis
+    friend bool operator==(const PadSpot&, const PadSpot&) = default;
+};
+
+/// What a spot of a pad does.
+struct PadCallout {
+    PadSpot spot;
+    QString control;    ///< "LT", "Left stick"
+    QString does;       ///< "Drive, turn"; empty: nothing
+    bool stop = false;  ///< it stops all robots
+    bool held = false;  ///< right now
+};
+
+/// Of a known pad: what stands left and right of its drawing, each from the top.
+struct PadCallouts {
+    std::vector<PadCallout> left, right;
+};
+[[nodiscard]] PadCallouts padCallouts(const PadBindings& bindings,
+                                      const std::vector<PadCommandFace>& commands, const PadState& state);
+
+/// Of any joystick: every control that does something.
+[[nodiscard]] std::vector<PadCallout> padList(const PadBindings& bindings,
+                                              const std::vector<PadCommandFace>& commands,
+                                              const PadState& state);
+
+}  // namespace leitstand

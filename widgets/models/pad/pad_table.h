@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QAbstractTableModel>
+
+#include "core/robot/pad/pad_capture.h"
+#include "widgets/models/pad/pad_texts.h"
+
+namespace leitstand {
+
+/// What a gamepad can do, a row each, first driving and STOP, then commands; and which control does it. The
+/// bindings are changed by pushing a control: capture(), then states of the pad.
+class PadTable final : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Action, Control, ColumnCount };
+    /// How far the row's control is pushed, 0 to 1.
+    static constexpr int AmountRole = Qt::UserRole + 2;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setCommands(std::vector<PadCommandFace> commands);
+    /// The bindings as they are used now; what was changed here is forgotten.
+    void setBindings(const PadBindings& bindings);
+    [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
+    [[nodiscard]] const PadState& state() const { return m_state; }
+    /// Changed here, and not used yet.
+    [[nodiscard]] bool isChanged() const { return m_bindings != m_used; }
+    /// Why the bindings cannot be used; empty when they can.
+    [[nodiscard]] QString fault() const;
+
+    void setState(const PadState& state);
+    void setShape(double deadZone, double expo, double press);
+    void reset();           ///< to what pads of this layout usually do
+    void capture(int row);  ///< the next control that is pushed is the row's; -1: no more
+    [[nodiscard]] int captured() const { return m_row; }
+    void clear(int row);
+    [[nodiscard]] bool canClear(int row) const;
+    [[nodiscard]] PadControl control(int row) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+signals:
+    void changed();                    ///< bindings, or whether a control is waited for
+    void refused(const QString& why);  ///< the control that was pushed cannot be the row's
+
+private:
+    [[nodiscard]] std::optional<PadAction> actionAt(int row) const;
+    [[nodiscard]] bool bindRow(int row, const PadControl& control);
+    void retell();
+
+    PadBindings m_bindings, m_used;
+    std::vector<PadCommandFace> m_commands;
+    PadState m_state;
+    std::optional<PadCapture> m_capture;
+    int m_row = -1;
+};
+
+}  // namespace leitstand

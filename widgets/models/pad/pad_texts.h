@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "core/robot/pad/pad_bindings.h"
+
+namespace leitstand {
+
+/// A command of the window that a pad may do.
+struct PadCommandFace {
+    std::string id;  ///< "camera.recentre"
+    QString text;    ///< "Re-centre cameras"
+    QString hint;
+};
+
+[[nodiscard]] QString padActionName(PadAction action);  ///< "Turn left"
+[[nodiscard]] QString padActionHint(PadAction action);
+/// "Left stick up", "LT"; of an unknown joystick "Axis 3 +", "Button 7", counted from 1. A dash for none.
+[[nodiscard]] QString padControlName(const PadControl& control, PadLayout layout);
+/// What the operator is to do now so that the pad drives: "Hold LT, then push the stick."
+[[nodiscard]] QString padDriveHint(const PadBindings& bindings);
+
+}  // namespace leitstand
