@@ -51,7 +51,11 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_layouts->use(QStringLiteral("drive"));
 }
 
-LiveWindow::~LiveWindow() = default;
+LiveWindow::~LiveWindow() {
+    setDriving(false);
+    // What its parts still say while they go has nobody to hear it.
+    for (QObject* part : children()) part->disconnect(this);
+}
 
 void LiveWindow::build() {
     m_word = new QLabel(this);

@@ -104,6 +104,12 @@ TEST_F(PadDriveTest, ItsStopStopsAllRobotsAlsoWithoutTheFocusAndAfterwardsEveryt
     drive();
 }
 
+TEST_F(PadDriveTest, AWindowThatGoesWhileThePadDrivesStopsTheRobot) {
+    drive();
+    m_window.reset();
+    EXPECT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
+}
+
 TEST_F(PadDriveTest, TheNextRobotIsSelectedStandingAndTheLegendIsShown) {
     drive();
     m_pad->press(button::Y);

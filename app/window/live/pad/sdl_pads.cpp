@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds Look(10), LookForNew(100);
+constexpr std::chrono::milliseconds Look(5), LookForNew(100);
 constexpr std::chrono::milliseconds Repeat(50);  ///< of a state that does not change
 
 }  // namespace

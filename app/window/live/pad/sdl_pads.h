@@ -17,7 +17,7 @@ struct PadListener {
     std::function<void(const std::string&)> onTrouble = {};  ///< for the operator, in English
 };
 
-/// All gamepads that are plugged in, by SDL (no windows, no video), watched a hundred times a second on a
+/// All gamepads that are plugged in, by SDL (no windows, no video), watched two hundred times a second on a
 /// thread of its own, whatever window has the focus. Ten looks a second for new ones while there are none. A
 /// button that was down and up between two looks is told as held nevertheless.
 class SdlPads {
