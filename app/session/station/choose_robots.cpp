@@ -1,5 +1,8 @@
 #include "app/session/station/choose_robots.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "core/io/robot/robot_file.h"
@@ -17,6 +20,23 @@ Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string
         robots.push_back(std::move(robot).value());
     }
     return robots;
+}
+
+Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<RobotDescription>& team) {
+    const std::filesystem::path file = robotFolders().front() / (robot.name + ".yaml");
+    std::error_code problem;
+    if (std::filesystem::exists(file, problem)) return file.string();
+    const auto isTaken = [&](const std::string& letter) {
+        return std::any_of(team.begin(), team.end(),
+                           [&](const RobotDescription& one) { return one.letter == letter; });
+    };
+    for (char letter = 'A'; letter <= 'Z' && isTaken(robot.letter); ++letter) robot.letter = letter;
+    std::filesystem::create_directories(file.parent_path(), problem);
+    std::ofstream out(file);
+    out << writeRobot(robot);
+    out.flush();
+    if (!out) return Error{file.string() + ": cannot be written"};
+    return file.string();
 }
 
 }  // namespace leitstand
