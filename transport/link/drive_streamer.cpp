@@ -194,4 +194,8 @@ DriveStatus DriveStreamer::status() const {
     return m_state->status;
 }
 
+int DriveStreamer::listeners() const {
+    return m_state->publisher->matched();
+}
+
 }  // namespace leitstand

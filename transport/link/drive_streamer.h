@@ -76,6 +76,7 @@ public:
     void setFocus(bool focus);  ///< off at first; off stops the robot at once
     void refresh();             ///< the conditions have changed: look at once
     [[nodiscard]] DriveStatus status() const;
+    [[nodiscard]] int listeners() const;  ///< readers of the commands now, also while none is sent
 
 private:
     struct State;

@@ -143,8 +143,16 @@ QWidget* PreflightPage::robots() {
     line->addWidget(m_stranger);
     line->addWidget(m_add);
     line->addWidget(file);
-    line->addStretch(1);
+    m_complaint = new QLabel(row);
+    m_complaint->setObjectName(QStringLiteral("complaint"));
+    m_complaint->setProperty("attention", true);
+    m_complaint->setWordWrap(true);
+    line->addWidget(m_complaint, 1);
     return row;
+}
+
+void PreflightPage::complain(const QString& text) {
+    m_complaint->setText(text);
 }
 
 void PreflightPage::show(std::vector<PreflightCheck> checks, const std::vector<RobotFace>& faces,

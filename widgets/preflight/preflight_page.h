@@ -31,6 +31,7 @@ public:
     using QWidget::show;
     /// How the brake test of the chosen robot stands; @p refused: it may only be driven nevertheless.
     void showBrake(const QString& text, bool refused, bool overridden);
+    void complain(const QString& text);        ///< why a robot cannot be added
     [[nodiscard]] QString brakeRobot() const;  ///< chosen; its name
     [[nodiscard]] const PreflightList& list() const { return m_list; }
 
@@ -55,7 +56,7 @@ private:
 
     PreflightList m_list;
     QTableView* m_table;
-    QLabel *m_verdict, *m_brakeText;
+    QLabel *m_verdict, *m_brakeText, *m_complaint;
     QComboBox *m_robot, *m_stranger;
     QPushButton *m_test, *m_add;
     QCheckBox* m_override;

@@ -7,6 +7,7 @@
 
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
+#include "core/robot/team.h"
 
 namespace leitstand {
 
@@ -20,6 +21,13 @@ Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string
         robots.push_back(std::move(robot).value());
     }
     return robots;
+}
+
+Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team) {
+    auto robots = chooseRobots({file});
+    if (!robots) return robots.error();
+    team.push_back(std::move(robots->front()));
+    return checkTeam(team);
 }
 
 Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<RobotDescription>& team) {

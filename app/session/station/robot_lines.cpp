@@ -1,5 +1,7 @@
 #include "app/session/station/robot_lines.h"
 
+#include "app/session/log/sequencer.h"
+
 namespace leitstand {
 namespace {
 
@@ -36,7 +38,18 @@ DriveView driveViewOf(const RobotLine& line) {
             .driving = status.driving,
             .needsNeutral = status.needsNeutral,
             .listening = status.listeners > 0,
+            .reachable = drive->listeners() > 0,
             .sight = status.sight};
+}
+
+PanTiltCommand panTiltCommand(const std::map<std::string, double>& joints) {
+    PanTiltCommand command;
+    command.header.stamp = stationTime();
+    for (const auto& [name, angle] : joints) {
+        command.names.push_back(name);
+        command.positions.push_back(angle);
+    }
+    return command;
 }
 
 StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants, const StopSender& stops) {

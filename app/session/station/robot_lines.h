@@ -21,6 +21,9 @@ void giveSticks(const RobotLines& lines, const std::string& robot);
 /// How the operator's hold on the robot of @p line is.
 [[nodiscard]] DriveView driveViewOf(const RobotLine& line);
 
+/// Asks the @p joints of cameras for angles [rad].
+[[nodiscard]] PanTiltCommand panTiltCommand(const std::map<std::string, double>& joints);
+
 /// What brake tests do with robots and learn of them, but for focus, refresh and done. All outlive it.
 [[nodiscard]] StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants,
                                               const StopSender& stops);

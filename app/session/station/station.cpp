@@ -374,13 +374,7 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
 }
 
 Result<void> Station::turnCameras(const std::string& robot, const std::map<std::string, double>& joints) {
-    PanTiltCommand command;
-    command.header.stamp = stationTime();
-    for (const auto& [name, angle] : joints) {
-        command.names.push_back(name);
-        command.positions.push_back(angle);
-    }
-    return m_state->wish(robot, StreamRole::PanTiltCommand, command);
+    return m_state->wish(robot, StreamRole::PanTiltCommand, panTiltCommand(joints));
 }
 
 std::vector<std::string> Station::limits() const {

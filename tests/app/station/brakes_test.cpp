@@ -120,7 +120,7 @@ TEST_F(StationBrakesTest, TheSimulatedRobotPassesAndIsRemembered) {
     ASSERT_TRUE(waitUntil(
         [&] {
             const auto around = station->around("kurt3d");
-            return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("kurt3d").drive.listening;
+            return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("kurt3d").drive.reachable;
         },
         60s))
         << words();
@@ -149,7 +149,7 @@ TEST_F(StationBrakesTest, ARobotWithoutAWatchdogFailsIsStoppedAndRefusedUntilOve
     const auto speed = [&] { return robot.speed(); };
     ASSERT_TRUE(waitUntil([&] {
         const auto around = station->around("rover");
-        return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("rover").drive.listening;
+        return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("rover").drive.reachable;
     })) << words();
     ASSERT_TRUE(test(*station, "rover"));
     ASSERT_EQ(station->brakes().result("rover").verdict, Verdict::Failed) << words();
@@ -169,7 +169,7 @@ TEST_F(StationBrakesTest, LettingTheKeyGoEndsTheTest) {
     const auto node = nodeIn(m_domain);
     CarelessRobot robot(*node, careless());
     const auto station = stationFor({careless()});
-    ASSERT_TRUE(waitUntil([&] { return station->robot("rover").drive.listening; }));
+    ASSERT_TRUE(waitUntil([&] { return station->robot("rover").drive.reachable; }));
     station->brakes().begin("rover");
     station->brakes().end("rover");
     EXPECT_TRUE(waitUntil([&] { return !station->brakes().isRunning("rover"); }));

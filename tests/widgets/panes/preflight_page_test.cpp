@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -75,6 +76,8 @@ TEST_P(PreflightPages, ShowsChecksAndHoldsTheBrakeTest) {
     QTest::mouseClick(page.findChild<QPushButton*>("add"), Qt::LeftButton);
     ASSERT_EQ(add.count(), 1);
     EXPECT_EQ(add[0][0].toString(), "rover");
+    page.complain("rover.yaml:3: expected a letter");
+    EXPECT_EQ(page.findChild<QLabel*>("complaint")->text(), "rover.yaml:3: expected a letter");
     page.show(checks(), Faces, {});
     EXPECT_FALSE(page.findChild<QPushButton*>("add")->isEnabled());
 }

@@ -129,16 +129,22 @@ void PreflightFeature::add(const QString& stranger) {
     for (const RobotGuess& guess : m_desk.strangers()) {
         if (QString::fromStdString(guess.robot.name) != stranger) continue;
         const auto file = writeFirstFile(guess.robot, m_context.bridge.station().robots());
-        if (!file) return emit told(QString::fromStdString(file.error().text));
-        return emit robotWanted(QString::fromStdString(*file));
+        if (!file) return m_page->complain(QString::fromStdString(file.error().text));
+        return join(QString::fromStdString(*file));
     }
-    emit told(tr("%1 is not heard any more").arg(stranger));
+    m_page->complain(tr("%1 is not heard any more").arg(stranger));
 }
 
 void PreflightFeature::addFile() {
     const QString file =
         QFileDialog::getOpenFileName(m_dialog, tr("Robot file"), {}, tr("Robot files (*.yaml *.yml)"));
-    if (!file.isEmpty()) emit robotWanted(file);
+    if (!file.isEmpty()) join(file);
+}
+
+void PreflightFeature::join(const QString& file) {
+    const auto joins = checkJoins(file.toStdString(), m_context.bridge.station().robots());
+    if (!joins) return m_page->complain(QString::fromStdString(joins.error().text));
+    emit robotWanted(file);
 }
 
 }  // namespace leitstand

@@ -28,7 +28,6 @@ public:
     void setGamepad(const QString& name);  ///< empty: there is none
 
 signals:
-    void told(const QString& text);         ///< for the operator
     void robotWanted(const QString& file);  ///< to be taken into the station
 
 private:
@@ -38,6 +37,7 @@ private:
     void show(const LiveMoment& moment);
     void add(const QString& stranger);
     void addFile();
+    void join(const QString& file);
     void showOverrides();
 
     LiveContext m_context;
