@@ -72,6 +72,9 @@ int runStation(int argc, char** argv) {
     // The texts are English, so the numbers are, too.
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
     if (options.live) return runLive(options);
+    if (argc == 1) {
+        if (const auto last = lastOptions()) return runLive(*last);
+    }
     return picture ? takeScreenshot(options) : showWindow(options);
 }
 

@@ -24,6 +24,7 @@ struct DriveView {
     bool driving = false;       ///< permitted, with fresh sticks
     bool needsNeutral = false;  ///< the sticks have to be let go first
     bool listening = false;     ///< the robot hears drive commands
+    bool reachable = false;     ///< it would hear them, also while none is sent
     SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
 };
 

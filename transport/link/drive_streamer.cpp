@@ -118,6 +118,9 @@ SteadyTime DriveStreamer::State::step() {
         status.driving = driving;
         status.needsNeutral = setpoint.waitsForNeutral();
     }
+    if (conditions.silent && conditions.mayDrive && !conditions.hold) {
+        return steadyNow() + settings.rhythm.period;
+    }
     const auto decision = schedule.decide(velocity, driving || conditions.hold, steadyNow());
     if (decision.send) send(velocity);
     // What grows too old becomes zero then, not with the next repetition.
@@ -189,6 +192,10 @@ void DriveStreamer::refresh() {
 DriveStatus DriveStreamer::status() const {
     const std::lock_guard lock(m_state->mutex);
     return m_state->status;
+}
+
+int DriveStreamer::listeners() const {
+    return m_state->publisher->matched();
 }
 
 }  // namespace leitstand

@@ -19,6 +19,7 @@ namespace leitstand {
 struct DriveConditions {
     bool mayDrive = false;  ///< the grant is held and no stop stands
     bool hold = false;      ///< zeros are sent all the time: a stop for robots that listen to none
+    bool silent = false;    ///< while it may drive, nothing is sent, no zero either: a test of the watchdog
 };
 
 /// How a robot is driven.
@@ -75,6 +76,7 @@ public:
     void setFocus(bool focus);  ///< off at first; off stops the robot at once
     void refresh();             ///< the conditions have changed: look at once
     [[nodiscard]] DriveStatus status() const;
+    [[nodiscard]] int listeners() const;  ///< readers of the commands now, also while none is sent
 
 private:
     struct State;

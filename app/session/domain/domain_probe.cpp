@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/session/domain/seen_topics.h"
 #include "app/session/domain/topic_lane.h"
 #include "transport/dds/node.h"
 
@@ -25,16 +26,6 @@ struct Heard {
     std::unique_ptr<Subscription> subscription;
     Clock::time_point since;
 };
-
-std::string obstacleOf(const RemoteEndpoint& endpoint) {
-    if (endpoint.keyed) return "its samples are told apart by keys, which ROS 2 never does";
-    if (endpoint.exclusiveOwnership) return "exclusive ownership, which no reader of ROS 2 matches";
-    if (!endpoint.partitions.empty()) {
-        return fmt::format("it lives in partition \"{}\", outside the default one",
-                           endpoint.partitions.front());
-    }
-    return {};
-}
 
 class Listening {
 public:

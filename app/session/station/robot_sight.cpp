@@ -1,6 +1,7 @@
 #include "app/session/station/robot_sight.h"
 
 #include <chrono>
+#include <limits>
 #include <variant>
 
 namespace leitstand {
@@ -22,7 +23,8 @@ VirtualScanSettings scanOf(const RobotDescription& robot) {
 
 }  // namespace
 
-RobotSight::RobotSight(const RobotDescription& robot) : m_poses(robot), m_scan(scanOf(robot)) {
+RobotSight::RobotSight(const RobotDescription& robot)
+    : m_body(boxAround(robot.footprint)), m_poses(robot), m_scan(scanOf(robot)) {
     const StreamDescription* camera = robot.stream(StreamRole::Picture);
     m_hasCamera = camera != nullptr;
     if (m_hasCamera) m_driversCamera = camera->sensor;
@@ -97,6 +99,14 @@ std::optional<VirtualScanView> RobotSight::view() const {
 std::optional<VirtualScanView> RobotSight::look(SteadyTime now) const {
     if (!m_newest) return std::nullopt;
     return m_scan.view(m_base, *m_newest + (now - m_arrived));
+}
+
+double RobotSight::spaceAhead() const {
+    constexpr double Limit = 2.0, Old = 10.0, Speed = 0.1;  // [m], [s], [m/s]
+    const auto around = view();
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (!around || !(around->oldest(-0.4, 0.4) < Old)) return unknown;
+    return around->freeTravel(Speed, 0.0, m_body, Limit);
 }
 
 }  // namespace leitstand

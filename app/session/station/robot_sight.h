@@ -31,9 +31,14 @@ public:
     /// any odometry. Sectors' ages are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;
 
+    /// How far the robot can drive straight ahead until it touches something, at most 2 m; NaN where that was
+    /// not looked at within 10 s.
+    [[nodiscard]] double spaceAhead() const;
+
 private:
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
 
+    const BodyBox m_body;
     mutable std::mutex m_mutex;
     SensorPoses m_poses;
     VirtualScan m_scan;

@@ -9,19 +9,19 @@
 
 #include <fmt/format.h>
 
+#include "app/session/domain/seen_topics.h"
 #include "app/session/log/link_line.h"
 #include "app/session/log/mission_feed.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
-#include "app/session/station/robot_line.h"
+#include "app/session/station/robot_lines.h"
+#include "app/session/station/station_brakes.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
-#include "transport/link/grant_keeper.h"
-#include "transport/link/stop_sender.h"
 
 namespace leitstand {
 namespace {
@@ -39,7 +39,8 @@ struct Station::State {
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;
-    std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
+    std::unique_ptr<StationBrakes> brakes;
+    RobotLines lines;  ///< fixed once open
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<StationClock> clock;
@@ -52,6 +53,8 @@ struct Station::State {
     Result<void> start();
     Result<void> control();
     Result<void> lineTo(const RobotDescription& robot);
+    void watchStreams();
+    void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
     void listen();
     void refresh(const std::string& robot);  ///< empty: all
@@ -83,6 +86,7 @@ Station::State::~State() {
     mapping.reset();
     lines.clear();
     streams.reset();
+    brakes.reset();
     stops.reset();
     grants.reset();
     node.reset();
@@ -117,12 +121,15 @@ Result<void> Station::State::control() {
 
 Result<void> Station::State::lineTo(const RobotDescription& robot) {
     const auto conditions = [this, name = robot.name] {
-        return DriveConditions{grants->mayAct(driveGrant(name)) && stops->allowsDriving(name),
-                               stops->holdsByZeros(name)};
+        const bool may =
+            grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) && !brakes->refuses(name);
+        return DriveConditions{may, stops->holdsByZeros(name), brakes->silences(name)};
     };
     LinkListener watch;
     watch.onStatus = [this](const LinkStatus& link) {
-        if (open) streams->take(link);
+        if (!open) return;
+        streams->take(link);
+        brakes->look(link.robot);
     };
     watch.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
     watch.onClockOffset = [this](const ClockOffsetSample& offset) {
@@ -169,6 +176,36 @@ void Station::State::tellMismatches() {
     }
 }
 
+void Station::State::watchStreams() {
+    streams = std::make_unique<StationStreams>(
+        settings.mission.robots,
+        [this](const std::string& robot, StreamCommandSample command) {
+            command.stamp = stationTime();
+            command.station = memory->identity().id;
+            return wish(robot, StreamRole::StreamCommand, command);
+        },
+        [this](const std::string& robot, const std::string& topic, bool off) {
+            line(robot)->link().setPaused(topic, off);
+        });
+}
+
+void Station::State::watchBrakes() {
+    StationBrakes::Hands hands = brakeHands(lines, *grants, *stops);
+    hands.focus = [this](const std::string& robot, bool on) {
+        giveSticks(lines, on ? robot : std::string());
+        if (on) grants->ask(driveGrant(robot));
+    };
+    hands.refresh = [this](const std::string& robot) { refresh(robot); };
+    hands.done = [this](const std::string& robot, const BrakeResult& result) {
+        const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
+        say(robot + ": " + note.text);
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(note, station_topic::Notes);  // a plain sample can be encoded
+    };
+    const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
+    brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
+}
+
 Result<void> Station::State::start() {
     auto network = nodeSettings(settings.domain, "leitstand");
     if (!network) return network.error();
@@ -186,6 +223,7 @@ Result<void> Station::State::start() {
     log.onEvent = [this](const Event& event) {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
+        brakes->take(event);
         mapping->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
@@ -194,16 +232,8 @@ Result<void> Station::State::start() {
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();
     if (auto controlled = control(); !controlled) return controlled;
-    streams = std::make_unique<StationStreams>(
-        settings.mission.robots,
-        [this](const std::string& robot, StreamCommandSample command) {
-            command.stamp = stationTime();
-            command.station = memory->identity().id;
-            return wish(robot, StreamRole::StreamCommand, command);
-        },
-        [this](const std::string& robot, const std::string& topic, bool off) {
-            line(robot)->link().setPaused(topic, off);
-        });
+    watchStreams();
+    watchBrakes();
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
@@ -247,16 +277,7 @@ RobotView Station::robot(const std::string& name) const {
     view.grant = m_state->grants->view(driveGrant(name));
     view.stop = m_state->stops->status(name);
     line->sight().tell(view);
-    if (const DriveStreamer* drive = line->drive()) {
-        const DriveStatus status = drive->status();
-        view.drive = {.drivable = true,
-                      .velocity = status.velocity,
-                      .focus = status.focus,
-                      .driving = status.driving,
-                      .needsNeutral = status.needsNeutral,
-                      .listening = status.listeners > 0,
-                      .sight = status.sight};
-    }
+    view.drive = driveViewOf(*line);
     return view;
 }
 
@@ -292,18 +313,13 @@ std::vector<std::string> Station::mismatches() const {
 }
 
 void Station::focus(const std::string& robot) {
-    // First all others stand, then this one may move.
-    for (const auto& [name, line] : m_state->lines) {
-        if (name != robot && line->drive() != nullptr) line->drive()->setFocus(false);
-    }
-    if (RobotLine* const line = m_state->line(robot); line != nullptr && line->drive() != nullptr)
-        line->drive()->setFocus(true);
+    giveSticks(m_state->lines, robot);
 }
 
 void Station::push(const DriveVelocity& sticks, bool withoutEyes) {
     for (const auto& [name, line] : m_state->lines) {
-        if (line->drive() != nullptr && line->drive()->status().focus)
-            line->drive()->set(sticks, withoutEyes);
+        if (line->drive() == nullptr || m_state->brakes->isRunning(name)) continue;
+        if (line->drive()->status().focus) line->drive()->set(sticks, withoutEyes);
     }
 }
 
@@ -358,13 +374,23 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
 }
 
 Result<void> Station::turnCameras(const std::string& robot, const std::map<std::string, double>& joints) {
-    PanTiltCommand command;
-    command.header.stamp = stationTime();
-    for (const auto& [name, angle] : joints) {
-        command.names.push_back(name);
-        command.positions.push_back(angle);
-    }
-    return m_state->wish(robot, StreamRole::PanTiltCommand, command);
+    return m_state->wish(robot, StreamRole::PanTiltCommand, panTiltCommand(joints));
+}
+
+std::vector<std::string> Station::limits() const {
+    return m_state->node->warnings();
+}
+
+std::vector<SeenTopic> Station::heard() const {
+    return seenTopics(m_state->node->endpoints());
+}
+
+const StationSettings& Station::settings() const {
+    return m_state->settings;
+}
+
+StationBrakes& Station::brakes() {
+    return *m_state->brakes;
 }
 
 StationStreams& Station::streams() {

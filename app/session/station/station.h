@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/domain/domain_settings.h"
+#include "app/session/domain/robot_guess.h"
 #include "app/session/log/live_mission.h"
 #include "core/base/result.h"
 #include "core/mapping/live/live_map.h"
@@ -20,6 +21,7 @@
 
 namespace leitstand {
 
+class StationBrakes;
 class StationStreams;
 
 /// A station in a domain.
@@ -66,6 +68,9 @@ public:
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
+    [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples
+    [[nodiscard]] std::vector<SeenTopic> heard() const;         ///< what others say and hear in the domain
+    [[nodiscard]] const StationSettings& settings() const;      ///< as it was opened
 
     /// Gives the sticks to one robot: all others stand. Empty: to none.
     void focus(const std::string& robot);
@@ -92,6 +97,7 @@ public:
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     Result<void> turnCameras(const std::string& robot,
                              const std::map<std::string, double>& joints);  ///< [rad]
+    [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
 
 private:

@@ -26,7 +26,7 @@ public:
     explicit DemoRobots(const DemoSettings& settings, QObject* parent = nullptr);
     ~DemoRobots() override;
 
-    void start();
+    void start();  ///< once
 
 signals:
     /// A robot could not be started, or ended by itself. In the user's language.

@@ -15,10 +15,12 @@
 #include <QTimer>
 
 #include "app/session/station/choose_robots.h"
+#include "app/session/station/last_station.h"
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "app/window/live/preflight/preflight_feature.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -78,30 +80,39 @@ void remember(const LiveWindow& window, WindowState state) {
     saveWindowState(state);
 }
 
-}  // namespace
+fs::path lastFile() {
+    return under(QStandardPaths::GenericConfigLocation, QStringLiteral("live.yaml"));
+}
 
-int runLive(const Options& options) {
-    const auto robots =
-        chooseRobots(options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots);
-    if (!robots) return complain(robots.error().text), 1;
+StationSettings settingsOf(const Options& options, const fs::path& passing) {
     const bool picture = !options.screenshot.empty();
-    const QTemporaryDir passing;  // a picture's mission is nobody's
     StationSettings settings;
     settings.domain.domain = options.domain;
     settings.domain.interfaces = options.interfaces;
     // Simulated robots are nobody else's: nothing leaves this computer unless it is asked for.
     if (options.demo && options.interfaces.empty()) settings.domain.interfaces = {"lo"};
     settings.domain.keys = options.keys;
-    settings.mission.robots = *robots;
     settings.mission.title = QSysInfo::machineHostName().toStdString();
     settings.mission.version = LEITSTAND_VERSION;
     settings.mission.folder = !options.mission.empty() ? fs::path(options.mission)
-                              : picture                ? fs::path(passing.path().toStdString()) / "mission"
+                              : picture                ? passing / "mission"
                                                        : newMission();
-    settings.memory = picture ? fs::path(passing.path().toStdString()) / "station.yaml"
+    settings.memory = picture ? passing / "station.yaml"
                               : under(QStandardPaths::GenericConfigLocation, QStringLiteral("station.yaml"));
+    return settings;
+}
+
+/// How a window on the station ended.
+struct Ended {
+    int status = 0;
+    std::string robot = {};  ///< file of a robot that is wanted too; empty: it is over
+};
+
+/// Shows a window on the station of @p settings until it is closed, or another robot is wanted.
+Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo) {
     auto bridge = LiveBridge::open(settings);
-    if (!bridge) return complain(bridge.error().text), 1;
+    if (!bridge) return complain(bridge.error().text), Ended{1};
+    const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
@@ -109,28 +120,71 @@ int runLive(const Options& options) {
                            : under(QStandardPaths::GenericConfigLocation, QStringLiteral("pads")));
     LiveWindow window(**bridge, remembered.view, {}, std::move(pads));
     if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
-        return complain("--layout " + window.newest().toStdString()), 2;
-    std::optional<DemoRobots> demo;
-    if (options.demo) {
-        DemoSettings simulated;
-        simulated.domain = options.domain;
-        simulated.interface = QString::fromStdString(settings.domain.interfaces.front());
-        demo.emplace(simulated);
-        QObject::connect(&*demo, &DemoRobots::failed, &window, &LiveWindow::tell);
-        QObject::connect(&*demo, &DemoRobots::failed,
-                         [](const QString& why) { complain(why.toStdString()); });
+        return complain("--layout " + window.newest().toStdString()), Ended{2};
+    if (demo != nullptr) {
+        QObject::connect(demo, &DemoRobots::failed, &window, &LiveWindow::tell);
         demo->start();
     }
-    if (picture) return takePicture(window, options);
+    if (picture) return {takePicture(window, options)};
+    std::string wanted;
+    QObject::connect(&window.preflight(), &PreflightFeature::robotWanted, &window, [&](const QString& file) {
+        wanted = file.toStdString();
+        QApplication::quit();
+    });
+    if (demo == nullptr) window.preflight().openWhenSomethingFails();
     window.resize(remembered.firstSize);
     if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
     if (options.layout.empty() && !remembered.liveLayout.isEmpty())
         window.layouts().use(remembered.liveLayout);
     QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
     window.show();
-    std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
-    std::fflush(stdout);
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    return {status, wanted};
+}
+
+}  // namespace
+
+std::optional<Options> lastOptions() {
+    const auto last = lastStation(lastFile());
+    if (!last) return std::nullopt;
+    Options options;
+    options.live = true;
+    options.robots = last->robots;
+    options.domain = last->domain;
+    options.interfaces = last->interfaces;
+    options.keys = last->keys;
+    return options;
+}
+
+int runLive(const Options& options) {
+    std::vector<std::string> files =
+        options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots;
+    const QTemporaryDir passing;  // a picture's mission is nobody's
+    StationSettings settings = settingsOf(options, passing.path().toStdString());
+    std::optional<DemoRobots> demo;
+    if (options.demo) {
+        DemoSettings simulated;
+        simulated.domain = options.domain;
+        simulated.interface = QString::fromStdString(settings.domain.interfaces.front());
+        demo.emplace(simulated);
+        QObject::connect(&*demo, &DemoRobots::failed,
+                         [](const QString& why) { complain(why.toStdString()); });
+    }
+    if (options.screenshot.empty()) {
+        std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
+        std::fflush(stdout);
+    }
+    // With each robot that the operator adds the station begins anew, and goes on with its mission.
+    while (true) {
+        auto robots = chooseRobots(files);
+        if (!robots) return complain(robots.error().text), 1;
+        settings.mission.robots = std::move(robots).value();
+        if (!options.demo && options.screenshot.empty())
+            rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
+        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr);
+        if (ended.robot.empty()) return ended.status;
+        files.push_back(ended.robot);
+    }
 }
 
 }  // namespace leitstand

@@ -13,12 +13,14 @@
 #include "app/window/live/cameras/camera_views.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/link/link_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/pad/pad_feature.h"
 #include "app/window/live/pane_docks.h"
+#include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
@@ -44,6 +46,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_map = new MapFeature(context, view);
     new ScanFeature(context);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
+    m_link = new LinkFeature(context);
+    m_preflight = new PreflightFeature(context);
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();
@@ -98,6 +102,7 @@ void LiveWindow::connectFeatures() {
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);
+    connect(m_link, &LinkFeature::told, this, &LiveWindow::tell);
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();
 }

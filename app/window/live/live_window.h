@@ -17,12 +17,14 @@ class CameraViews;
 class CommandTable;
 class DriveFeature;
 class LayoutFeature;
+class LinkFeature;
 class LiveBridge;
 class MapFeature;
 class MapView;
 class MissionFeature;
 class PadFeature;
 class PaneDocks;
+class PreflightFeature;
 class RobotsFeature;
 class Selection;
 
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
+    [[nodiscard]] PreflightFeature& preflight() const { return *m_preflight; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;
     [[nodiscard]] bool driving() const;
@@ -73,6 +76,8 @@ private:
     CameraViews* m_cameras = nullptr;
     MapFeature* m_map = nullptr;
     PadFeature* m_pads = nullptr;
+    LinkFeature* m_link = nullptr;
+    PreflightFeature* m_preflight = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };
 

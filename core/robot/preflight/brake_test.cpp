@@ -13,6 +13,24 @@ double seconds(std::chrono::nanoseconds duration) {
 
 }  // namespace
 
+std::string toString(const BrakeResult& result) {
+    using Verdict = BrakeResult::Verdict;
+    switch (result.verdict) {
+        case Verdict::Untested:
+            return "brake not tested";
+        case Verdict::Passed:
+            return fmt::format("brake test passed: it stood after {:.2f} s and {:.0f} cm", result.seconds,
+                               100.0 * result.metres);
+        case Verdict::Failed:
+            return fmt::format(
+                "brake test FAILED: without commands it still moved after {:.2f} s and {:.0f} cm",
+                result.seconds, 100.0 * result.metres);
+        case Verdict::Inconclusive:
+            return "brake test without result: " + result.why;
+    }
+    return {};
+}
+
 void BrakeTest::enter(Phase phase, SteadyTime now) {
     m_phase = phase;
     m_since = now;

@@ -25,7 +25,7 @@ struct BrakeTestSettings {
     double giveUp = 1.5;        ///< still moving so long after the cut: it has no watchdog [s]
     double space = 0.6;         ///< that must be free ahead [m]
     double hold = 0.25;         ///< the operator's key must have been told within [s]
-    double start = 3.0;         ///< waits so long for grant and neutral sticks [s]
+    double start = 6.0;         ///< waits so long for grant and neutral sticks [s]
     double standing = 0.01;     ///< slower counts as standing [m/s], ten times that [rad/s]
 };
 
@@ -44,6 +44,9 @@ struct BrakeResult {
     Time when{};           ///< station's clock
     friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
 };
+
+/// For the log and messages: "brake test passed: it stood after 0.31 s and 2 cm".
+[[nodiscard]] std::string toString(const BrakeResult& result);
 
 /// What the test has to know of the robot.
 struct BrakeFacts {

@@ -102,7 +102,7 @@ void judgeClock(Page& page, const LinkStatus& link) {
 
 void judgeDriving(Page& page, const RobotView& view) {
     if (!view.drive.drivable) return;
-    if (!view.drive.listening) page.add(Kind::Deaf, CheckState::Fail);
+    if (!view.drive.reachable) page.add(Kind::Deaf, CheckState::Fail);
     if (view.stop.stopped) page.add(Kind::Stopped, CheckState::Attention);
     if (view.grant.mine) {
         page.add(Kind::Grant, CheckState::Ok);

@@ -35,7 +35,7 @@ PreflightFacts goodFacts() {
     robot.view.link.streams = {stream(StreamRole::Points, "/kurt3d/points"),
                                stream(StreamRole::Odometry, "/kurt3d/odom"),
                                stream(StreamRole::Picture, "/kurt3d/left/image/compressed")};
-    robot.view.drive.drivable = robot.view.drive.listening = true;
+    robot.view.drive.drivable = robot.view.drive.reachable = true;
     robot.view.grant.mine = true;
     robot.brake = {.verdict = Verdict::Passed, .seconds = 0.3, .metres = 0.02, .when = Time(1'000h)};
     facts.now = Time(1'001h);
@@ -129,7 +129,7 @@ TEST_F(Preflight, WhoDrives) {
     robot().view.grant.holderTitle = "Desk 2";
     expect(Kind::GrantOthers, CheckState::Attention);
     EXPECT_EQ(find(preflight(facts), Kind::GrantOthers)->detail, "Desk 2");
-    robot().view.drive.listening = false;
+    robot().view.drive.reachable = false;
     expect(Kind::Deaf, CheckState::Fail);
     robot().view.stop.stopped = true;
     expect(Kind::Stopped, CheckState::Attention);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/domain/robot_guess.h"
+#include "transport/dds/endpoint.h"
+
+namespace leitstand {
+
+/// Why DDS keeps the samples of @p endpoint from us, in words; empty when it does not.
+[[nodiscard]] std::string obstacleOf(const RemoteEndpoint& endpoint);
+
+/// The topics of @p endpoints, each once: as it is offered where somebody writes it, else as it is asked for.
+[[nodiscard]] std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints);
+
+}  // namespace leitstand

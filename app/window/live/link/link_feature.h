@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+
+class QAction;
+class QLabel;
+
+namespace leitstand {
+
+struct LiveMoment;
+class LinkPane;
+
+/// What every stream takes of the link, rates and qualities, and the thin link ("link"; T).
+class LinkFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit LinkFeature(const LiveContext& context);
+
+signals:
+    void told(const QString& text);  ///< for the operator
+
+private:
+    void show(const LiveMoment& moment);
+    void setThin(bool on);
+
+    LiveContext m_context;
+    QAction* m_thin;
+    LinkPane* m_pane;
+    QLabel* m_badge;
+    std::chrono::steady_clock::time_point m_shown = {};
+};
+
+}  // namespace leitstand

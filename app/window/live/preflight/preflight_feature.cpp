@@ -1,0 +1,150 @@
+#include "app/window/live/preflight/preflight_feature.h"
+
+#include <utility>
+#include <vector>
+
+#include <QAction>
+#include <QDialog>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMainWindow>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/session/station/choose_robots.h"
+#include "app/session/station/station_brakes.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/corner_badge.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/selection.h"
+#include "widgets/preflight/preflight_page.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds Rhythm(1), FirstLook(8);  ///< robots are found within some seconds
+
+}  // namespace
+
+PreflightFeature::PreflightFeature(const LiveContext& context)
+    : QObject(&context.window),
+      m_context(context),
+      m_desk(context.bridge.station()),
+      m_dialog(new QDialog(&context.window)),
+      m_page(new PreflightPage(m_dialog)),
+      m_badge(addCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
+    QAction& opens = context.commands.add({.id = QStringLiteral("preflight.open"),
+                                           .menu = CommandMenu::Mission,
+                                           .text = tr("&Preflight..."),
+                                           .hint = tr("What is in order before the mission and what is not; "
+                                                      "brake tests; adding robots"),
+                                           .keys = QKeySequence(Qt::Key_F9)});
+    connect(&opens, &QAction::triggered, this, &PreflightFeature::open);
+    m_dialog->setWindowTitle(tr("Preflight"));
+    auto* layout = new QVBoxLayout(m_dialog);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_page);
+    m_dialog->resize(900, 640);
+    buildPage();
+    connect(&context.bridge, &LiveBridge::ticked, this, &PreflightFeature::show);
+}
+
+void PreflightFeature::buildPage() {
+    StationBrakes& brakes = m_context.bridge.station().brakes();
+    connect(m_page, &PreflightPage::checkAgainWanted, this, [this] {
+        m_desk.measure();
+        refresh();
+    });
+    connect(m_page, &PreflightPage::brakeBegun, this,
+            [&brakes](const QString& robot) { brakes.begin(robot.toStdString()); });
+    connect(m_page, &PreflightPage::brakeHeld, this,
+            [&brakes](const QString& robot) { brakes.hold(robot.toStdString()); });
+    connect(m_page, &PreflightPage::brakeEnded, this,
+            [&brakes](const QString& robot) { brakes.end(robot.toStdString()); });
+    connect(m_page, &PreflightPage::overrideWanted, this, [this, &brakes](const QString& robot, bool on) {
+        brakes.setOverridden(robot.toStdString(), on);
+        showOverrides();
+        refresh();
+    });
+    connect(m_page, &PreflightPage::strangerWanted, this, &PreflightFeature::add);
+    connect(m_page, &PreflightPage::fileWanted, this, &PreflightFeature::addFile);
+}
+
+void PreflightFeature::setGamepad(const QString& name) {
+    m_gamepad = name;
+}
+
+void PreflightFeature::openWhenSomethingFails() {
+    QTimer::singleShot(FirstLook, this, [this] {
+        for (const RobotDescription& robot : m_context.selection.robots()) {
+            if (m_context.bridge.moment().view(robot.name).drive.focus) return;
+        }
+        if (worstOf(preflight(m_desk.facts(m_gamepad.toStdString()))) == CheckState::Fail) open();
+    });
+}
+
+void PreflightFeature::open() {
+    refresh();
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void PreflightFeature::refresh() {
+    const PreflightFacts facts = m_desk.facts(m_gamepad.toStdString());
+    std::vector<RobotFace> faces;
+    for (const RobotDescription& robot : m_context.selection.robots())
+        faces.push_back(m_context.selection.faceOfRobot(robot));
+    QStringList strangers;
+    for (const std::string& stranger : facts.strangers) strangers += QString::fromStdString(stranger);
+    m_page->show(preflight(facts), faces, strangers);
+}
+
+void PreflightFeature::show(const LiveMoment& moment) {
+    const bool due = moment.steady - m_shown >= Rhythm;
+    if (due) {
+        m_shown = moment.steady;
+        showOverrides();
+    }
+    if (!m_dialog->isVisible()) return;
+    if (due) refresh();
+    const StationBrakes& brakes = m_context.bridge.station().brakes();
+    const std::string robot = m_page->brakeRobot().toStdString();
+    m_page->showBrake(brakeText(brakes.phase(robot), brakes.result(robot)), brakes.refuses(robot),
+                      brakes.isOverridden(robot));
+}
+
+void PreflightFeature::showOverrides() {
+    const StationBrakes& brakes = m_context.bridge.station().brakes();
+    QStringList names;
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        if (brakes.isOverridden(robot.name)) names += QString::fromStdString(robot.title);
+    }
+    m_badge->setVisible(!names.isEmpty());
+    m_badge->setText(tr("NO WATCHDOG: %1").arg(names.join(QStringLiteral(", "))));
+    m_badge->setToolTip(tr("Failed its brake test and is driven nevertheless: without radio it goes on"));
+}
+
+void PreflightFeature::add(const QString& stranger) {
+    for (const RobotGuess& guess : m_desk.strangers()) {
+        if (QString::fromStdString(guess.robot.name) != stranger) continue;
+        const auto file = writeFirstFile(guess.robot, m_context.bridge.station().robots());
+        if (!file) return m_page->complain(QString::fromStdString(file.error().text));
+        return join(QString::fromStdString(*file));
+    }
+    m_page->complain(tr("%1 is not heard any more").arg(stranger));
+}
+
+void PreflightFeature::addFile() {
+    const QString file =
+        QFileDialog::getOpenFileName(m_dialog, tr("Robot file"), {}, tr("Robot files (*.yaml *.yml)"));
+    if (!file.isEmpty()) join(file);
+}
+
+void PreflightFeature::join(const QString& file) {
+    const auto joins = checkJoins(file.toStdString(), m_context.bridge.station().robots());
+    if (!joins) return m_page->complain(QString::fromStdString(joins.error().text));
+    emit robotWanted(file);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include <QObject>
+#include <QString>
+
+#include "app/session/preflight/preflight_desk.h"
+#include "app/window/live/live_context.h"
+
+class QDialog;
+class QLabel;
+
+namespace leitstand {
+
+struct LiveMoment;
+class PreflightPage;
+
+/// The preflight page (F9): what is in order and what is not, brake tests, adding robots.
+class PreflightFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit PreflightFeature(const LiveContext& context);
+
+    /// Opens the page in a while, if something fails then and nobody drives.
+    void openWhenSomethingFails();
+    void setGamepad(const QString& name);  ///< empty: there is none
+
+signals:
+    void robotWanted(const QString& file);  ///< to be taken into the station
+
+private:
+    void buildPage();
+    void open();
+    void refresh();
+    void show(const LiveMoment& moment);
+    void add(const QString& stranger);
+    void addFile();
+    void join(const QString& file);
+    void showOverrides();
+
+    LiveContext m_context;
+    PreflightDesk m_desk;
+    QDialog* m_dialog;
+    PreflightPage* m_page;
+    QLabel* m_badge;
+    QString m_gamepad;
+    std::chrono::steady_clock::time_point m_shown = {};
+};
+
+}  // namespace leitstand

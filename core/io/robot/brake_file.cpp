@@ -1,0 +1,81 @@
+#include "core/io/robot/brake_file.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "core/io/robot/yaml_document.h"
+
+namespace leitstand {
+namespace {
+
+using Verdict = BrakeResult::Verdict;
+
+/// What is not known is not remembered.
+constexpr std::array<std::pair<const char*, Verdict>, 2> Words = {
+    {{"passed", Verdict::Passed}, {"failed", Verdict::Failed}}};
+
+}  // namespace
+
+std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file) {
+    std::map<std::string, BrakeResult> results;
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    const auto root = detail::loadYaml(text.str(), file.string());
+    if (!root || !root->IsMap() || !(*root)["brakes"].IsMap()) return results;
+    try {
+        for (const auto& entry : (*root)["brakes"]) {
+            BrakeResult result;
+            for (const auto& [word, verdict] : Words) {
+                if (entry.second["verdict"].as<std::string>() == word) result.verdict = verdict;
+            }
+            result.seconds = entry.second["seconds"].as<double>();
+            result.metres = entry.second["metres"].as<double>();
+            result.when = Time(std::chrono::seconds(entry.second["when"].as<std::int64_t>()));
+            const bool sound = std::isfinite(result.seconds) && std::isfinite(result.metres);
+            if (sound && result.verdict != Verdict::Untested)
+                results.emplace(entry.first.as<std::string>(), result);
+        }
+    } catch (const YAML::Exception&) {
+        return {};
+    }
+    return results;
+}
+
+Result<void> writeBrakes(const std::filesystem::path& file,
+                         const std::map<std::string, BrakeResult>& results) {
+    YAML::Emitter out;
+    out << YAML::Comment("Brake tests of robots that this station drives.") << YAML::BeginMap;
+    out << YAML::Key << "brakes" << YAML::Value << YAML::BeginMap;
+    for (const auto& [robot, result] : results) {
+        for (const auto& [word, verdict] : Words) {
+            if (result.verdict != verdict) continue;
+            out << YAML::Key << robot << YAML::Value << YAML::BeginMap << YAML::Key << "verdict"
+                << YAML::Value << word << YAML::Key << "seconds" << YAML::Value
+                << fmt::format("{:.3f}", result.seconds) << YAML::Key << "metres" << YAML::Value
+                << fmt::format("{:.3f}", result.metres) << YAML::Key << "when" << YAML::Value
+                << std::chrono::floor<std::chrono::seconds>(result.when.time_since_epoch()).count()
+                << YAML::EndMap;
+        }
+    }
+    out << YAML::EndMap << YAML::EndMap << YAML::Newline;
+    const std::filesystem::path next = file.string() + ".new";
+    {
+        std::ofstream written(next, std::ios::trunc);
+        written << out.c_str();
+        written.flush();
+        if (!written) return Error{next.string() + ": cannot be written"};
+    }
+    std::error_code problem;
+    std::filesystem::rename(next, file, problem);
+    if (problem) return Error{fmt::format("{}: cannot be replaced: {}", file.string(), problem.message())};
+    return {};
+}
+
+}  // namespace leitstand

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace leitstand {
+
+/// With what the station on live robots was opened last, so that it opens so again.
+struct LastStation {
+    std::vector<std::string> robots = {};      ///< files, or names of shipped ones
+    int domain = 0;                            ///< DDS domain
+    std::vector<std::string> interfaces = {};  ///< network cards; empty: all
+    std::string keys = {};                     ///< folder of an identity; empty: no security
+    friend bool operator==(const LastStation&, const LastStation&) = default;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,64 @@
+#include <QAction>
+#include <QDialog>
+#include <QLabel>
+#include <QTableView>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/station/station_streams.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/pane_docks.h"
+#include "tests/app/live/live_page.h"
+#include "widgets/link/link_pane.h"
+#include "widgets/preflight/preflight_page.h"
+
+namespace leitstand::test {
+namespace {
+
+class LinkAndPreflight : public LivePage {
+protected:
+    [[nodiscard]] double rate(const char* topic) const {
+        const LinkStatus link = robot().link;
+        const StreamStatus* stream = link.stream(topic);
+        return stream == nullptr ? 0.0 : stream->rate;
+    }
+    void keep(QWidget& widget, const QString& name) const {
+        const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
+        if (!folder.isEmpty()) widget.grab().save(folder + "/" + name + ".png");
+    }
+};
+
+TEST_F(LinkAndPreflight, TThinsTheLinkAndThePreflightPageTellsHowThingsAre) {
+    static constexpr const char* Right = "/kurt3d/right/image/compressed";
+    ASSERT_TRUE(soon([&] { return rate(Right) > 6.0; }));
+    QLabel* const badge = m_window->findChild<QLabel*>("thinBadge");
+    ASSERT_NE(badge, nullptr);
+    EXPECT_FALSE(badge->isVisible());
+    ThinSettings settings;
+    settings.budget = 1.0;
+    station().streams().setThin(settings);
+    press(Qt::Key_T);
+    EXPECT_TRUE(badge->isVisible());
+    EXPECT_TRUE(soon([&] { return rate(Right) < 2.0; })) << "the other camera gives way";
+    EXPECT_GT(rate("/kurt3d/points"), 5.0) << "scans stay";
+
+    QAction* const visible = m_window->panes().visibility(QStringLiteral("link"));
+    if (!visible->isChecked()) visible->trigger();
+    auto* const pane = m_window->findChild<LinkPane*>();
+    ASSERT_TRUE(soon([&] { return pane->table().rowCount() > 20; })) << "both robots' streams";
+    lookAt("link");
+    press(Qt::Key_T);
+    EXPECT_FALSE(badge->isVisible());
+    EXPECT_TRUE(soon([&] { return rate(Right) > 6.0; }));
+
+    press(Qt::Key_F9);
+    auto* const page = m_window->findChild<PreflightPage*>();
+    ASSERT_TRUE(soon([&] { return page->isVisible() && page->list().rowCount() > 12; }));
+    const auto& checks = page->list().checks();
+    EXPECT_EQ(worstOf(checks), CheckState::Attention) << "brakes are not tested, nothing fails";
+    keep(*page->window(), QStringLiteral("live_preflight"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

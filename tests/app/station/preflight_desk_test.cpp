@@ -1,0 +1,86 @@
+#include "app/session/preflight/preflight_desk.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/station/choose_robots.h"
+#include "tests/app/station/station_scene.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = PreflightCheck::Kind;
+
+class PreflightDeskTest : public StationScene {
+protected:
+    [[nodiscard]] std::vector<PreflightCheck> checks(const PreflightDesk& desk) const {
+        return preflight(desk.facts("Test pad"));
+    }
+    [[nodiscard]] static const PreflightCheck* find(const std::vector<PreflightCheck>& checks, Kind kind) {
+        const auto found =
+            std::find_if(checks.begin(), checks.end(), [&](const auto& one) { return one.kind == kind; });
+        return found == checks.end() ? nullptr : &*found;
+    }
+};
+
+TEST_F(PreflightDeskTest, FindsWhatIsInOrderAndARobotThatMayBeAdded) {
+    const auto config = m_folder / "config";
+    ASSERT_EQ(setenv("XDG_CONFIG_HOME", config.c_str(), 1), 0);
+    auto arguments = kurtArguments();
+    arguments.insert(arguments.end(), {"--name", "rover"});
+    const ChildProcess rover(LEITSTAND_ROBOT, arguments);
+    std::string file;
+    {
+        const auto station = stationFor({kurt3d()});
+        PreflightDesk desk(*station);
+        ASSERT_TRUE(waitUntil([&] { return !desk.strangers().empty(); }, 60s)) << rover.out();
+        ASSERT_TRUE(waitUntil([&] { return desk.facts({}).writeRate.has_value(); }, 60s));
+        const auto found = checks(desk);
+        ASSERT_NE(find(found, Kind::RobotMissing), nullptr) << "kurt3d is not there";
+        EXPECT_EQ(find(found, Kind::RobotMissing)->state, CheckState::Fail);
+        ASSERT_NE(find(found, Kind::Stranger), nullptr);
+        EXPECT_EQ(find(found, Kind::Stranger)->detail, "rover");
+        EXPECT_NE(find(found, Kind::Gamepad), nullptr);
+        EXPECT_NE(find(found, Kind::Open), nullptr);
+        EXPECT_THAT(desk.facts({}).cards, testing::Not(testing::IsEmpty()));
+        EXPECT_EQ(find(found, Kind::Versions)->detail, "Leitstand test");
+        // All its topics are there by now, as far as this test needs them.
+        ASSERT_TRUE(waitUntil(
+            [&] {
+                const auto strangers = desk.strangers();
+                return !strangers.empty() &&
+                       strangers.front().robot.stream(StreamRole::DriveCommand) != nullptr &&
+                       strangers.front().robot.stream(StreamRole::Picture) != nullptr;
+            },
+            60s));
+        file = must(writeFirstFile(desk.strangers().front().robot, station->robots()));
+        const auto joins = checkJoins(file, station->robots());
+        EXPECT_TRUE(joins.ok()) << joins.error().text;
+        EXPECT_EQ(must(writeFirstFile(desk.strangers().front().robot, {})), file) << "never written over";
+    }
+    auto team = must(chooseRobots({file}));
+    EXPECT_EQ(team.front().name, "rover");
+    team.insert(team.begin(), kurt3d());
+    const auto station = stationFor(team);
+    EXPECT_TRUE(waitUntil([&] { return station->robot("rover").link.state == LinkState::Connected; }, 60s))
+        << words();
+    PreflightDesk desk(*station);
+    EXPECT_TRUE(waitUntil([&] { return find(checks(desk), Kind::PicturesFresh) != nullptr; }, 60s));
+    EXPECT_NE(find(checks(desk), Kind::BrakeUntested), nullptr);
+    EXPECT_TRUE(desk.strangers().empty());
+}
+
+TEST_F(PreflightDeskTest, ADiskIsMeasuredAndLeavesNothingBehind) {
+    const auto rate = measureDisk(m_folder / ".", 2);
+    ASSERT_TRUE(rate.ok());
+    EXPECT_GT(*rate, 1e5);
+    EXPECT_FALSE(std::filesystem::exists(m_folder / ".disk-test"));
+    EXPECT_FALSE(measureDisk("/no/such/folder").ok());
+}
+
+}  // namespace
+}  // namespace leitstand::test

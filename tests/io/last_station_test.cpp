@@ -1,0 +1,36 @@
+#include "core/io/last_station_file.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+TEST(LastStation, WhatWasRememberedComesBack) {
+    const TemporaryFolder folder;
+    const auto file = folder / "config" / "live.yaml";
+    EXPECT_FALSE(readLastStation(file));
+    const LastStation station{{"kurt3d", "/home/me/my \"rover\".yaml"}, 7, {"wlan0"}, "/keys/one"};
+    ASSERT_TRUE(writeLastStation(file, station).ok());
+    EXPECT_EQ(readLastStation(file), station);
+    ASSERT_TRUE(writeLastStation(file, {{"crawler"}}).ok());
+    EXPECT_EQ(readLastStation(file)->robots, std::vector<std::string>{"crawler"});
+}
+
+TEST(LastStation, NonsenseIsNothing) {
+    const TemporaryFolder folder;
+    const auto file = folder / "live.yaml";
+    for (const char* text : {"", "3", "robots: []", "robots: [a]\ndomain: 500\ninterfaces: []\nkeys: \"\"",
+                             "robots: [a]\ndomain: x\ninterfaces: []\nkeys: \"\"", "{{{"}) {
+        std::ofstream(file) << text;
+        EXPECT_FALSE(readLastStation(file)) << text;
+    }
+    EXPECT_FALSE(writeLastStation(folder, {{"a"}}).ok());
+}
+
+}  // namespace
+}  // namespace leitstand::test

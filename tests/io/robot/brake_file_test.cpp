@@ -1,0 +1,43 @@
+#include "core/io/robot/brake_file.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Verdict = BrakeResult::Verdict;
+
+TEST(BrakeFile, WhatIsKnownComesBackAndWhatIsNotIsLeftOut) {
+    const TemporaryFolder folder;
+    const auto file = folder / "brakes.yaml";
+    ASSERT_TRUE(writeBrakes(file, {{"kurt3d", {Verdict::Passed, 0.312, 0.021, {}, Time(1'700'000'000s)}},
+                                   {"rover", {Verdict::Failed, 1.6, 0.16, {}, Time(1'700'000'100s)}},
+                                   {"other", {Verdict::Inconclusive, 0, 0, "the key was let go", {}}}})
+                    .ok());
+    const auto read = readBrakes(file);
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read.at("kurt3d"), (BrakeResult{Verdict::Passed, 0.312, 0.021, {}, Time(1'700'000'000s)}));
+    EXPECT_EQ(read.at("rover").verdict, Verdict::Failed);
+}
+
+TEST(BrakeFile, NonsenseIsNoTest) {
+    const TemporaryFolder folder;
+    const auto file = folder / "brakes.yaml";
+    EXPECT_TRUE(readBrakes(file).empty());
+    for (const char* text : {"", "brakes", "brakes: 3", "brakes: {a: 1}", "brakes: {a: {verdict: passed}}",
+                             "{{{", "brakes: {a: {verdict: passed, seconds: .nan, metres: 0, when: 1}}",
+                             "brakes: {a: {verdict: perhaps, seconds: 1, metres: 0, when: 1}}"}) {
+        std::ofstream(file) << text;
+        EXPECT_TRUE(readBrakes(file).empty()) << text;
+    }
+    EXPECT_FALSE(writeBrakes(folder / "no" / "such" / "folder.yaml", {}).ok());
+}
+
+}  // namespace
+}  // namespace leitstand::test
