@@ -14,6 +14,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/robot_line.h"
+#include "app/session/station/station_cameras.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
@@ -40,6 +41,7 @@ struct Station::State {
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;
     std::map<std::string, std::unique_ptr<RobotLine>> lines;  ///< by robot; fixed once open
+    std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<StationClock> clock;
@@ -75,12 +77,14 @@ Station::State::~State() {
     for (const auto& [name, line] : lines) {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
+    if (cameras) cameras->snapshots().finish();  // they are told in the log
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
+    cameras.reset();
     lines.clear();
     streams.reset();
     stops.reset();
@@ -187,6 +191,7 @@ Result<void> Station::State::start() {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
         mapping->take(event);
+        cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
@@ -207,6 +212,13 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
+    cameras = std::make_unique<StationCameras>(
+        settings.mission, *grants,
+        [this](const std::string& robot, const PanTiltCommand& command) {
+            return wish(robot, StreamRole::PanTiltCommand, command);
+        },
+        [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
+        [this](const std::string& text) { say(text); });
     map(std::move(earlier));
     clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {
@@ -357,14 +369,8 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
     return m_state->wish(robot, StreamRole::GoalPose, stamped);
 }
 
-Result<void> Station::turnCameras(const std::string& robot, const std::map<std::string, double>& joints) {
-    PanTiltCommand command;
-    command.header.stamp = stationTime();
-    for (const auto& [name, angle] : joints) {
-        command.names.push_back(name);
-        command.positions.push_back(angle);
-    }
-    return m_state->wish(robot, StreamRole::PanTiltCommand, command);
+StationCameras& Station::cameras() {
+    return *m_state->cameras;
 }
 
 StationStreams& Station::streams() {

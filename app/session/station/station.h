@@ -20,6 +20,7 @@
 
 namespace leitstand {
 
+class StationCameras;
 class StationStreams;
 
 /// A station in a domain.
@@ -90,9 +91,8 @@ public:
     /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
     Result<void> setMode(const std::string& robot, const std::string& mode);
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
-    Result<void> turnCameras(const std::string& robot,
-                             const std::map<std::string, double>& joints);  ///< [rad]
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
+    [[nodiscard]] StationCameras& cameras();
 
 private:
     struct State;
