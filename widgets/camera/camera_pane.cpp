@@ -46,6 +46,10 @@ void CameraPane::setPicture(const QImage& picture) {
     update();
 }
 
+void CameraPane::setVacant(bool vacant) {
+    if (std::exchange(m_head.vacant, vacant) != vacant) update();
+}
+
 void CameraPane::setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range,
                             ThermalPalette palette) {
     m_picture = picture ? imageOf(*picture, range, palette) : QImage();

@@ -41,6 +41,8 @@ public:
     /// Whose camera this is, and what it is called: "Left camera".
     void setCamera(const RobotFace& face, const QString& title);
     void setPicture(const QImage& picture);
+    /// There is no camera for this pane: an empty one is calm.
+    void setVacant(bool vacant);
     /// Temperatures instead of a picture: with a scale, and the value under the pointer.
     void setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range = {},
                     ThermalPalette palette = ThermalPalette::Iron);

@@ -137,6 +137,18 @@ TEST_P(Cameras, InfraredHasALegendABodyAndTheValueUnderThePointer) {
     }
 }
 
+TEST_P(Cameras, AnEmptyPaneIsCalm) {
+    CameraPane empty;
+    empty.setCamera(robot.face, QStringLiteral("No camera"));
+    const auto amber = [&] {
+        return countOf(pictureOf(empty, {320, 240}, {}), coloursOf(GetParam()).attention, 40);
+    };
+    EXPECT_GT(amber(), 20);
+    empty.setVacant(true);
+    EXPECT_EQ(amber(), 0);
+    EXPECT_THAT(wordsOf(empty), Not(Contains(HasSubstr("no data"))));
+}
+
 TEST_P(Cameras, ADragIsNoClick) {
     pane.resize(640, 480);
     QSignalSpy clicked(&pane, &CameraPane::pictureClicked), dragged(&pane, &CameraPane::pictureDragged);

@@ -166,6 +166,7 @@ void CameraFeature::showPanes() {
     m_context.bridge.station().lookThrough(robotName(), m_views.sensor(CameraPlace::Large));
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         pane(place).setCamera(m_context.selection.face(), cameraTitle(m_views.stream(place)));
+        pane(place).setVacant(m_views.stream(place) == nullptr);
         const ShownPicturePtr newest = m_views.newest(place);
         if (newest) {
             showIn(pane(place), newest);
