@@ -25,7 +25,7 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
     painter.fillRect(QRect(pane.left(), pane.top(), Edge, pane.height()), colours.robot(head.face.place));
 
     const Freshness freshness = freshnessOf(head.age, head.limits);
-    QString right = ageText(head.age, head.limits);
+    QString right = head.vacant ? QString() : ageText(head.age, head.limits);
     if (!head.note.isEmpty()) right += QStringLiteral(" · ") + head.note;
     const QRect line(pane.left() + Margin, pane.top(), pane.width() - 2 * Margin, height);
     painter.setPen(toneColour(toneOf(freshness), colours));
@@ -41,7 +41,7 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
 }
 
 void paintLoss(QPainter& painter, const QRect& pane, const PaneHead& head, const ThemeColours& colours) {
-    const QString text = lossText(head.age, head.limits);
+    const QString text = head.vacant ? QString() : lossText(head.age, head.limits);
     if (text.isEmpty()) return;
     painter.save();
     const bool never = freshnessOf(head.age, head.limits) == Freshness::Never;

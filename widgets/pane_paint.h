@@ -20,6 +20,7 @@ struct PaneHead {
     QString note;   ///< after the age: "full speed"; may be empty
     DataAge age;
     FreshnessLimits limits = {};
+    bool vacant = false;  ///< nothing is expected here: no age, and no loss
 };
 
 /// Height of a pane's head in @p font [px].

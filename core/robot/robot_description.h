@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -82,11 +83,20 @@ struct StreamDescription {
 enum class SensorMotion : std::uint8_t { Unsaid, Fixed, Turning, Tilting };
 [[nodiscard]] std::string toString(SensorMotion motion);
 
+/// The unit that turns a camera, and how far.
+struct PanTiltMount {
+    std::string unit;                             ///< of its joints UNIT_pan and UNIT_tilt, "left"
+    double pan = degrees(90);                     ///< to each side [rad]
+    double up = degrees(45), down = degrees(45);  ///< tilt [rad]
+    friend bool operator==(const PanTiltMount&, const PanTiltMount&) = default;
+};
+
 /// A sensor and where it sits.
 struct SensorDescription {
     std::string frame = {};                      ///< frame_id of its samples
     Pose sensorInBase = Pose::Identity();        ///< used where tf does not tell
     SensorMotion motion = SensorMotion::Unsaid;  ///< tells what a simulated robot carries
+    std::optional<PanTiltMount> panTilt = {};    ///< of a camera that can be turned
 };
 
 enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };

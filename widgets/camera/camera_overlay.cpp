@@ -8,6 +8,7 @@
 #include <QPainterPath>
 #include <QPolygonF>
 
+#include "widgets/camera/pan_overlay.h"
 #include "widgets/models/live/view_geometry.h"
 #include "widgets/models/numbers.h"
 
@@ -18,24 +19,7 @@ struct OverlayTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::CameraPane)
 };
 
-/// Pictures are dark or bright whatever the theme: what is drawn over them has the dark theme's colours.
-const ThemeColours& inks() {
-    return coloursOf(Theme::Dark);
-}
-
 const QColor Rim(0, 0, 0, 150);
-
-/// Draws @p shape in @p colour with a dark rim.
-void strokeRimmed(QPainter& painter, const QPainterPath& shape, const QColor& colour, double width,
-                  Qt::PenStyle style = Qt::SolidLine) {
-    painter.setBrush(Qt::NoBrush);
-    QColor rim = Rim;
-    rim.setAlpha(std::min(150, colour.alpha()));
-    painter.setPen(QPen(rim, width + 2.0, style, Qt::FlatCap));
-    painter.drawPath(shape);
-    painter.setPen(QPen(colour, width, style, Qt::FlatCap));
-    painter.drawPath(shape);
-}
 
 void paintMode(QPainter& painter, const QRectF& picture, double top, const ModeLabel& mode) {
     painter.save();
@@ -45,16 +29,16 @@ void paintMode(QPainter& painter, const QRectF& picture, double top, const ModeL
     QRectF box(0, 0, metrics.horizontalAdvance(mode.text) + 28.0, metrics.height() + 10.0);
     box.moveCenter({picture.center().x(), 0.0});
     box.moveTop(std::max(picture.top(), top) + 8.0);
-    paintModeSurface(painter, box, mode.kind, inks(), 4.0);
-    painter.setPen(modeInk(mode.kind, inks()));
+    paintModeSurface(painter, box, mode.kind, overlayInks(), 4.0);
+    painter.setPen(modeInk(mode.kind, overlayInks()));
     painter.drawText(box, Qt::AlignCenter, mode.text);
     painter.restore();
 }
 
 void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay) {
     if (!overlay.roll || !overlay.pitch) return;
-    const Horizon horizon =
-        horizonOf(*overlay.roll, *overlay.pitch, overlay.pan.value_or(0.0), overlay.tilt.value_or(0.0));
+    const Horizon horizon = horizonOf(*overlay.roll, *overlay.pitch, overlay.turn.pan.value_or(0.0),
+                                      overlay.turn.tilt.value_or(0.0));
     if (!horizon.visible) return;
     const double focal = 0.5 * picture.width() / std::tan(0.5 * std::clamp(overlay.viewAngle, 0.1, 2.8));
     const auto at = [&](double x) {
@@ -68,7 +52,7 @@ void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay&
     }
     painter.save();
     painter.setClipRect(picture);
-    strokeRimmed(painter, line, inks().select, 2.0);
+    strokeRimmed(painter, line, overlayInks().select, 2.0);
     // where the camera looks
     QPainterPath cross;
     const QPointF middle = picture.center();
@@ -82,7 +66,8 @@ void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay&
 }
 
 void paintRing(QPainter& painter, const QRectF& picture, const std::vector<Proximity>& ring) {
-    if (ring.empty()) return;
+    constexpr double LeastSide = 120.0;  // smaller ones have no room for its figures [px]
+    if (ring.empty() || std::min(picture.width(), picture.height()) < LeastSide) return;
     constexpr double Gap = 3.0;       // between parts [degrees]
     constexpr double SeenFrom = 2.5;  // farther things leave the ring faint [m]
     const double radius = 0.34 * std::min(picture.height(), picture.width());
@@ -106,10 +91,10 @@ void paintRing(QPainter& painter, const QRectF& picture, const std::vector<Proxi
                 break;
             }
             case Nearness::Near:
-                strokeRimmed(painter, arc, inks().attention, 7.0);
+                strokeRimmed(painter, arc, overlayInks().attention, 7.0);
                 break;
             case Nearness::Touching:
-                strokeRimmed(painter, arc, inks().act, 11.0);
+                strokeRimmed(painter, arc, overlayInks().act, 11.0);
                 break;
         }
         const bool loud = part.nearness == Nearness::Near || part.nearness == Nearness::Touching;
@@ -126,54 +111,40 @@ void paintRing(QPainter& painter, const QRectF& picture, const std::vector<Proxi
     }
 }
 
-QString panText(const CameraOverlay& overlay) {
-    const auto degreesOf = [](double radians) {
-        return numberText(std::abs(inDegrees(radians)), 0) + QChar(0xb0);
-    };
-    const auto small = [](double radians) { return std::abs(inDegrees(radians)) < 0.5; };
-    QStringList parts;
-    if (overlay.pan) {
-        parts << (small(*overlay.pan)  ? OverlayTexts::tr("pan %1")
-                  : *overlay.pan > 0.0 ? OverlayTexts::tr("pan %1 left")
-                                       : OverlayTexts::tr("pan %1 right"))
-                     .arg(degreesOf(*overlay.pan));
-    }
-    if (overlay.tilt && !small(*overlay.tilt)) {
-        parts << (*overlay.tilt > 0.0 ? OverlayTexts::tr("%1 down") : OverlayTexts::tr("%1 up"))
-                     .arg(degreesOf(*overlay.tilt));
-    }
-    if (!overlay.recentreKey.isEmpty()) parts << OverlayTexts::tr("%1 re-centres").arg(overlay.recentreKey);
-    return parts.join(QStringLiteral(" · "));
-}
-
-void paintPan(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay) {
-    if (!overlay.pan && !overlay.tilt) return;
-    const double pan = overlay.pan.value_or(0.0);
-    const bool aside = overlay.moving && std::abs(pan) > degrees(10.0);
-    const QColor colour = aside ? inks().attention : QColor(Qt::white);
-    const double half = 0.29 * picture.width(), y = picture.bottom() - 14.0;
-    const double x = picture.center().x();
-    QPainterPath line;
-    line.moveTo(x - half, y);
-    line.lineTo(x + half, y);
-    line.moveTo(x, y - 5.0);
-    line.lineTo(x, y + 5.0);
-    strokeRimmed(painter, line, QColor(255, 255, 255, 130), 1.5);
-    const double limit = std::max(0.1, overlay.panLimit);
-    const QPointF tip(x - half * std::clamp(pan / limit, -1.0, 1.0), y - 10.0);  // left is left
-    QPolygonF mark;
-    mark << tip << tip + QPointF(7, 12) << tip + QPointF(-7, 12);
-    painter.setPen(QPen(Rim, 1.0));
-    painter.setBrush(colour);
-    painter.drawPolygon(mark);
+void paintNotes(QPainter& painter, const QRectF& picture, double top, const QStringList& notes) {
     painter.save();
-    painter.setFont(sized(painter.font(), 12));
-    paintRimmedText(painter, QRectF(x - half, y - 32.0, 2.0 * half, 18.0), Qt::AlignCenter, panText(overlay),
-                    colour);
+    painter.setFont(sized(painter.font(), 12, true));
+    const QFontMetricsF metrics(painter.font());
+    double y = std::max(picture.top(), top) + 8.0;
+    for (const QString& note : notes) {
+        const QRectF box(picture.left() + 8.0, y, metrics.horizontalAdvance(note) + 12.0,
+                         metrics.height() + 4.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0, 0, 0, 150));
+        painter.drawRoundedRect(box, 3.0, 3.0);
+        painter.setPen(overlayInks().select);
+        painter.drawText(box, Qt::AlignCenter, note);
+        y += box.height() + 3.0;
+    }
     painter.restore();
 }
 
 }  // namespace
+
+const ThemeColours& overlayInks() {
+    return coloursOf(Theme::Dark);
+}
+
+void strokeRimmed(QPainter& painter, const QPainterPath& shape, const QColor& colour, double width,
+                  Qt::PenStyle style) {
+    painter.setBrush(Qt::NoBrush);
+    QColor rim = Rim;
+    rim.setAlpha(std::min(150, colour.alpha()));
+    painter.setPen(QPen(rim, width + 2.0, style, Qt::FlatCap));
+    painter.drawPath(shape);
+    painter.setPen(QPen(colour, width, style, Qt::FlatCap));
+    painter.drawPath(shape);
+}
 
 void paintRimmedText(QPainter& painter, const QRectF& box, int flags, const QString& text,
                      const QColor& colour) {
@@ -191,6 +162,9 @@ void paintCameraOverlay(QPainter& painter, const QRectF& picture, double top, co
     paintRing(painter, picture, overlay.ring);
     paintPan(painter, picture, overlay);
     if (overlay.mode) paintMode(painter, picture, top, *overlay.mode);
+    // Beside the mode where there is room, below it otherwise.
+    const bool beside = !overlay.mode || picture.width() >= 600.0;
+    paintNotes(painter, picture, beside ? top : std::max(picture.top(), top) + 40.0, overlay.notes);
     painter.restore();
 }
 

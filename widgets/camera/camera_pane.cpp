@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include <QApplication>
 #include <QMouseEvent>
 
 #include "widgets/camera/camera_overlay.h"
+#include "widgets/camera/omni_overlay.h"
 #include "widgets/camera/thermal_overlay.h"
 #include "widgets/models/numbers.h"
 
@@ -28,6 +30,10 @@ void CameraPane::setCamera(const RobotFace& face, const QString& title) {
     m_thermal.reset();
     m_heat.clear();
     m_overlay = {};
+    m_panorama.reset();
+    m_front.reset();
+    m_pressed.reset();
+    setTurnable(false);
     setAccessibleName(QStringLiteral("%1 · %2").arg(face.letter, title));
     update();
 }
@@ -38,6 +44,10 @@ void CameraPane::setPicture(const QImage& picture) {
     m_thermal.reset();
     m_heat.clear();
     update();
+}
+
+void CameraPane::setVacant(bool vacant) {
+    if (std::exchange(m_head.vacant, vacant) != vacant) update();
 }
 
 void CameraPane::setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range,
@@ -73,8 +83,33 @@ void CameraPane::setOverlay(const CameraOverlay& overlay) {
     update();
 }
 
+void CameraPane::setPanorama(const std::optional<PanoramaShape>& shape) {
+    if (m_panorama == shape) return;
+    m_panorama = shape;
+    update();
+}
+
+void CameraPane::setFront(const std::optional<QPointF>& ahead) {
+    if (m_front == ahead) return;
+    m_front = ahead;
+    update();
+}
+
+void CameraPane::setTurnable(bool turnable) {
+    if (m_turnable == turnable) return;
+    m_turnable = turnable;
+    m_dragging = false;
+    setCursor(turnable ? Qt::OpenHandCursor : Qt::ArrowCursor);
+}
+
 QRectF CameraPane::pictureArea() const {
     if (m_picture.isNull()) return {};
+    if (m_panorama) {  // wide and low: what lies over other pictures has the room below
+        const double top = std::min<double>(paneHeadHeight(font()), 0.5 * height());
+        const QSizeF size =
+            QSizeF(m_picture.size()).scaled(QSizeF(width(), height() - top), Qt::KeepAspectRatio);
+        return {0.5 * (width() - size.width()), top, size.width(), size.height()};
+    }
     const QSizeF size = QSizeF(m_picture.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
     return {0.5 * (width() - size.width()), 0.5 * (height() - size.height()), size.width(), size.height()};
 }
@@ -121,6 +156,12 @@ void CameraPane::paintThermal(QPainter& painter, bool live) const {
         paintCelsius(painter, open, *m_pointer, *celsius);
 }
 
+QRectF CameraPane::overlayArea() const {
+    if (m_picture.isNull()) return rect();
+    const QRectF area = pictureArea();
+    return m_panorama ? QRectF(0, area.bottom(), width(), height() - area.bottom()) : area;
+}
+
 void CameraPane::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const ThemeColours& colours = coloursOf(presentTheme());
@@ -130,9 +171,10 @@ void CameraPane::paintEvent(QPaintEvent* /*event*/) {
     paintPicture(painter, freshness);
     const bool seen = freshness == Freshness::Live || freshness == Freshness::Stale;
     if (seen && m_thermal) paintThermal(painter, freshness == Freshness::Live);
+    if (seen && m_panorama) paintPanorama(painter, pictureArea(), *m_panorama);
+    if (seen && m_front && !m_panorama) paintFront(painter, pictureArea(), *m_front);
     // The mode, the horizon and what is near have ages of their own: they stay when pictures do not come.
-    const QRectF area = m_picture.isNull() ? QRectF(rect()) : pictureArea();
-    paintCameraOverlay(painter, area, paneHeadHeight(font()), m_overlay);
+    paintCameraOverlay(painter, overlayArea(), paneHeadHeight(font()), m_overlay);
     paintLoss(painter, rect(), m_head, colours);
     paintPaneHead(painter, rect(), m_head, colours);
 }
@@ -140,6 +182,12 @@ void CameraPane::paintEvent(QPaintEvent* /*event*/) {
 void CameraPane::mouseMoveEvent(QMouseEvent* event) {
     m_pointer = event->position();
     if (m_thermal) update();
+    if (!m_pressed || !m_turnable) return;
+    const bool far = (event->position() - *m_pressed).manhattanLength() >= QApplication::startDragDistance();
+    if (!m_dragging && !far) return;
+    const bool first = !std::exchange(m_dragging, true);
+    if (first) setCursor(Qt::ClosedHandCursor);
+    emit pictureDragged(inPicture(*m_pressed), inPicture(event->position()), first);
 }
 
 void CameraPane::leaveEvent(QEvent* /*event*/) {
@@ -150,7 +198,17 @@ void CameraPane::leaveEvent(QEvent* /*event*/) {
 void CameraPane::mousePressEvent(QMouseEvent* event) {
     const QPointF at = inPicture(event->position());
     const bool inside = at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0;
-    if (event->button() == Qt::LeftButton && inside) emit pictureClicked(at.x(), at.y());
+    if (event->button() == Qt::LeftButton && inside) m_pressed = event->position();
+}
+
+void CameraPane::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !m_pressed) return;
+    const QPointF at = inPicture(*std::exchange(m_pressed, std::nullopt));
+    if (std::exchange(m_dragging, false)) {
+        setCursor(Qt::OpenHandCursor);
+    } else {
+        emit pictureClicked(at.x(), at.y());
+    }
 }
 
 }  // namespace leitstand

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include <QImage>
+#include <QStringList>
 #include <QWidget>
 
 #include "core/perception/heat.h"
 #include "core/perception/picture.h"
 #include "widgets/camera/picture_image.h"
+#include "widgets/models/camera/camera_words.h"
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/live/proximity.h"
 #include "widgets/pane_paint.h"
@@ -20,10 +22,11 @@ namespace leitstand {
 struct CameraOverlay {
     std::optional<ModeLabel> mode;
     std::optional<double> roll, pitch;  ///< of the robot: right side down, nose down [rad]
-    std::optional<double> pan, tilt;    ///< of the camera: left, down [rad]
+    PanWords turn;                      ///< of the camera
+    std::optional<double> wishedPan;    ///< where it is on its way to [rad]
     double panLimit = 1.75;             ///< to each side [rad]
     double viewAngle = 0.9;             ///< from the left to the right border of the picture [rad]
-    QString recentreKey;                ///< "C": written beside the pan
+    QStringList notes;                  ///< what was done to the picture: "contrast raised"
     std::vector<Proximity> ring;        ///< proximityRing(); empty: none
     bool moving = false;                ///< a camera turned aside deserves a look then
 };
@@ -38,14 +41,22 @@ public:
     /// Whose camera this is, and what it is called: "Left camera".
     void setCamera(const RobotFace& face, const QString& title);
     void setPicture(const QImage& picture);
+    /// There is no camera for this pane: an empty one is calm.
+    void setVacant(bool vacant);
     /// Temperatures instead of a picture: with a scale, and the value under the pointer.
     void setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range = {},
-                    ThermalPalette palette = ThermalPalette::Inferno);
+                    ThermalPalette palette = ThermalPalette::Iron);
     /// Warm things in the thermal picture, framed.
     void setHeat(const std::vector<HeatBlob>& blobs);
     /// How old the picture is, PictureAge::at(); @p note stands after it: "full speed".
     void setAge(const DataAge& age, const QString& note = {});
     void setOverlay(const CameraOverlay& overlay);
+    /// The picture is one all around: directions are marked along it. Empty: it is none.
+    void setPanorama(const std::optional<PanoramaShape>& shape);
+    /// Where the robot's front is in an omnidirectional picture, 0 to 1 of both sides; empty: unmarked.
+    void setFront(const std::optional<QPointF>& ahead);
+    /// Whether dragging the picture turns the camera.
+    void setTurnable(bool turnable);
 
     /// Where the picture is painted [px]; empty without one.
     [[nodiscard]] QRectF pictureArea() const;
@@ -55,11 +66,15 @@ public:
 signals:
     /// The picture was clicked at @p x, @p y, 0 to 1 of its width and height.
     void pictureClicked(double x, double y);
+    /// A camera that can be turned was taken hold of at @p from; places as above, @p to maybe outside. Told
+    /// again while the pointer moves; @p first: a new hold.
+    void pictureDragged(const QPointF& from, const QPointF& to, bool first);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -67,6 +82,7 @@ private:
     void scalePicture(const QSize& size, bool grey);
     void paintThermal(QPainter& painter, bool live) const;
     [[nodiscard]] QPointF inPicture(const QPointF& pixel) const;  ///< 0 to 1
+    [[nodiscard]] QRectF overlayArea() const;
 
     PaneHead m_head;
     QImage m_picture;
@@ -74,9 +90,13 @@ private:
     bool m_scaledGrey = false;
     std::shared_ptr<const ThermalPicture> m_thermal;
     ThermalRange m_thermalRange;
-    ThermalPalette m_palette = ThermalPalette::Inferno;
+    ThermalPalette m_palette = ThermalPalette::Iron;
     std::vector<HeatBlob> m_heat;
     CameraOverlay m_overlay;
+    std::optional<PanoramaShape> m_panorama;
+    std::optional<QPointF> m_front;
+    bool m_turnable = false, m_dragging = false;
+    std::optional<QPointF> m_pressed;  ///< where the button went down [px]
     std::optional<QPointF> m_pointer;
 };
 

@@ -80,9 +80,10 @@ QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette pale
     if (!std::isfinite(celsius)) return qRgb(96, 96, 96);
     const double width = std::max(0.1F, range.hottest - range.coolest);
     const double share = std::clamp((celsius - range.coolest) / width, 0.0, 1.0);
-    if (palette == ThermalPalette::Inferno) return inferno(share);
+    if (palette == ThermalPalette::Iron) return inferno(share);
     const int grey = static_cast<int>(std::lround(255.0 * share));
-    return qRgb(grey, grey, grey);
+    return palette == ThermalPalette::GreyHot ? qRgb(grey, grey, grey)
+                                              : qRgb(255 - grey, 255 - grey, 255 - grey);
 }
 
 QImage imageOf(const ThermalPicture& picture, const ThermalRange& range, ThermalPalette palette) {
@@ -129,6 +130,14 @@ ThermalRange rangeOf(const ThermalPicture& picture) {
     if (range.coolest > range.hottest) return {};
     const float lacking = std::max(0.0F, 2.0F - (range.hottest - range.coolest));
     return {range.coolest - 0.5F * lacking, range.hottest + 0.5F * lacking};
+}
+
+ThermalRange eased(const ThermalRange& before, const ThermalRange& now) {
+    constexpr float Share = 0.2F, Much = 10.0F;
+    const auto step = [](float from, float to) {
+        return std::abs(to - from) > Much ? to : from + Share * (to - from);
+    };
+    return {step(before.coolest, now.coolest), step(before.hottest, now.hottest)};
 }
 
 }  // namespace leitstand

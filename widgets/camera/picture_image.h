@@ -18,19 +18,24 @@ namespace leitstand {
 /// meaning.
 struct ThermalRange {
     float coolest = 15.0F, hottest = 40.0F;  ///< [degrees C]
+    friend bool operator==(const ThermalRange&, const ThermalRange&) = default;
 };
 enum class ThermalPalette {
-    Inferno,  ///< dark violet to pale yellow
-    Grey,     ///< hot is white
+    Iron,      ///< dark violet over red to pale yellow
+    GreyHot,   ///< hot is white
+    GreyCold,  ///< hot is black
 };
 
 /// The colour of @p celsius, cut to @p range; NaN is mid grey.
 [[nodiscard]] QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette palette);
 [[nodiscard]] QImage imageOf(const ThermalPicture& picture, const ThermalRange& range = {},
-                             ThermalPalette palette = ThermalPalette::Inferno);
+                             ThermalPalette palette = ThermalPalette::Iron);
 /// The temperature at @p x, @p y (0 to 1 of width and height); empty outside and where none was measured.
 [[nodiscard]] std::optional<float> celsiusAt(const ThermalPicture& picture, double x, double y);
 /// The least and greatest temperatures of @p picture, at least 2 K apart.
 [[nodiscard]] ThermalRange rangeOf(const ThermalPicture& picture);
+/// @p before, moved some way to @p now, at once where they differ much: colours that follow the picture do
+/// not flicker.
+[[nodiscard]] ThermalRange eased(const ThermalRange& before, const ThermalRange& now);
 
 }  // namespace leitstand

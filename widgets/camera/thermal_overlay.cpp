@@ -1,6 +1,7 @@
 #include "widgets/camera/thermal_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QCoreApplication>
 #include <QLinearGradient>
@@ -43,11 +44,15 @@ void paintThermalScale(QPainter& painter, const QRectF& area, const ThermalRange
     painter.setPen(QPen(QColor(255, 255, 255, 120), 1.0));
     painter.setBrush(gradient);
     painter.drawRect(bar);
-    const double width = 40.0;
-    paintRimmedText(painter, {bar.left() - width - 5.0, bar.top() - 0.5 * line, width, line},
-                    Qt::AlignRight | Qt::AlignVCenter, numberText(range.hottest, 0), Qt::white);
-    paintRimmedText(painter, {bar.left() - width - 5.0, bar.bottom() - 0.5 * line, width, line},
-                    Qt::AlignRight | Qt::AlignVCenter, numberText(range.coolest, 0), Qt::white);
+    const double width = 60.0, middle = 0.5 * (range.coolest + range.hottest);
+    const int decimals = std::abs(middle - std::round(middle)) > 0.05 ? 1 : 0;
+    const auto label = [&](double y, const QString& text) {
+        paintRimmedText(painter, {bar.left() - width - 5.0, y - 0.5 * line, width, line},
+                        Qt::AlignRight | Qt::AlignVCenter, text, Qt::white);
+    };
+    label(bar.top(), celsiusText(range.hottest, 0));
+    if (bar.height() > 5.0 * line) label(bar.center().y(), numberText(middle, decimals));
+    label(bar.bottom(), numberText(range.coolest, 0));
     painter.restore();
 }
 

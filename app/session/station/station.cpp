@@ -16,6 +16,7 @@
 #include "app/session/station/mission_map.h"
 #include "app/session/station/robot_lines.h"
 #include "app/session/station/station_brakes.h"
+#include "app/session/station/station_cameras.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
@@ -41,6 +42,7 @@ struct Station::State {
     std::unique_ptr<StationStreams> streams;
     std::unique_ptr<StationBrakes> brakes;
     RobotLines lines;  ///< fixed once open
+    std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<StationClock> clock;
@@ -78,12 +80,14 @@ Station::State::~State() {
     for (const auto& [name, line] : lines) {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
+    if (cameras) cameras->snapshots().finish();  // they are told in the log
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
+    cameras.reset();
     lines.clear();
     streams.reset();
     brakes.reset();
@@ -225,6 +229,7 @@ Result<void> Station::State::start() {
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
         brakes->take(event);
         mapping->take(event);
+        cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
@@ -237,6 +242,13 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
+    cameras = std::make_unique<StationCameras>(
+        settings.mission, *grants,
+        [this](const std::string& robot, const PanTiltCommand& command) {
+            return wish(robot, StreamRole::PanTiltCommand, command);
+        },
+        [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
+        [this](const std::string& text) { say(text); });
     map(std::move(earlier));
     clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {
@@ -373,10 +385,6 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
     return m_state->wish(robot, StreamRole::GoalPose, stamped);
 }
 
-Result<void> Station::turnCameras(const std::string& robot, const std::map<std::string, double>& joints) {
-    return m_state->wish(robot, StreamRole::PanTiltCommand, panTiltCommand(joints));
-}
-
 std::vector<std::string> Station::limits() const {
     return m_state->node->warnings();
 }
@@ -391,6 +399,10 @@ const StationSettings& Station::settings() const {
 
 StationBrakes& Station::brakes() {
     return *m_state->brakes;
+}
+
+StationCameras& Station::cameras() {
+    return *m_state->cameras;
 }
 
 StationStreams& Station::streams() {

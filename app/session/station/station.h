@@ -22,6 +22,7 @@
 namespace leitstand {
 
 class StationBrakes;
+class StationCameras;
 class StationStreams;
 
 /// A station in a domain.
@@ -95,10 +96,9 @@ public:
     /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
     Result<void> setMode(const std::string& robot, const std::string& mode);
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
-    Result<void> turnCameras(const std::string& robot,
-                             const std::map<std::string, double>& joints);  ///< [rad]
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
+    [[nodiscard]] StationCameras& cameras();
 
 private:
     struct State;

@@ -24,6 +24,7 @@ public:
     ~LiveBridge() override;
 
     [[nodiscard]] Station& station() { return *m_station; }
+    [[nodiscard]] PictureFeed& pictures() { return *m_pictures; }
     /// As of the newest tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
     /// Whose surroundings are asked for, ten times a second.

@@ -10,7 +10,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
-#include "app/window/live/cameras/camera_views.h"
+#include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/link/link_feature.h"
@@ -42,7 +42,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_mission = new MissionFeature(context, QString::fromStdString(bridge.station().folder()));
     m_robots = new RobotsFeature(context);
     m_drive = new DriveFeature(context);
-    m_cameras = new CameraViews(context);
+    m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
     new ScanFeature(context);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
@@ -95,7 +95,8 @@ void LiveWindow::build() {
 void LiveWindow::connectFeatures() {
     const auto watch = [this] { m_bridge.watch(m_selection->name().toStdString()); };
     connect(m_selection, &Selection::changed, this, watch);
-    connect(m_cameras, &CameraViews::driveWanted, this, [this] { setDriving(true); });
+    connect(m_cameras, &CameraFeature::driveWanted, this, [this] { setDriving(true); });
+    connect(m_cameras, &CameraFeature::told, this, &LiveWindow::tell);
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
     connect(m_map, &MapFeature::told, this, &LiveWindow::tell);
@@ -103,6 +104,8 @@ void LiveWindow::connectFeatures() {
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);
     connect(m_link, &LinkFeature::told, this, &LiveWindow::tell);
+    connect(&m_pads->input(), &PadInput::panTilt, m_cameras,
+            [this](const PanTiltRate& rate) { m_cameras->setRate(rate.pan, -rate.tilt); });
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();
 }

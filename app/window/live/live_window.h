@@ -13,7 +13,7 @@ class QLabel;
 
 namespace leitstand {
 
-class CameraViews;
+class CameraFeature;
 class CommandTable;
 class DriveFeature;
 class LayoutFeature;
@@ -73,7 +73,7 @@ private:
     RobotsFeature* m_robots = nullptr;
     MissionFeature* m_mission = nullptr;
     DriveFeature* m_drive = nullptr;
-    CameraViews* m_cameras = nullptr;
+    CameraFeature* m_cameras = nullptr;
     MapFeature* m_map = nullptr;
     PadFeature* m_pads = nullptr;
     LinkFeature* m_link = nullptr;

@@ -110,6 +110,21 @@ void readLimits(const YamlPlace& place, RobotDescription& robot, YamlErrors& err
     fields.number("speed", robot.maxSpeed, 0.01, 20.0, " m/s");
 }
 
+PanTiltMount panTiltOf(const YamlPlace& place, const std::string& sensor, YamlErrors& errors) {
+    const YamlFields fields(place, detail::PanTiltKeys, errors);
+    PanTiltMount mount;
+    mount.unit = sensor;
+    fields.text("unit", mount.unit);
+    const auto angle = [&fields](const char* key, double& radians) {
+        double value = inDegrees(radians);
+        if (fields.has(key) && fields.number(key, value, 0.0, 180.0, " degrees")) radians = degrees(value);
+    };
+    angle("pan", mount.pan);
+    angle("up", mount.up);
+    angle("down", mount.down);
+    return mount;
+}
+
 void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
     if (!fields.has("sensors")) return;
     const YamlFields sensors(fields.at("sensors"), errors);
@@ -124,6 +139,7 @@ void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& 
         sensor.sensorInBase = poseFrom({position[0], position[1], position[2]}, degrees(rotation[0]),
                                        degrees(rotation[1]), degrees(rotation[2]));
         one.choice("motion", sensor.motion, detail::motionWords());
+        if (one.has("pan_tilt")) sensor.panTilt = panTiltOf(one.at("pan_tilt"), name, errors);
         robot.sensors.emplace(name, sensor);
     }
 }

@@ -13,6 +13,7 @@ std::vector<std::string> allRobotKeys() {
     add("frames.", FrameKeys);
     add("limits.", LimitKeys);
     add("sensors.NAME.", SensorKeys);
+    add("sensors.NAME.pan_tilt.", PanTiltKeys);
     add("streams[].", StreamKeys);
     add("streams[].qos.", QosKeys);
     add("streams[].thermal.", ThermalKeys);

@@ -12,7 +12,8 @@ inline constexpr std::string_view RobotKeys[] = {"letter",  "name",      "title"
                                                  "sensors", "streams",   "bindings", "link_loss"};
 inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
 inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate"};
-inline constexpr std::string_view SensorKeys[] = {"frame", "position", "rotation", "motion"};
+inline constexpr std::string_view SensorKeys[] = {"frame", "position", "rotation", "motion", "pan_tilt"};
+inline constexpr std::string_view PanTiltKeys[] = {"unit", "pan", "up", "down"};
 inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",  "qos",
                                                   "stamp", "thermal", "hardware_id", "record"};
 inline constexpr std::string_view QosKeys[] = {"reliability", "durability", "depth", "lifespan", "deadline"};

@@ -44,6 +44,14 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
     list(out, "position", {number(position.x()), number(position.y()), number(position.z())});
     list(out, "rotation", {angle(roll), angle(pitch), angle(yaw)});
     if (sensor.motion != SensorMotion::Unsaid) entry(out, "motion", toString(sensor.motion));
+    if (sensor.panTilt) {
+        out << YAML::Key << "pan_tilt" << YAML::Value << YAML::Flow << YAML::BeginMap;
+        entry(out, "unit", sensor.panTilt->unit);
+        entry(out, "pan", angle(sensor.panTilt->pan));
+        entry(out, "up", angle(sensor.panTilt->up));
+        entry(out, "down", angle(sensor.panTilt->down));
+        out << YAML::EndMap;
+    }
     out << YAML::EndMap;
 }
 

@@ -119,6 +119,78 @@ TEST(PictureFeed, WhoeverIsSlowSeesTheNewestOfEachCamera) {
     EXPECT_LE(shown.pictures().size(), 5u);
 }
 
+/// A grey omnidirectional picture, @p value all over.
+Event omniPicture(std::uint8_t value, int side = 320) {
+    auto bytes = std::make_shared<std::vector<std::byte>>(static_cast<std::size_t>(side * side),
+                                                          static_cast<std::byte>(value));
+    PictureSample sample;
+    sample.encoding = "mono8";
+    sample.width = sample.height = side;
+    sample.step = static_cast<std::size_t>(side);
+    sample.content = {bytes, *bytes};
+    Event event;
+    event.sequence = value;
+    event.robot = "kurt3d";
+    event.topic = "/kurt3d/omni";
+    event.role = StreamRole::Picture;
+    event.sensor = "omni";
+    event.sample = sample;
+    return event;
+}
+
+Event mirrorInfo() {
+    CameraInfoSample info;
+    info.width = info.height = 320;
+    info.distortionModel = "mei";
+    info.distortion = {-0.01, 0.0, 0.0, 0.0, 0.95};
+    info.intrinsics = {110, 0, 160, 0, 110, 160, 0, 0, 1};
+    Event event;
+    event.robot = "kurt3d";
+    event.role = StreamRole::CameraInfo;
+    event.sensor = "omni";
+    event.sample = info;
+    return event;
+}
+
+TEST(PictureFeed, ALookIsAppliedAtOnceAndLeavesTheSampleAsItCame) {
+    RobotDescription robot = robotWithCameras();
+    robot.sensors["omni"].sensorInBase = poseFrom({0, 0, 0.3}, degrees(180), 0, degrees(-90));
+    Shown shown;
+    PictureFeed feed({robot}, shown.listener());
+    feed.take(mirrorInfo());
+    feed.take(omniPicture(20));
+    ASSERT_TRUE(waitUntil([&] { return shown.pictures().size() == 1; }));
+    EXPECT_FALSE(shown.pictures()[0]->panorama);
+    EXPECT_NE(shown.pictures()[0]->camera, nullptr);
+    feed.setLook("kurt3d", "omni", {ContrastHelp::Strong, true});
+    ASSERT_TRUE(waitUntil([&] { return shown.pictures().size() == 2; })) << "although no picture came";
+    const ShownPicture& made = *shown.pictures()[1];
+    ASSERT_TRUE(made.panorama);
+    EXPECT_EQ(made.contrast, ContrastHelp::Strong);
+    EXPECT_EQ(made.sequence, shown.pictures()[0]->sequence);
+    EXPECT_EQ(std::get<Picture>(made.content).width, made.panorama->width);
+    EXPECT_EQ(made.width, 320);
+    EXPECT_EQ(made.sample.width, 320);
+    EXPECT_EQ(made.sample.content.bytes[0], std::byte{20});
+    feed.setLook("kurt3d", "omni", {ContrastHelp::Strong, true});
+    feed.take(omniPicture(21));
+    ASSERT_TRUE(waitUntil([&] { return shown.pictures().back()->sequence == 21; }));
+    EXPECT_EQ(shown.pictures().size(), 3U) << "the same look again is none";
+    feed.take(omniPicture(22, 160));  // a thin link: reduced
+    ASSERT_TRUE(waitUntil([&] { return shown.pictures().back()->sequence == 22; }));
+    ASSERT_TRUE(shown.pictures().back()->panorama);
+    EXPECT_LT(shown.pictures().back()->panorama->width, made.panorama->width);
+}
+
+TEST(PictureFeed, InfraredGetsBodiesButNoContrast) {
+    Shown shown;
+    PictureFeed feed({robotWithCameras(false)}, shown.listener());
+    feed.setLook("kurt3d", "ir", {ContrastHelp::Strong, true});
+    feed.take(picture(StreamRole::Thermal, "ir", 30'615));
+    ASSERT_TRUE(waitUntil([&] { return !shown.pictures().empty(); }));
+    EXPECT_EQ(shown.pictures()[0]->contrast, ContrastHelp::Off);
+}
+
 TEST(PictureFeed, ABrokenPictureIsToldOnceAndCostsNoOther) {
     Shown shown;
     PictureFeed feed({robotWithCameras()}, shown.listener());

@@ -129,6 +129,8 @@ TEST(RobotErrors, TellNumbersThatAreNoneOrOfAnotherUnit) {
             "sensors.imu.position: expected 3 numbers from -10 to 10 m, found a list of 2"),
         top("sensors: {imu: {position: [1, 2, 300]}}",
             "sensors.imu.position: expected 3 numbers from -10 to 10 m, found \"300\""),
+        top("sensors: {left: {pan_tilt: {pan: 200}}}",
+            "sensors.left.pan_tilt.pan: expected a number from 0 to 180 degrees, found \"200\""),
         top("sensors: {laser: {motion: spiral}}",
             "sensors.laser.motion: expected fixed, turning or tilting, found \"spiral\""),
         top("sensors: {imu: {rotation: [1, 2, x]}}",

@@ -36,6 +36,13 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
         EXPECT_EQ(sensor.frame, b.sensors.at(name).frame);
         EXPECT_EQ(sensor.motion, b.sensors.at(name).motion);
         EXPECT_TRUE(sensor.sensorInBase.isApprox(b.sensors.at(name).sensorInBase, 1e-9)) << name;
+        const auto& turned = b.sensors.at(name).panTilt;
+        ASSERT_EQ(sensor.panTilt.has_value(), turned.has_value()) << name;
+        if (!turned) continue;
+        EXPECT_EQ(sensor.panTilt->unit, turned->unit);
+        EXPECT_NEAR(sensor.panTilt->pan, turned->pan, 1e-11);
+        EXPECT_NEAR(sensor.panTilt->up, turned->up, 1e-11);
+        EXPECT_NEAR(sensor.panTilt->down, turned->down, 1e-11);
     }
 }
 
@@ -149,6 +156,8 @@ public:
             robot.sensors[word()] = {word(), poseFrom({number(-9, 9), number(-9, 9), number(-9, 9)},
                                                       number(-3, 3), number(-1.5, 1.5), number(-3, 3))};
         }
+        robot.sensors.begin()->second.panTilt = {word(), degrees(number(0, 179)), degrees(number(0, 179)),
+                                                 degrees(number(0, 179))};
         addStreams(robot);
         for (int i = below(4); i > 0; --i) robot.bindings[word()] = fmt::format("{} {}", title(), i);
         for (int i = below(4); i > 0; --i) robot.linkLoss[word()] = static_cast<LinkLossRule>(below(3));

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/perception/omni/panorama.h"
 #include "core/perception/picture_decoding.h"
 #include "robots/simulation/sensors/pan_tilt.h"
 #include "robots/simulation/sensors/sensor_place.h"
@@ -201,6 +202,50 @@ TEST(Camera, BelowTheMirrorShowsKnownCornersWhereTheyAre) {
         EXPECT_EQ(found, 20) << "all around";
         std::printf("%d corners in %d x %d, at worst %.2f px off\n", found, model.width, model.height, worst);
     }
+}
+
+TEST(Camera, BelowTheMirrorIsUnwrappedTrueToDirections) {
+    Stage stage;
+    const auto world = stage.room.world();
+    const int robot = addBareRobot(*world, 0.3, -0.2, 0.7);
+    Pose mount = Pose::Identity();
+    mount.linear() = mirrorAxes();
+    mount.translation().z() = 0.34;
+    CameraSettings settings;
+    settings.model = fineMirror();
+    settings.quality = 95;
+    settings.sensor = "omni";
+    settings.cameraInBase = [mount](Time) { return mount; };
+    Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "omni"), world->now());
+    std::vector<HardwareSample> samples;
+    camera.run(*world, robot, samples);
+    ASSERT_EQ(samples.size(), 2U);
+    const auto picture = decodePicture(std::get<PictureSample>(samples[0].sample));
+    ASSERT_TRUE(picture);
+    const auto panorama =
+        Panorama::of(std::get<CameraInfoSample>(samples[1].sample), picture->width, picture->height, mount);
+    ASSERT_TRUE(panorama);
+    Picture unwrapped = panorama->unwrapped(*picture);
+    const cv::Mat rgb(unwrapped.height, unwrapped.width, CV_8UC3, unwrapped.bytes.data());
+    cv::Mat grey;
+    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    const Pose baseInArena = world->state(robot).baseInArena;
+    double worst = 0.0;
+    int found = 0;
+    for (const Mark& mark : stage.marks) {
+        // as the robot would point at it from its mirror
+        const Eigen::Vector3d seen = baseInArena.inverse() * mark.at - mount.translation();
+        const Eigen::Vector2d expected(
+            panorama->shape().columnOf(std::atan2(seen.y(), seen.x())) - 0.5,
+            panorama->shape().rowOf(std::atan2(seen.z(), seen.head<2>().norm())) - 0.5);
+        if (expected.x() < 8 || expected.x() > unwrapped.width - 8) continue;
+        const double miss = missOf(grey, expected);
+        EXPECT_LT(miss, 1.0) << "mark at " << mark.at.transpose();
+        worst = std::max(worst, miss);
+        ++found;
+    }
+    EXPECT_GE(found, 18);
+    std::printf("%d corners in the panorama, at worst %.2f px off\n", found, worst);
 }
 
 TEST(Camera, AdaptsToLightAndDark) {

@@ -50,9 +50,10 @@ CameraOverlay overlayOf(const SampleRobot& robot) {
     overlay.mode = modeLabelOf(robot.view, robot.said.mode);
     overlay.roll = degrees(6);
     overlay.pitch = degrees(-3);
-    overlay.pan = degrees(-14);
-    overlay.tilt = 0.0;
-    overlay.recentreKey = QStringLiteral("C");
+    overlay.turn.pan = degrees(-14);
+    overlay.turn.tilt = 0.0;
+    overlay.turn.keys = QStringLiteral("Q E PgUp PgDn");
+    overlay.turn.recentreKey = QStringLiteral("C");
     overlay.ring =
         proximityRing(*robot.view.around, boxAround(robot.description.footprint), robot.view.drive.velocity);
     return overlay;

@@ -48,13 +48,13 @@ TEST(ThermalImage, AColourKeepsItsTemperature) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const ThermalPicture cold{2, 1, {20.0F, 21.0F}}, hot{2, 2, {20.0F, 39.0F, nan, 1e9F}};
     EXPECT_EQ(imageOf(cold).pixel(0, 0), imageOf(hot).pixel(0, 0));
-    const QImage image = imageOf(hot, {}, ThermalPalette::Grey);
+    const QImage image = imageOf(hot, {}, ThermalPalette::GreyHot);
     EXPECT_LT(qGray(image.pixel(0, 0)), qGray(image.pixel(1, 0)));
     EXPECT_EQ(image.pixel(0, 1), qRgb(96, 96, 96)) << "nothing measured";
     EXPECT_EQ(image.pixel(1, 1), qRgb(255, 255, 255));
     int before = -1;
     for (float celsius = 15.0F; celsius <= 40.0F; celsius += 0.5F) {
-        const int light = qGray(thermalColour(celsius, {}, ThermalPalette::Inferno));
+        const int light = qGray(thermalColour(celsius, {}, ThermalPalette::Iron));
         EXPECT_GE(light, before) << celsius << ": hotter is lighter";
         before = light;
     }

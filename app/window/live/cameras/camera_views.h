@@ -5,51 +5,50 @@
 #include <utility>
 #include <vector>
 
-#include <QObject>
-#include <QStringList>
-
 #include "app/session/station/picture_feed.h"
-#include "app/window/live/live_context.h"
 #include "core/robot/robot_description.h"
 #include "widgets/models/live/picture_age.h"
 
 namespace leitstand {
 
-class CameraPane;
-struct CameraOverlay;
-struct LiveMoment;
+/// The panes that show cameras of the selected robot.
+enum class CameraPlace { Large, Small };
 
-/// The selected robot's cameras: its first one large ("camera"), with what the driver has to know in it, and
-/// another or the infrared one beside it ("right").
-class CameraViews final : public QObject {
-    Q_OBJECT
+/// Which camera of the selected robot is in which pane, what came of each camera last, and how old that is.
+class CameraViews {
 public:
-    explicit CameraViews(const LiveContext& context);
+    /// Shows the cameras of @p robot, as they were when it was selected before: at first its first camera
+    /// large, its last (infrared, where it has one) small. Null: none.
+    void select(const RobotDescription* robot);
+    void took(const ShownPicturePtr& picture, SteadyTime now);
+    /// Puts the next camera into the small pane, round and round, never the large one.
+    void next();
+    /// The cameras change panes.
+    void swap();
 
-    /// Cameras that are in a pane and have sent no picture yet.
-    [[nodiscard]] QStringList missing() const;
-
-signals:
-    void driveWanted();  ///< the large picture was clicked
+    [[nodiscard]] const RobotDescription* robot() const { return m_robot; }
+    /// Null when the pane is empty.
+    [[nodiscard]] const StreamDescription* stream(CameraPlace place) const;
+    [[nodiscard]] std::string sensor(CameraPlace place) const;
+    [[nodiscard]] ShownPicturePtr newest(CameraPlace place) const;  ///< null: none came
+    [[nodiscard]] DataAge age(CameraPlace place, SteadyTime now) const;
+    /// Of any camera of any robot.
+    [[nodiscard]] DataAge age(const std::string& robot, const std::string& sensor, SteadyTime now) const;
 
 private:
-    /// What came of one camera.
     struct Camera {
         PictureAge age;
         ShownPicturePtr newest;
     };
-    void choose();  ///< cameras for the panes of a robot newly selected
-    void next();    ///< in the small pane
-    void showPicture(const ShownPicturePtr& picture);
-    void showNewest(const std::string& sensor);
-    static void showIn(CameraPane& pane, const ShownPicture& picture);
-    void show(const LiveMoment& moment);
-    void showAge(CameraPane& pane, const std::string& sensor, const LiveMoment& moment);
-    [[nodiscard]] CameraOverlay overlay(const RobotDescription& robot, const LiveMoment& moment) const;
+    struct Choice {
+        std::string large, small;
+    };
+    [[nodiscard]] const Camera* camera(CameraPlace place) const;
+    [[nodiscard]] const Choice* choice() const;
 
-    LiveContext m_context;
-    CameraPane *m_large, *m_small;
-    std::string m_largeSensor, m_smallSensor;
+    const RobotDescription* m_robot = nullptr;
+    std::vector<const StreamDescription*> m_streams;  ///< of its cameras, the thermal ones last
+    std::map<std::string, Choice> m_choices;          ///< by robot
     std::map<std::pair<std::string, std::string>, Camera> m_cameras;  ///< by robot and sensor
 };
 

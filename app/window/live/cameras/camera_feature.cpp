@@ -1,0 +1,279 @@
+#include "app/window/live/cameras/camera_feature.h"
+
+#include <chrono>
+#include <variant>
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "app/session/station/station_cameras.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/cameras/camera_keys.h"
+#include "app/window/live/cameras/camera_overlays.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/camera/camera_pane.h"
+#include "widgets/models/camera/camera_words.h"
+#include "widgets/models/live/sight_text.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Step = degrees(10);  ///< of a command that turns a camera [rad]
+
+}  // namespace
+
+CameraFeature::CameraFeature(const LiveContext& context)
+    : QObject(&context.window),
+      m_context(context),
+      m_large(new CameraPane(&context.window)),
+      m_small(new CameraPane(&context.window)) {
+    m_large->setObjectName(QStringLiteral("cameraPane"));
+    m_small->setObjectName(QStringLiteral("rightPane"));
+    context.panes.add(QStringLiteral("camera"), tr("Camera"), *m_large);
+    context.panes.add(QStringLiteral("right"), tr("Second camera"), *m_small);
+    addTurning();
+    addLooks();
+    addInfrared();
+    connect(m_large, &CameraPane::pictureClicked, this, &CameraFeature::driveWanted);
+    connect(m_large, &CameraPane::pictureDragged, this, &CameraFeature::drag);
+    connect(&context.selection, &Selection::changed, this, &CameraFeature::choose);
+    connect(&context.bridge, &LiveBridge::pictured, this, &CameraFeature::showPicture);
+    connect(&context.bridge, &LiveBridge::ticked, this, &CameraFeature::show);
+    applyLooks();
+    choose();
+}
+
+QAction& CameraFeature::add(const char* id, const QString& text, const QString& hint,
+                            const QKeySequence& keys, bool checkable) {
+    return m_context.commands.add({.id = QString::fromLatin1(id),
+                                   .menu = CommandMenu::Cameras,
+                                   .text = text,
+                                   .hint = hint,
+                                   .keys = keys,
+                                   .checkable = checkable});
+}
+
+void CameraFeature::addTurning() {
+    auto* keys = new CameraKeys(m_context.window,
+                                [this] { return m_context.bridge.moment().view(robotName()).drive.focus; });
+    connect(keys, &CameraKeys::rateWanted, this,
+            [this](const PanTiltAngles& rate) { setRate(rate.pan, rate.tilt); });
+    connect(keys, &CameraKeys::recentreWanted, this, &CameraFeature::recentre);
+    connect(&add("camera.recentre", tr("Re-&centre cameras"), tr("All cameras of the robot look ahead"),
+                 Qt::Key_C),
+            &QAction::triggered, this, &CameraFeature::recentre);
+    // Held keys are CameraKeys': here they are only written.
+    const auto turn = [this](const char* id, const QString& text, double pan, double tilt) {
+        connect(
+            &add(id, text, tr("Turns the large camera by 10 degrees; its keys turn it while they are held")),
+            &QAction::triggered, this, [this, pan, tilt] { turnBy(pan, tilt); });
+    };
+    turn("camera.left", tr("Turn &left\tQ"), Step, 0.0);
+    turn("camera.right", tr("Turn &right\tE"), -Step, 0.0);
+    turn("camera.up", tr("Turn &up\tPgUp"), 0.0, -Step);
+    turn("camera.down", tr("Turn &down\tPgDown"), 0.0, Step);
+    m_context.commands.separate(CommandMenu::Cameras);
+}
+
+void CameraFeature::addLooks() {
+    connect(&add("camera.next", tr("&Next small picture"),
+                 tr("Shows the next camera of the robot in the small pane"), Qt::Key_I),
+            &QAction::triggered, this, [this] {
+                m_views.next();
+                showPanes();
+            });
+    connect(&add("camera.exchange", tr("E&xchange both pictures"),
+                 tr("The camera in the small pane gets the large one")),
+            &QAction::triggered, this, [this] {
+                m_views.swap();
+                showPanes();
+            });
+    connect(&add("camera.contrast", tr("Help in the &dark"),
+                 tr("More contrast in pictures: gently, strongly, not. The log keeps them as they came"),
+                 Qt::Key_L),
+            &QAction::triggered, this, [this] {
+                m_looks.nextContrast();
+                applyLooks();
+            });
+    QAction& unwarp =
+        add("omni.unwarp", tr("Omnidirectional as &panorama"),
+            tr("All around in one strip, ahead in the middle; or as the mirror shows it"), Qt::Key_U, true);
+    unwarp.setChecked(m_looks.look().unwrapped);
+    connect(&unwarp, &QAction::toggled, this, [this](bool on) {
+        m_looks.setUnwrapped(on);
+        applyLooks();
+    });
+    connect(&add("camera.snapshot", tr("Keep a &snapshot"),
+                 tr("The newest large picture, as it came, into the mission's folder snapshots"), Qt::Key_P),
+            &QAction::triggered, this, [this] { keep(CameraPlace::Large); });
+    connect(&add("camera.snapshotSmall", tr("Keep a snapshot of the s&mall picture"),
+                 tr("The same of the small picture"), Qt::SHIFT | Qt::Key_P),
+            &QAction::triggered, this, [this] { keep(CameraPlace::Small); });
+    m_context.commands.separate(CommandMenu::Cameras);
+}
+
+void CameraFeature::addInfrared() {
+    auto* palettes = new QActionGroup(this);
+    const auto palette = [this, palettes](const char* id, const QString& text, ThermalPalette colours) {
+        QAction& one = add(id, text, {}, {}, true);
+        palettes->addAction(&one);
+        one.setChecked(colours == m_looks.palette());
+        connect(&one, &QAction::triggered, this, [this, colours] {
+            m_looks.setPalette(colours);
+            showPanes();
+        });
+    };
+    palette("ir.iron", tr("Infrared in &iron colours"), ThermalPalette::Iron);
+    palette("ir.greyHot", tr("Infrared in grey, &hot is white"), ThermalPalette::GreyHot);
+    palette("ir.greyCold", tr("Infrared in grey, &hot is black"), ThermalPalette::GreyCold);
+    QAction& follow = add(
+        "ir.autoRange", tr("Infrared colours &follow the picture"),
+        tr("From its coldest to its hottest; otherwise a colour is always the same temperature"), {}, true);
+    connect(&follow, &QAction::toggled, this, [this](bool on) {
+        m_looks.setAutoRange(on);
+        showPanes();
+    });
+}
+
+std::string CameraFeature::robotName() const {
+    return m_context.selection.name().toStdString();
+}
+
+CameraPane& CameraFeature::pane(CameraPlace place) const {
+    return place == CameraPlace::Large ? *m_large : *m_small;
+}
+
+void CameraFeature::applyLooks() {
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.role == StreamRole::Picture || stream.role == StreamRole::Thermal)
+                m_context.bridge.pictures().setLook(robot.name, stream.sensor, m_looks.look());
+        }
+    }
+}
+
+void CameraFeature::choose() {
+    setRate(0.0, 0.0);  // of the robot that was selected before
+    m_views.select(m_context.selection.robot());
+    showPanes();
+}
+
+void CameraFeature::showPanes() {
+    m_context.bridge.station().lookThrough(robotName(), m_views.sensor(CameraPlace::Large));
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
+        pane(place).setCamera(m_context.selection.face(), cameraTitle(m_views.stream(place)));
+        pane(place).setVacant(m_views.stream(place) == nullptr);
+        const ShownPicturePtr newest = m_views.newest(place);
+        if (newest) {
+            showIn(pane(place), newest);
+        } else {
+            pane(place).setPicture({});
+        }
+    }
+}
+
+void CameraFeature::showPicture(const ShownPicturePtr& picture) {
+    m_views.took(picture, std::chrono::steady_clock::now());
+    if (picture->robot != robotName()) return;
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
+        if (picture->sensor == m_views.sensor(place)) showIn(pane(place), picture);
+    }
+}
+
+void CameraFeature::showIn(CameraPane& pane, const ShownPicturePtr& picture) {
+    if (const auto* heat = std::get_if<ThermalPicture>(&picture->content)) {
+        pane.setThermal({picture, heat}, m_looks.rangeFor(picture->robot, picture->sensor, *heat),
+                        m_looks.palette());
+        pane.setHeat(picture->heat);
+    } else {
+        pane.setPicture(imageOf(std::get<Picture>(picture->content)));
+    }
+    pane.setPanorama(picture->panorama);
+    const RobotDescription* const robot = m_views.robot();
+    pane.setFront(robot == nullptr ? std::nullopt : frontIn(*robot, *picture));
+}
+
+void CameraFeature::show(const LiveMoment& moment) {
+    CameraTurning& turning = m_context.bridge.station().cameras().turning();
+    if (const auto sent = turning.pulse(); !sent) emit told(QString::fromStdString(sent.error().text));
+    const RobotDescription* const robot = m_views.robot();
+    if (robot == nullptr) return;
+    const QAction* const recentring = m_context.commands.find(QStringLiteral("camera.recentre"));
+    const CameraKeyNames keys{CameraKeys::names(), recentring->shortcut().toString(QKeySequence::NativeText)};
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
+        const bool large = place == CameraPlace::Large;
+        const auto turn = turning.view(robot->name, m_views.sensor(place));
+        const ShownPicturePtr picture = m_views.newest(place);
+        CameraOverlay overlay =
+            cameraOverlay(turn, picture.get(), m_looks.autoRange(), large ? keys : CameraKeyNames{});
+        if (large) addDriving(overlay, *robot, moment, picture.get());
+        pane(place).setTurnable(large && turn.has_value());
+        pane(place).setAge(m_views.age(place, moment.steady),
+                           large ? sightNote(moment.view(robot->name).drive) : QString());
+        pane(place).setOverlay(overlay);
+    }
+}
+
+void CameraFeature::turnTo(double pan, double tilt) {
+    m_context.bridge.station().cameras().turning().turnTo(robotName(), m_views.sensor(CameraPlace::Large),
+                                                          {pan, tilt});
+}
+
+void CameraFeature::turnBy(double pan, double tilt) {
+    m_context.bridge.station().cameras().turning().turnBy(robotName(), m_views.sensor(CameraPlace::Large),
+                                                          {pan, tilt});
+}
+
+void CameraFeature::setRate(double pan, double tilt) {
+    if (m_views.robot() == nullptr) return;
+    m_context.bridge.station().cameras().turning().setRate(m_views.robot()->name,
+                                                           m_views.sensor(CameraPlace::Large), {pan, tilt});
+}
+
+void CameraFeature::recentre() {
+    m_context.bridge.station().cameras().turning().recentre(robotName());
+}
+
+void CameraFeature::drag(const QPointF& from, const QPointF& to, bool first) {
+    const ShownPicturePtr picture = m_views.newest(CameraPlace::Large);
+    if (!picture) return;
+    if (first) {
+        const auto turn = m_context.bridge.station().cameras().turning().view(
+            robotName(), m_views.sensor(CameraPlace::Large));
+        m_grabbedAt = turn ? turn->now.value_or(PanTiltAngles{}) : PanTiltAngles{};
+        m_grabbed = directionAt(*picture, from);
+    }
+    const PanTiltAngles wanted = dragged(m_grabbedAt, m_grabbed, directionAt(*picture, to));
+    turnTo(wanted.pan, wanted.tilt);
+}
+
+void CameraFeature::keep(CameraPlace place) {
+    SnapshotWish wish;
+    wish.picture = m_views.newest(place);
+    if (!wish.picture) {
+        emit told(tr("There is no picture to keep yet"));
+        return;
+    }
+    StationCameras& cameras = m_context.bridge.station().cameras();
+    wish.camera = cameraTitle(m_views.stream(place)).toStdString();
+    const RobotState& said = m_context.bridge.moment().said(robotName());
+    if (said.odometry) wish.baseInOdom = said.odometry->sample.baseInOdom;
+    if (const auto turn = cameras.turning().view(robotName(), m_views.sensor(place))) wish.turned = turn->now;
+    cameras.snapshots().take(wish);
+}
+
+QStringList CameraFeature::missing() const {
+    QStringList things;
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
+        const StreamDescription* const stream = m_views.stream(place);
+        if (stream != nullptr && !m_views.newest(place))
+            things += tr("no picture of %1").arg(cameraTitle(stream));
+    }
+    return things;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QObject>
+#include <QStringList>
+
+#include <Eigen/Core>
+
+#include "app/window/live/cameras/camera_views.h"
+#include "app/window/live/cameras/picture_looks.h"
+#include "app/window/live/live_context.h"
+#include "core/robot/control/pan_tilt.h"
+
+class QAction;
+
+namespace leitstand {
+
+class CameraPane;
+struct LiveMoment;
+
+/// The selected robot's cameras: one large ("camera"), with what the driver has to know in it, another beside
+/// it ("right"); how they are looked at, turned and kept.
+class CameraFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit CameraFeature(const LiveContext& context);
+
+    /// Cameras that are in a pane and have sent no picture yet.
+    [[nodiscard]] QStringList missing() const;
+    [[nodiscard]] const CameraViews& views() const { return m_views; }
+
+public slots:
+    // The large camera, and what is on its pan-tilt unit: pan to the left, tilt down.
+    void turnTo(double pan, double tilt);   ///< [rad]
+    void turnBy(double pan, double tilt);   ///< [rad]
+    void setRate(double pan, double tilt);  ///< on and on, until told otherwise [rad/s]
+    void recentre();                        ///< all cameras of the robot
+
+signals:
+    void driveWanted();              ///< the large picture was clicked
+    void told(const QString& text);  ///< for the operator
+
+private:
+    void addTurning();
+    void addLooks();
+    void addInfrared();
+    QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {},
+                 bool checkable = false);
+    void choose();     ///< cameras for the panes of a robot newly selected
+    void showPanes();  ///< what is known of their cameras
+    void applyLooks();
+    void showPicture(const ShownPicturePtr& picture);
+    void showIn(CameraPane& pane, const ShownPicturePtr& picture);
+    void show(const LiveMoment& moment);
+    void drag(const QPointF& from, const QPointF& to, bool first);
+    void keep(CameraPlace place);  ///< a snapshot
+    [[nodiscard]] CameraPane& pane(CameraPlace place) const;
+    [[nodiscard]] std::string robotName() const;
+
+    LiveContext m_context;
+    CameraViews m_views;
+    PictureLooks m_looks;
+    CameraPane *m_large, *m_small;
+    PanTiltAngles m_grabbedAt;                             ///< angles when the picture was taken hold of
+    Eigen::Vector3d m_grabbed = Eigen::Vector3d::UnitZ();  ///< direction then
+};
+
+}  // namespace leitstand

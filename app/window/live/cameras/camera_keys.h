@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <set>
+
+#include <QObject>
+#include <QString>
+
+#include "core/robot/control/pan_tilt.h"
+
+class QKeyEvent;
+class QWidget;
+
+namespace leitstand {
+
+/// Turning cameras with keys that do not drive, for as long as they are held: Q and E pan, Page Up and Page
+/// Down tilt; on the number pad 4 6 8 2, and 5 re-centres. Shift turns slowly. While text is typed they are
+/// letters.
+class CameraKeys final : public QObject {
+    Q_OBJECT
+public:
+    /// Watches keys of @p window and of what is in it; @p driving tells whether a robot is driven: then Ctrl,
+    /// which drives fast, makes no other key of them.
+    CameraKeys(QWidget& window, std::function<bool()> driving);
+
+    /// The keys in short, for the pane: "Q E PgUp PgDn".
+    [[nodiscard]] static QString names();
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    /// As the held keys want it, on every change [rad/s].
+    void rateWanted(const leitstand::PanTiltAngles& perSecond);
+    void recentreWanted();
+
+private:
+    enum class Way { Left, Right, Up, Down, Centre };
+    [[nodiscard]] static std::optional<Way> wayOf(const QKeyEvent& event);
+    [[nodiscard]] bool isOurs(const QKeyEvent& event) const;
+    bool take(const QKeyEvent& event, bool held);
+    void letGo();
+    void tell();
+
+    QWidget& m_window;
+    std::function<bool()> m_driving;
+    std::set<Way> m_held;
+    bool m_slow = false;
+};
+
+}  // namespace leitstand

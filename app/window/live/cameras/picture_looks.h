@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "app/session/station/picture_feed.h"
+#include "widgets/camera/picture_image.h"
+
+namespace leitstand {
+
+/// How the operator looks at cameras: all of them alike.
+class PictureLooks {
+public:
+    [[nodiscard]] const PictureLook& look() const { return m_look; }
+    void nextContrast();  ///< off, gentle, strong, and off again
+    void setUnwrapped(bool unwrapped) { m_look.unwrapped = unwrapped; }
+
+    [[nodiscard]] ThermalPalette palette() const { return m_palette; }
+    void setPalette(ThermalPalette palette) { m_palette = palette; }
+    [[nodiscard]] bool autoRange() const { return m_autoRange; }
+    void setAutoRange(bool on);
+    /// The range of colours for a new @p picture of the camera @p robot, @p sensor: fixed, or following what
+    /// it shows.
+    [[nodiscard]] ThermalRange rangeFor(const std::string& robot, const std::string& sensor,
+                                        const ThermalPicture& picture);
+
+private:
+    PictureLook m_look{ContrastHelp::Off, true};
+    ThermalPalette m_palette = ThermalPalette::Iron;
+    bool m_autoRange = false;
+    std::map<std::pair<std::string, std::string>, ThermalRange> m_ranges;  ///< of the last pictures
+};
+
+}  // namespace leitstand

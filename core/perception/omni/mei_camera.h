@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/robot/samples/picture_samples.h"
+
+namespace leitstand {
+
+/// A camera below a mirror, by the unified model (Mei & Rives, "Single View Point Omnidirectional Camera
+/// Calibration from Planar Grids", 2007, section II): a direction goes onto the unit sphere, is seen from xi
+/// above its middle, distorted (Brown) and scaled. Optical frame: x to the right of the picture, y down, z
+/// along the axis. Pixels as CameraInfo counts them: the middle of the first is (0, 0).
+class MeiCamera {
+public:
+    /// For pictures of @p width x @p height, which may be reduced ones of that it was calibrated with. Empty
+    /// when @p info does not tell "mei" with D = k1 k2 p1 p2 xi and focal lengths.
+    [[nodiscard]] static std::optional<MeiCamera> of(const CameraInfoSample& info, int width, int height);
+
+    /// The pixel of @p direction (of any length), which may be off the picture; empty where the model sees
+    /// nothing.
+    [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& direction) const;
+    /// Where @p pixel looks, of unit length; empty outside of the mirror.
+    [[nodiscard]] std::optional<Eigen::Vector3d> direction(const Eigen::Vector2d& pixel) const;
+
+private:
+    MeiCamera() = default;
+    [[nodiscard]] Eigen::Vector2d distorted(const Eigen::Vector2d& plane) const;
+
+    Eigen::Vector2d m_focal, m_centre;        ///< [px]
+    std::array<double, 4> m_distortion = {};  ///< k1 k2 p1 p2
+    double m_xi = 0.0;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/robot/link_status.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Angles of a pan-tilt unit (REP 103): pan to the left about z, then tilt down about y.
+struct PanTiltAngles {
+    double pan = 0.0, tilt = 0.0;  ///< [rad]
+    friend bool operator==(const PanTiltAngles&, const PanTiltAngles&) = default;
+};
+
+/// @p angles cut to what @p mount can do; what is no number is ahead.
+[[nodiscard]] PanTiltAngles within(const PanTiltMount& mount, const PanTiltAngles& angles);
+
+/// The angles at which the camera sees under the pointer what it saw where the pointer took hold: a picture
+/// that is dragged. @p grabbed and @p pointer are directions of the camera's optical frame (x right, y down,
+/// z ahead); @p start: the angles when it was grabbed.
+[[nodiscard]] PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
+                                    const Eigen::Vector3d& pointer);
+
+/// What an operator wants of one pan-tilt unit: where it is, where it shall be, what is to be sent. Pure: no
+/// clock, no thread.
+class PanTiltControl {
+public:
+    explicit PanTiltControl(const PanTiltMount& mount) : m_mount(mount) {}
+
+    void said(const PanTiltAngles& now) { m_now = now; }  ///< by the robot's joint states
+    void turnTo(const PanTiltAngles& angles, SteadyTime now);
+    void turnBy(const PanTiltAngles& step, SteadyTime now);  ///< on from the wish
+    /// Turns on until told otherwise [rad/s]; zero: it stays where the wish has come to.
+    void setRate(const PanTiltAngles& perSecond, SteadyTime now);
+    /// What to send now, at most 25 times a second. A wish is repeated until the unit is there; after 5 s
+    /// without a change it is dropped: something holds the unit.
+    [[nodiscard]] std::optional<PanTiltAngles> due(SteadyTime now);
+
+    [[nodiscard]] const PanTiltMount& mount() const { return m_mount; }
+    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }    ///< empty: unsaid
+    [[nodiscard]] const std::optional<PanTiltAngles>& wish() const { return m_wish; }  ///< empty: none
+    [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }           ///< at a rate
+
+private:
+    [[nodiscard]] PanTiltAngles base() const { return m_wish.value_or(m_now.value_or(PanTiltAngles{})); }
+    void want(const PanTiltAngles& angles, SteadyTime now);
+    void moveOn(SteadyTime now);
+
+    PanTiltMount m_mount;
+    std::optional<PanTiltAngles> m_now, m_wish, m_sent;
+    PanTiltAngles m_rate;
+    SteadyTime m_changed = {}, m_sentAt = {}, m_movedTo = {};
+};
+
+}  // namespace leitstand

@@ -1,0 +1,184 @@
+#include "widgets/camera/camera_pane.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/widgets/panes/shown.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr QRgb Plain = qRgb(70, 70, 70);
+
+std::vector<std::string> wordsOf(QWidget& widget) {
+    std::vector<std::string> words;
+    for (const PaintedText& one : paintedTexts(widget)) words.push_back(one.text.toStdString());
+    return words;
+}
+
+QImage plain(int width = 320, int height = 240) {
+    QImage image(width, height, QImage::Format_RGB32);
+    image.fill(Plain);
+    return image;
+}
+
+std::shared_ptr<const ThermalPicture> body() {
+    auto picture = std::make_shared<ThermalPicture>(ThermalPicture{160, 120, {}});
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 160; ++x)
+            picture->celsius.push_back(std::hypot(x - 80, y - 60) < 15 ? 33.5F : 19.0F);
+    }
+    return picture;
+}
+
+class Cameras : public testing::TestWithParam<Theme> {
+protected:
+    void SetUp() override {
+        useTheme(GetParam());
+        pane.setCamera(robot.face, QStringLiteral("Left camera"));
+        pane.setPicture(plain());
+        pane.setAge({.arrival = 0.0, .content = 0.0});
+    }
+    SampleRobot robot = sampleRobot();
+    CameraPane pane;
+};
+
+TEST_P(Cameras, ShowWhereTheyLookFromAbove) {
+    CameraOverlay overlay;
+    overlay.turn.pan = degrees(40);
+    overlay.turn.tilt = degrees(10);
+    overlay.turn.keys = QStringLiteral("Q E PgUp PgDn");
+    overlay.turn.recentreKey = QStringLiteral("C");
+    overlay.wishedPan = degrees(-20);
+    pane.setOverlay(overlay);
+    const auto whiteIn = [&](const QRect& part) {
+        const QImage picture = pictureOf(pane, {640, 480}, QStringLiteral("camera-turned"));
+        int white = 0;
+        for (int y = part.top(); y <= part.bottom(); ++y) {
+            for (int x = part.left(); x <= part.right(); ++x)
+                white += qGray(picture.pixel(x, y)) > 90 ? 1 : 0;
+        }
+        return white;
+    };
+    const QRect leftHalf(8, 418, 24, 30), rightHalf(40, 418, 24, 30);
+    EXPECT_GT(whiteIn(leftHalf), 2 * whiteIn(rightHalf)) << "the wedge turns with the camera";
+    EXPECT_THAT(wordsOf(pane), Contains("pan 40° left · 10° down · Q E PgUp PgDn turn · C re-centres"));
+    EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "");
+    (void)pictureOf(pane, {240, 180}, QStringLiteral("camera-turned-small"));
+    EXPECT_THAT(wordsOf(pane), Not(Contains(HasSubstr("pan"))));
+    (void)pictureOf(pane, {640, 480}, QStringLiteral("camera-turned-2x"), 2.0);
+}
+
+TEST_P(Cameras, SayWhatWasDoneToTheirPictures) {
+    EXPECT_THAT(wordsOf(pane), Not(Contains(HasSubstr("contrast"))));
+    CameraOverlay overlay;
+    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.notes = {QStringLiteral("contrast raised strongly")};
+    pane.setOverlay(overlay);
+    (void)pictureOf(pane, {640, 480}, QStringLiteral("camera-contrast"));
+    EXPECT_THAT(wordsOf(pane), Contains("contrast raised strongly"));
+    EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "");
+}
+
+TEST_P(Cameras, PanoramasHaveDirectionsAndLeaveRoomBelow) {
+    const PanoramaShape shape{720, 150};
+    pane.setPicture(plain(720, 150));
+    pane.setPanorama(shape);
+    CameraOverlay overlay;
+    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.ring = proximityRing(*robot.view.around, boxAround(robot.description.footprint), {0.2, 0, 0});
+    pane.setOverlay(overlay);
+    (void)pictureOf(pane, {780, 560}, QStringLiteral("camera-panorama"));
+    (void)pictureOf(pane, {780, 560}, QStringLiteral("camera-panorama-2x"), 2.0);
+    EXPECT_LT(pane.pictureArea().bottom(), 250);
+    EXPECT_GT(pane.pictureArea().top(), 0);
+    for (const char* word : {"ahead", "left 90°", "right 90°", "behind"})
+        EXPECT_THAT(wordsOf(pane), Contains(word));
+    EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "");
+    (void)pictureOf(pane, {240, 180}, QStringLiteral("camera-panorama-small"));
+    EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "");
+    pane.setPicture(plain());
+    pane.setPanorama({});
+    EXPECT_THAT(wordsOf(pane), Not(Contains("behind")));
+}
+
+TEST_P(Cameras, MarkTheFrontInRawOmniPictures) {
+    pane.setPicture(plain(320, 320));
+    pane.setFront(QPointF(0.5, 0.12));
+    const QImage picture = pictureOf(pane, {480, 480}, QStringLiteral("camera-omni-raw"));
+    EXPECT_GT(countOf(picture.copy(220, 40, 40, 50), coloursOf(Theme::Dark).select, 20), 40);
+    EXPECT_THAT(wordsOf(pane), Contains("ahead"));
+}
+
+TEST_P(Cameras, InfraredHasALegendABodyAndTheValueUnderThePointer) {
+    pane.setCamera(robot.face, QStringLiteral("Infrared °C"));
+    const auto picture = body();
+    for (const auto palette : {ThermalPalette::Iron, ThermalPalette::GreyHot, ThermalPalette::GreyCold}) {
+        pane.setThermal(picture, {}, palette);
+        pane.setHeat(findHeat(*picture, {}));
+        pane.setAge({.arrival = 0.0, .content = 0.0});
+        pane.resize(320, 240);
+        QMouseEvent move(QEvent::MouseMove, QPointF(160, 120), QPointF(160, 120), Qt::NoButton, {}, {});
+        QApplication::sendEvent(&pane, &move);
+        (void)pictureOf(pane, {320, 240},
+                        QStringLiteral("infrared") + QString::number(static_cast<int>(palette)));
+        EXPECT_THAT(wordsOf(pane), Contains(HasSubstr("40 °C")));
+        EXPECT_THAT(wordsOf(pane), Contains("15"));
+        EXPECT_THAT(wordsOf(pane), Contains("33.5 °C")) << "under the pointer";
+        EXPECT_THAT(wordsOf(pane), Contains(HasSubstr("person?")));
+    }
+}
+
+TEST_P(Cameras, AnEmptyPaneIsCalm) {
+    CameraPane empty;
+    empty.setCamera(robot.face, QStringLiteral("No camera"));
+    const auto amber = [&] {
+        return countOf(pictureOf(empty, {320, 240}, {}), coloursOf(GetParam()).attention, 40);
+    };
+    EXPECT_GT(amber(), 20);
+    empty.setVacant(true);
+    EXPECT_EQ(amber(), 0);
+    EXPECT_THAT(wordsOf(empty), Not(Contains(HasSubstr("no data"))));
+}
+
+TEST_P(Cameras, ADragIsNoClick) {
+    pane.resize(640, 480);
+    QSignalSpy clicked(&pane, &CameraPane::pictureClicked), dragged(&pane, &CameraPane::pictureDragged);
+    const auto drag = [&] {
+        QTest::mousePress(&pane, Qt::LeftButton, {}, {320, 240});
+        for (const int x : {330, 360, 480}) {
+            QMouseEvent move(QEvent::MouseMove, QPointF(x, 240), QPointF(x, 240), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(&pane, &move);
+        }
+        QTest::mouseRelease(&pane, Qt::LeftButton, {}, {480, 240});
+    };
+    pane.setTurnable(true);
+    drag();
+    EXPECT_TRUE(clicked.isEmpty());
+    ASSERT_GE(dragged.size(), 2);
+    EXPECT_TRUE(dragged.first()[2].toBool());
+    EXPECT_FALSE(dragged.last()[2].toBool());
+    EXPECT_NEAR(dragged.last()[0].toPointF().x(), 0.5, 1e-9);
+    EXPECT_NEAR(dragged.last()[1].toPointF().x(), 0.75, 1e-9);
+    QTest::mouseClick(&pane, Qt::LeftButton, {}, {320, 240});
+    EXPECT_EQ(clicked.size(), 1);
+    const auto before = dragged.size();
+    pane.setTurnable(false);
+    drag();
+    EXPECT_EQ(dragged.size(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, Cameras, testing::Values(Theme::Dark, Theme::Light),
+                         [](const auto& info) { return info.param == Theme::Dark ? "Dark" : "Light"; });
+
+}  // namespace
+}  // namespace leitstand::test
