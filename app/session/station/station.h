@@ -20,6 +20,7 @@
 
 namespace leitstand {
 
+class StationAlarms;
 class StationStreams;
 
 /// A station in a domain.
@@ -28,6 +29,7 @@ struct StationSettings {
     /// Where everything is recorded; its robots are those of the station. Its station is set from the memory.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
+    std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or none there: the usual ones
     LiveSettings mapping = {};     ///< how the station that holds the map's grant registers
 };
 
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
+    [[nodiscard]] StationAlarms& alarms();    ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
 
     /// Gives the sticks to one robot: all others stand. Empty: to none.

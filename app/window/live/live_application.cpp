@@ -100,6 +100,8 @@ int runLive(const Options& options) {
                                                        : newMission();
     settings.memory = picture ? fs::path(passing.path().toStdString()) / "station.yaml"
                               : under(QStandardPaths::GenericConfigLocation, QStringLiteral("station.yaml"));
+    if (!picture)
+        settings.alarms = under(QStandardPaths::GenericConfigLocation, QStringLiteral("alarms.yaml"));
     auto bridge = LiveBridge::open(settings);
     if (!bridge) return complain(bridge.error().text), 1;
     WindowState remembered = picture ? WindowState{} : loadWindowState();
