@@ -22,7 +22,7 @@ void GasCell::show(const GasFigures& gas) {
 
 void GasCell::paintTrend(QPainter& painter, const QRectF& area) const {
     const ThemeColours& colours = coloursOf(presentTheme());
-    double least = 400.0, most = 1.1 * GasFigures::Alarm;  // of air, and with the alarm's level in sight
+    double least = 400.0, most = 1.1 * m_gas.alarm;  // of air, and with the alarm's level in sight
     for (const auto& [age, ppm] : m_gas.samples) {
         least = std::min(least, ppm);
         most = std::max(most, ppm);
@@ -31,8 +31,8 @@ void GasCell::paintTrend(QPainter& painter, const QRectF& area) const {
         return area.bottom() - area.height() * (ppm - least) / (most - least);
     };
     painter.setPen(QPen(colours.act, 1.0, Qt::DotLine));
-    painter.drawLine(QPointF(area.left(), heightOf(GasFigures::Alarm)),
-                     QPointF(area.right(), heightOf(GasFigures::Alarm)));
+    painter.drawLine(QPointF(area.left(), heightOf(m_gas.alarm)),
+                     QPointF(area.right(), heightOf(m_gas.alarm)));
     QPolygonF line;
     for (const auto& [age, ppm] : m_gas.samples)
         line << QPointF(area.right() - area.width() * age / GasTrend::Span, heightOf(ppm));

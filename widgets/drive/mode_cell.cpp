@@ -48,9 +48,10 @@ void ModeCell::show(const DriveState& state) {
     setAccessibleName(tr("Mode of %1").arg(state.face.title));
     setAccessibleDescription(
         QStringList{state.mode.text, state.hint, state.grant.text}.join(QStringLiteral(". ")));
-    setToolTip(QStringList{state.mode.text, state.mode.reason, state.hint, state.grant.text}
-                   .filter(QRegularExpression(QStringLiteral(".")))
-                   .join(QLatin1Char('\n')));
+    setToolTip(
+        QStringList{state.mode.text, state.mode.reason, state.hint, state.grant.text, state.tracks.text}
+            .filter(QRegularExpression(QStringLiteral(".")))
+            .join(QLatin1Char('\n')));
     update();
 }
 
@@ -121,6 +122,12 @@ void ModeCell::paintEvent(QPaintEvent* /*event*/) {
         QRectF line = grantLine();
         line.setRight((m_first->isHidden() ? line.right() : m_first->x()) - 6.0);
         paintCaption(painter, line, m_state.grant.text, on(m_state.grant.tone));
+    }
+    if (const double low = grantLine().bottom();
+        height() - 54.0 - low >= 18.0 && !m_state.tracks.text.isEmpty()) {
+        paintCaption(painter, {Left, low + 1.0, inner, 17.0},
+                     m_state.tracks.note.isEmpty() ? m_state.tracks.text : m_state.tracks.note,
+                     on(m_state.tracks.tone));
     }
     // Numbers stand at the bottom whatever the height; their captions go first when it is small.
     const double column = inner / 3.0, bottom = height() - 8.0;

@@ -68,6 +68,20 @@ Result<void> RobotLine::open(Node& node, const std::string& station,
     return {};
 }
 
+void RobotLine::tell(RobotView& robot) const {
+    robot.link = m_link->status();
+    m_sight.tell(robot);
+    if (!m_drive) return;
+    const DriveStatus status = m_drive->status();
+    robot.drive = {.drivable = true,
+                   .velocity = status.velocity,
+                   .focus = status.focus,
+                   .driving = status.driving,
+                   .needsNeutral = status.needsNeutral,
+                   .listening = status.listeners > 0,
+                   .sight = status.sight};
+}
+
 Result<void> RobotLine::say(StreamRole role, const Sample& command) {
     const auto found = m_commands.find(role);
     if (found == m_commands.end()) {

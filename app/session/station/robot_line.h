@@ -36,6 +36,7 @@ public:
     [[nodiscard]] const RobotSight& sight() const { return m_sight; }
     /// Null when the robot takes no drive commands.
     [[nodiscard]] DriveStreamer* drive() const { return m_drive.get(); }
+    void tell(RobotView& robot) const;  ///< fills link, drive, cameras and joints
     /// Sends a command other than for driving and stopping. An error when the robot does not take it.
     Result<void> say(StreamRole role, const Sample& command);
 

@@ -1,5 +1,6 @@
 #include "app/session/station/station.h"
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <mutex>
@@ -15,11 +16,13 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/robot_lines.h"
+#include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
 #include "app/session/station/station_cameras.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
+#include "core/io/settings/alarm_file.h"
 #include "core/io/station_file.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
@@ -46,6 +49,7 @@ struct Station::State {
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<StationClock> clock;
+    std::unique_ptr<StationAlarms> alarms;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
@@ -58,7 +62,9 @@ struct Station::State {
     void watchStreams();
     void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
+    void watch();
     void listen();
+    [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all
     void say(const std::string& text) const {
         if (listener.onMessage) listener.onMessage(text);
@@ -81,6 +87,7 @@ Station::State::~State() {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
     if (cameras) cameras->snapshots().finish();  // they are told in the log
+    if (alarms) alarms->end();
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
@@ -88,6 +95,7 @@ Station::State::~State() {
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
     cameras.reset();
+    alarms.reset();
     lines.clear();
     streams.reset();
     brakes.reset();
@@ -159,6 +167,24 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
     grants->ask(MapGrant);
 }
 
+void Station::State::watch() {
+    StationAlarmsSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    const auto limits = readAlarmLimits(settings.alarms);
+    if (limits)
+        setup.limits = *limits;
+    else
+        say(limits.error().text);  // the usual ones, then
+    setup.view = [this](const std::string& robot) { return view(robot); };
+    setup.mission = [this] { return mission->state(); };
+    setup.scans = [this] { return mapping->scans(); };
+    setup.onLog = [this](const AlarmSample& alarm) {
+        if (const auto kept = mission->say(alarm, station_topic::Alarms); !kept) say(kept.error().text);
+    };
+    alarms = std::make_unique<StationAlarms>(std::move(setup));
+}
+
 void Station::State::listen() {
     feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
         for (const auto& [name, line] : lines) line->link().onSample(sample);
@@ -228,6 +254,7 @@ Result<void> Station::State::start() {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().take(event);
         brakes->take(event);
+        alarms->take(event);
         mapping->take(event);
         cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
@@ -250,6 +277,7 @@ Result<void> Station::State::start() {
         [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
         [this](const std::string& text) { say(text); });
     map(std::move(earlier));
+    watch();
     clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {
         const std::lock_guard lock(mutex);
@@ -258,6 +286,16 @@ Result<void> Station::State::start() {
     refresh({});
     listen();
     return {};
+}
+
+RobotView Station::State::view(const std::string& name) const {
+    const RobotLine* const known = line(name);
+    if (known == nullptr) return {};
+    RobotView view;
+    known->tell(view);
+    view.grant = grants->view(driveGrant(name));
+    view.stop = stops->status(name);
+    return view;
 }
 
 Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
@@ -282,15 +320,7 @@ const std::vector<RobotDescription>& Station::robots() const {
 }
 
 RobotView Station::robot(const std::string& name) const {
-    const RobotLine* const line = m_state->line(name);
-    if (line == nullptr) return {};
-    RobotView view;
-    view.link = line->link().status();
-    view.grant = m_state->grants->view(driveGrant(name));
-    view.stop = m_state->stops->status(name);
-    line->sight().tell(view);
-    view.drive = driveViewOf(*line);
-    return view;
+    return m_state->view(name);
 }
 
 std::optional<VirtualScanView> Station::around(const std::string& robot) const {
@@ -304,6 +334,10 @@ MissionStatePtr Station::mission() const {
 
 StationClock& Station::clock() {
     return *m_state->clock;
+}
+
+StationAlarms& Station::alarms() {
+    return *m_state->alarms;
 }
 
 StationMapping& Station::mapping() {

@@ -21,6 +21,7 @@
 
 namespace leitstand {
 
+class StationAlarms;
 class StationBrakes;
 class StationCameras;
 class StationStreams;
@@ -31,6 +32,7 @@ struct StationSettings {
     /// Where everything is recorded; its robots are those of the station. Its station is set from the memory.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
+    std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or none there: the usual ones
     LiveSettings mapping = {};     ///< how the station that holds the map's grant registers
 };
 
@@ -68,6 +70,7 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
+    [[nodiscard]] StationAlarms& alarms();    ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
     [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples
     [[nodiscard]] std::vector<SeenTopic> heard() const;         ///< what others say and hear in the domain

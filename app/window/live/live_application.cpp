@@ -99,6 +99,8 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
                                                        : newMission();
     settings.memory = picture ? passing / "station.yaml"
                               : under(QStandardPaths::GenericConfigLocation, QStringLiteral("station.yaml"));
+    if (!picture)
+        settings.alarms = under(QStandardPaths::GenericConfigLocation, QStringLiteral("alarms.yaml"));
     return settings;
 }
 

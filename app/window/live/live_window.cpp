@@ -10,6 +10,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
+#include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
@@ -48,6 +49,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
+    new AlarmsFeature(context);
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();

@@ -148,6 +148,26 @@ TEST_F(LiveWords, TheCapOnTheSpeedIsSaidInWordsAndTheOverrideAllTheTime) {
     EXPECT_TRUE(sightNote(robot.view.drive).isEmpty());
 }
 
+TEST_F(LiveWords, ChainsAreToldMeasuredOfCommanded) {
+    EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty()) << "wheels";
+    robot.description.drive = DriveType::Tracked;
+    robot.view.drive.velocity = {0.25, 0.0, 0.0};
+    robot.view.joints = JointSample{{}, {"left_track", "right_track"}, {}, {0.21, 0.24}, {}};
+    robot.view.jointsAge = 0.1;
+    EXPECT_EQ(stateOf(robot).tracks.text.toStdString(), "chains 0.21 of 0.25 · 0.24 of 0.25 m/s");
+    EXPECT_EQ(stateOf(robot).tracks.tone, Tone::Muted);
+    robot.view.joints->velocities = {0.01, 0.24};
+    EXPECT_EQ(stateOf(robot).tracks.note.toStdString(), "the left chain does not follow");
+    EXPECT_EQ(stateOf(robot).tracks.tone, Tone::Attention);
+    robot.view.joints->velocities = {0.0, -0.1};
+    EXPECT_EQ(stateOf(robot).tracks.note.toStdString(), "the chains do not follow");
+    robot.view.jointsAge = 2.0;
+    EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty());
+    robot.view.jointsAge = 0.1;
+    robot.view.joints->velocities.clear();
+    EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty()) << "not told";
+}
+
 TEST_F(LiveWords, AGrantIsAskedForGivenUpAndAnswered) {
     GrantView grant;
     EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "nobody has the grant");

@@ -22,11 +22,6 @@ struct DriveTexts {
 const QString Dash(QChar(0x2013));
 const QString Degree(QChar(0xb0));
 
-template <class T>
-bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
-    return latest && std::chrono::duration<double>(now - latest->received).count() < seconds;
-}
-
 /// What has to be known before the robot moves, the most pressing first.
 std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, const StopLine& stop) {
     if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen) {
@@ -82,7 +77,39 @@ void fillMotion(DriveState& state, const RobotDescription& description, const Ro
                               : Tone::Normal};
 }
 
-AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState& said, Time now) {
+/// A joint's speed; NaN when it is not told.
+double speedOf(const JointSample& joints, const std::string& name) {
+    for (std::size_t i = 0; i < std::min(joints.names.size(), joints.velocities.size()); ++i) {
+        if (joints.names[i] == name) return joints.velocities[i];
+    }
+    return Unknown;
+}
+
+TrackFigures tracksOf(const RobotDescription& description, const RobotView& robot) {
+    TrackFigures figures;
+    if (description.drive != DriveType::Tracked || !robot.joints || robot.jointsAge > 1.0) return figures;
+    const double left = speedOf(*robot.joints, "left_track"), right = speedOf(*robot.joints, "right_track");
+    if (!std::isfinite(left) || !std::isfinite(right)) return figures;
+    const auto [askedLeft, askedRight] = tracksOf(robot.drive.velocity, trackDistance(description));
+    // The strip is a glance: less than a fifth of what was asked is standing.
+    const auto stuck = [](double asked, double is) { return std::abs(asked) > 0.08 && is / asked < 0.2; };
+    const auto pair = [](double is, double asked) {
+        return DriveTexts::tr("%1 of %2").arg(numberText(is, 2), numberText(asked, 2));
+    };
+    figures.text = DriveTexts::tr("chains %1 · %2 m/s").arg(pair(left, askedLeft), pair(right, askedRight));
+    const bool leftStuck = stuck(askedLeft, left), rightStuck = stuck(askedRight, right);
+    if (leftStuck && rightStuck)
+        figures.note = DriveTexts::tr("the chains do not follow");
+    else if (leftStuck)
+        figures.note = DriveTexts::tr("the left chain does not follow");
+    else if (rightStuck)
+        figures.note = DriveTexts::tr("the right chain does not follow");
+    if (!figures.note.isEmpty()) figures.tone = Tone::Attention;
+    return figures;
+}
+
+AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState& said, Time now,
+                           const AlarmLimits& limits) {
     AttitudeFigures figures;
     figures.maxRoll = description.maxRoll;
     figures.maxPitch = description.maxPitch;
@@ -103,18 +130,11 @@ AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState
     figures.text = DriveTexts::tr("roll %1 · pitch %2")
                        .arg(numberText(inDegrees(figures.roll), 0) + Degree,
                             numberText(inDegrees(figures.pitch), 0) + Degree);
-    double share = 0.0;
-    if (figures.maxRoll > 0.0) share = std::max(share, std::abs(figures.roll) / figures.maxRoll);
-    if (figures.maxPitch > 0.0) share = std::max(share, std::abs(figures.pitch) / figures.maxPitch);
-    figures.tone = share >= 0.9 ? Tone::Act : share >= 0.7 ? Tone::Attention : Tone::Normal;
+    const double share = shareOfLimits(description, figures.roll, figures.pitch);
+    figures.tone = share >= limits.attitudeAct ? Tone::Act
+                   : share >= limits.attitude  ? Tone::Attention
+                                               : Tone::Normal;
     return figures;
-}
-
-/// Time until a battery is empty [min]; NaN where that is not told.
-double minutesLeft(const BatterySample& battery) {
-    double charge = battery.charge;
-    if (!std::isfinite(charge)) charge = battery.fraction * battery.capacity;
-    return battery.current < -0.01 ? 60.0 * charge / -battery.current : Unknown;
 }
 
 BatteryFigures batteryOf(const RobotState& said, Time now) {
@@ -149,9 +169,10 @@ BatteryFigures batteryOf(const RobotState& said, Time now) {
     return figures;
 }
 
-GasFigures gasOf(const RobotDescription& description, const RobotState& said, const GasTrend& trend,
-                 Time now) {
+GasFigures gasOf(const RobotDescription& description, const RobotState& said, const GasTrend& trend, Time now,
+                 double alarm) {
     GasFigures figures;
+    figures.alarm = alarm;
     figures.fitted = said.gas.has_value() || description.stream(StreamRole::Gas) != nullptr;
     figures.value = {Dash, DriveTexts::tr("ppm"), Tone::Muted};
     if (!figures.fitted) {
@@ -159,7 +180,7 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
         return figures;
     }
     figures.samples = trend.samples(now);
-    figures.caption = DriveTexts::tr("last 2 min · alarm at %1").arg(numberText(GasFigures::Alarm, 0));
+    figures.caption = DriveTexts::tr("last 2 min · alarm at %1").arg(numberText(alarm, 0));
     if (!said.gas || !std::isfinite(said.gas->sample.ppm)) {
         figures.caption = DriveTexts::tr("no data yet");
         return figures;
@@ -170,7 +191,7 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
         figures.caption = lossText({.arrival = age});
         return figures;
     }
-    figures.value.tone = said.gas->sample.ppm >= GasFigures::Alarm ? Tone::Attention : Tone::Normal;
+    figures.value.tone = said.gas->sample.ppm >= alarm ? Tone::Attention : Tone::Normal;
     const double rise = trend.risePerMinute();
     const double clear = std::max(60.0, 0.1 * said.gas->sample.ppm);  // above the sensor's own noise
     if (std::abs(rise) > clear) figures.arrow = rise > 0.0 ? QStringLiteral("↑") : QStringLiteral("↓");
@@ -185,27 +206,6 @@ QString linkLine(const LinkStatus& link) {
 }
 
 }  // namespace
-
-std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
-                                                      const RobotState& said, Time now) {
-    Eigen::Matrix3d baseInLevel;
-    if (isFresh(said.imu, now, 1.0) && said.imu->sample.orientation) {
-        baseInLevel = said.imu->sample.orientation->toRotationMatrix();
-        const StreamDescription* stream = description.stream(StreamRole::Imu);
-        const auto sensor =
-            stream == nullptr ? description.sensors.end() : description.sensors.find(stream->sensor);
-        if (sensor != description.sensors.end())
-            baseInLevel = baseInLevel * sensor->second.sensorInBase.linear().transpose();
-    } else if (isFresh(said.odometry, now, 1.0)) {
-        baseInLevel = said.odometry->sample.baseInOdom.linear();
-    } else {
-        return std::nullopt;
-    }
-    const double roll = std::atan2(baseInLevel(2, 1), baseInLevel(2, 2));
-    const double pitch = std::asin(std::clamp(-baseInLevel(2, 0), -1.0, 1.0));
-    if (!std::isfinite(roll) || !std::isfinite(pitch)) return std::nullopt;
-    return std::pair(roll, pitch);
-}
 
 GrantFigures grantFiguresOf(const GrantView& grant) {
     using Choice = GrantFigures::Choice;
@@ -236,18 +236,19 @@ GrantFigures grantFiguresOf(const GrantView& grant) {
 }
 
 DriveState driveStateOf(const RobotFace& face, const RobotDescription& description, const RobotView& robot,
-                        const RobotState& said, const GasTrend& gas, Time now) {
+                        const RobotState& said, const GasTrend& gas, Time now, const AlarmLimits& limits) {
     DriveState state;
     state.face = face;
     state.mode = modeLabelOf(robot, said.mode);
     std::tie(state.hint, state.hintTone) = hintOf(robot, state.mode, stopLineOf(face, robot));
     fillMotion(state, description, robot, said, now);
-    state.attitude = attitudeOf(description, said, now);
+    state.tracks = tracksOf(description, robot);
+    state.attitude = attitudeOf(description, said, now, limits);
     state.battery = batteryOf(said, now);
     state.link = linkLine(robot.link);
     state.linkReason = worstReasonText(robot.link);
     state.linkTone = toneOf(robot.link);
-    state.gas = gasOf(description, said, gas, now);
+    state.gas = gasOf(description, said, gas, now, limits.gas);
     state.grant = grantFiguresOf(robot.grant);
     if (!robot.drive.drivable) state.grant = {};
     return state;

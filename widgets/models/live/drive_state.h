@@ -7,7 +7,9 @@
 #include <QString>
 
 #include "core/mission/robot_state.h"
+#include "core/robot/alarms/alarm_rules.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/robot_figures.h"
 #include "core/robot/robot_view.h"
 #include "widgets/models/live/gas_trend.h"
 #include "widgets/models/live/mode_label.h"
@@ -39,12 +41,19 @@ struct BatteryFigures {
 };
 
 struct GasFigures {
-    static constexpr double Alarm = 2000.0;  ///< breath of a victim, clearly above air [ppm]
-    bool fitted = false;                     ///< the robot measures it
+    double alarm = 2000.0;  ///< AlarmLimits::gas [ppm]
+    bool fitted = false;    ///< the robot measures it
     Figure value;
     QString arrow;                                   ///< rising, falling; may be empty
     QString caption;                                 ///< "last 2 min · alarm at 2,000"
     std::vector<std::pair<double, double>> samples;  ///< as of GasTrend
+};
+
+/// Speeds of the chains of a tracked robot, as measured and as commanded.
+struct TrackFigures {
+    QString text;  ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: it has none
+    QString note;  ///< "the left chain does not follow"; may be empty
+    Tone tone = Tone::Muted;
 };
 
 struct GrantFigures {
@@ -67,6 +76,7 @@ struct DriveState {
     QString hint;  ///< what has to be known or done before it moves
     Tone hintTone = Tone::Muted;
     Figure speed, turn, nearest;
+    TrackFigures tracks;
     AttitudeFigures attitude;
     BatteryFigures battery;
     QString link, linkReason;
@@ -75,15 +85,11 @@ struct DriveState {
     GrantFigures grant;
 };
 
-/// Puts together what the strip shows. @p now: station's clock.
+/// Puts together what the strip shows. @p now: station's clock; @p limits: from where on figures are loud.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
                                       const RobotView& robot, const RobotState& said, const GasTrend& gas,
-                                      Time now);
+                                      Time now, const AlarmLimits& limits = {});
 
-/// Roll and pitch of the robot's body by its inertial unit, else by its odometry [rad]; empty when neither
-/// came within the last second.
-[[nodiscard]] std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
-                                                                    const RobotState& said, Time now);
 [[nodiscard]] GrantFigures grantFiguresOf(const GrantView& grant);
 
 }  // namespace leitstand

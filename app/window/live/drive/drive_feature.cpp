@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QMainWindow>
 
+#include "app/session/station/station_alarms.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/pane_docks.h"
@@ -75,7 +76,8 @@ void DriveFeature::show(const LiveMoment& moment) {
     const RobotDescription* const robot = m_context.selection.robot();
     if (robot == nullptr) return;
     m_strip->show(driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
-                               moment.said(robot->name), m_gas[robot->name], moment.now));
+                               moment.said(robot->name), m_gas[robot->name], moment.now,
+                               m_context.bridge.station().alarms().limits()));
 }
 
 }  // namespace leitstand

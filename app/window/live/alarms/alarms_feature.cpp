@@ -1,0 +1,75 @@
+#include "app/window/live/alarms/alarms_feature.h"
+
+#include <chrono>
+#include <vector>
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/session/station/station_alarms.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/alarms/alarm_panel.h"
+#include "widgets/models/live/alarm_words.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds Muted(60);
+constexpr int TicksShown = 3;  ///< the list is made ten times a second
+
+}  // namespace
+
+AlarmsFeature::AlarmsFeature(const LiveContext& context)
+    : QObject(&context.window), m_context(context), m_panel(new AlarmPanel(&context.window)) {
+    context.panes.add(QStringLiteral("alarms"), tr("Alarms"), *m_panel);
+    addCommands();
+    StationAlarms& alarms = context.bridge.station().alarms();
+    connect(m_panel, &AlarmPanel::acknowledged, this,
+            [&alarms](const AlarmId& id) { alarms.acknowledge(id); });
+    connect(m_panel, &AlarmPanel::newestAcknowledged, this, [&alarms] { alarms.acknowledgeNewest(); });
+    connect(m_panel, &AlarmPanel::muteToggled, this, &AlarmsFeature::toggleMute);
+    const auto tellTrouble = [this] { m_panel->setSoundTrouble(m_player.trouble()); };
+    connect(&m_player, &TonePlayer::troubleChanged, this, tellTrouble);
+    tellTrouble();
+    connect(&context.bridge, &LiveBridge::ticked, this, &AlarmsFeature::show);
+}
+
+void AlarmsFeature::addCommands() {
+    StationAlarms& alarms = m_context.bridge.station().alarms();
+    QAction& acknowledge =
+        m_context.commands.add({.id = "alarm.acknowledge",
+                                .menu = CommandMenu::Mission,
+                                .text = tr("&Acknowledge the newest alarm"),
+                                .hint = tr("Its tone ends; it stays in the list while it stands"),
+                                .keys = QKeySequence(Qt::Key_Backspace)});
+    connect(&acknowledge, &QAction::triggered, this, [&alarms] { alarms.acknowledgeNewest(); });
+    QAction& mute = m_context.commands.add({.id = "alarm.mute",
+                                            .menu = CommandMenu::Mission,
+                                            .text = tr("&Mute alarms for a minute"),
+                                            .hint = tr("No tones; again: tones at once"),
+                                            .keys = QKeySequence(Qt::Key_M)});
+    connect(&mute, &QAction::triggered, this, &AlarmsFeature::toggleMute);
+}
+
+void AlarmsFeature::toggleMute() {
+    StationAlarms& alarms = m_context.bridge.station().alarms();
+    const bool muted = alarms.view().mutedUntil > m_context.bridge.moment().now;
+    alarms.mute(muted ? std::chrono::seconds(0) : Muted);
+}
+
+void AlarmsFeature::show(const LiveMoment& moment) {
+    if (++m_sinceShown < TicksShown) return;
+    m_sinceShown = 0;
+    const AlarmsView view = m_context.bridge.station().alarms().view();
+    std::vector<RobotFace> faces;
+    for (const RobotDescription& robot : m_context.selection.robots())
+        faces.push_back(m_context.selection.faceOfRobot(robot));
+    m_panel->show(alarmLinesOf(view.alarms, faces, moment.now), muteText(view.mutedUntil, moment.now));
+    if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now))
+        m_player.play(*tone);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/live/alarms/tone_player.h"
+#include "app/window/live/live_context.h"
+#include "core/robot/alarms/alarm_voice.h"
+
+namespace leitstand {
+
+struct LiveMoment;
+class AlarmPanel;
+
+/// The alarms: their list ("alarms"), their tones, and the keys that acknowledge and mute.
+class AlarmsFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit AlarmsFeature(const LiveContext& context);
+
+private:
+    void addCommands();
+    void toggleMute();
+    void show(const LiveMoment& moment);
+
+    LiveContext m_context;
+    AlarmPanel* m_panel;
+    TonePlayer m_player;
+    AlarmVoice m_voice;
+    int m_sinceShown = 0;  ///< ticks
+};
+
+}  // namespace leitstand

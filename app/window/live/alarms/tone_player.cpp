@@ -1,0 +1,85 @@
+#include "app/window/live/alarms/tone_player.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <QAudioDevice>
+#include <QAudioFormat>
+#include <QAudioSink>
+#include <QBuffer>
+#include <QMediaDevices>
+
+namespace leitstand {
+namespace {
+
+QAudioFormat formatFor(const QAudioDevice& device) {
+    QAudioFormat format;
+    format.setSampleRate(44'100);
+    format.setChannelCount(1);
+    format.setSampleFormat(QAudioFormat::Int16);
+    return device.isFormatSupported(format) ? format : device.preferredFormat();
+}
+
+/// @p samples as @p format wants them, the same in each channel; empty for formats that nobody has.
+QByteArray bytesOf(const std::vector<float>& samples, const QAudioFormat& format) {
+    QByteArray bytes;
+    const auto add = [&bytes](auto value) {
+        char raw[sizeof value];
+        std::memcpy(raw, &value, sizeof value);
+        bytes.append(raw, sizeof value);
+    };
+    for (const float sample : samples) {
+        for (int channel = 0; channel < format.channelCount(); ++channel) {
+            switch (format.sampleFormat()) {
+                case QAudioFormat::Int16:
+                    add(static_cast<qint16>(32'767.0F * sample));
+                    break;
+                case QAudioFormat::Int32:
+                    add(static_cast<qint32>(2'147'483'000.0 * static_cast<double>(sample)));
+                    break;
+                case QAudioFormat::Float:
+                    add(sample);
+                    break;
+                case QAudioFormat::UInt8:
+                    add(static_cast<quint8>(127.5F + 127.0F * sample));
+                    break;
+                default:
+                    return {};
+            }
+        }
+    }
+    return bytes;
+}
+
+}  // namespace
+
+TonePlayer::TonePlayer(QObject* parent) : QObject(parent) {
+    if (QMediaDevices::defaultAudioOutput().isNull())
+        m_trouble = tr("No sound device: alarms are seen, not heard.");
+}
+
+TonePlayer::~TonePlayer() {
+    if (m_sink) m_sink->stop();
+}
+
+void TonePlayer::setTrouble(const QString& trouble) {
+    if (trouble == m_trouble) return;
+    m_trouble = trouble;
+    emit troubleChanged();
+}
+
+void TonePlayer::play(AlarmTone tone) {
+    const QAudioDevice device = QMediaDevices::defaultAudioOutput();
+    if (device.isNull()) return setTrouble(tr("No sound device: alarms are seen, not heard."));
+    const QAudioFormat format = formatFor(device);
+    if (m_sink) m_sink->stop();
+    m_sink = std::make_unique<QAudioSink>(device, format);
+    m_samples = bytesOf(toneSamples(tone, format.sampleRate()), format);
+    m_buffer = std::make_unique<QBuffer>(&m_samples);
+    m_buffer->open(QIODevice::ReadOnly);
+    m_sink->start(m_buffer.get());
+    const bool failed = m_sink->error() != QAudio::NoError || m_samples.isEmpty();
+    setTrouble(failed ? tr("The sound device does not work: alarms are seen, not heard.") : QString());
+}
+
+}  // namespace leitstand

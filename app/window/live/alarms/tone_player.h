@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QString>
+
+#include "core/robot/alarms/alarm_tone.h"
+
+class QAudioSink;
+class QBuffer;
+
+namespace leitstand {
+
+/// Plays the tones of alarms on the computer's default sound device; where there is none it is silent.
+class TonePlayer final : public QObject {
+    Q_OBJECT
+public:
+    explicit TonePlayer(QObject* parent = nullptr);
+    ~TonePlayer() override;
+
+    /// Begins @p tone; one that still sounds is cut off.
+    void play(AlarmTone tone);
+    /// Why nothing is heard, for the operator; empty when all is well.
+    [[nodiscard]] const QString& trouble() const { return m_trouble; }
+
+signals:
+    void troubleChanged();
+
+private:
+    void setTrouble(const QString& trouble);
+
+    QByteArray m_samples;
+    std::unique_ptr<QBuffer> m_buffer;
+    std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: goes first
+    QString m_trouble;
+};
+
+}  // namespace leitstand

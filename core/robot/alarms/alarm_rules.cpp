@@ -1,0 +1,199 @@
+#include "core/robot/alarms/alarm_rules.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/robot/robot_figures.h"
+
+namespace leitstand {
+namespace {
+
+/// Rounded, and never "-0".
+double wholeDegrees(double radians) {
+    return std::round(inDegrees(radians)) + 0.0;
+}
+
+/// Puts together the causes of one robot.
+class Judge {
+public:
+    Judge(const RobotWatch& robot, const AlarmBook& book, Time now, const AlarmLimits& limits)
+        : m_robot(robot), m_book(book), m_now(now), m_limits(limits) {}
+
+    [[nodiscard]] std::vector<AlarmCause> all() {
+        link();
+        if (m_robot.view.link.state != LinkState::Lost) {
+            attitude();
+            battery();
+            gas();
+            bump();
+            diagnostics();
+            pictures();
+            clock();
+        }
+        stop();
+        grant();
+        return std::move(m_causes);
+    }
+
+private:
+    using Severity = AlarmSeverity;
+
+    [[nodiscard]] AlarmId idOf(const char* key, const std::string& detail = {}) const {
+        return {m_robot.description.name, key, detail};
+    }
+    void add(AlarmId id, Severity severity, const std::string& text, double value = Unknown,
+             const std::string& note = {}) {
+        m_causes.push_back(
+            {std::move(id), severity, fmt::format("{}: {}", m_robot.description.title, text), value, note});
+    }
+    /// How loud a number is that shall stay under @p attention and @p act; empty: not at all.
+    [[nodiscard]] std::optional<Severity> above(const AlarmId& id, double value, double attention,
+                                                double act) const {
+        const auto standing = m_book.severity(id);
+        if (value >= (standing == Severity::Act ? m_limits.over : 1.0) * act) return Severity::Act;
+        if (value >= (standing ? m_limits.over : 1.0) * attention) return Severity::Attention;
+        return std::nullopt;
+    }
+    /// ... or shall stay over them.
+    [[nodiscard]] std::optional<Severity> below(const AlarmId& id, double value, double attention,
+                                                double act) const {
+        const auto standing = m_book.severity(id);
+        if (value <= (standing == Severity::Act ? 1.0 / m_limits.over : 1.0) * act) return Severity::Act;
+        if (value <= (standing ? 1.0 / m_limits.over : 1.0) * attention) return Severity::Attention;
+        return std::nullopt;
+    }
+
+    void link() {
+        const LinkStatus& link = m_robot.view.link;
+        if (link.state == LinkState::Lost) {
+            add(idOf(alarm_key::LinkLost), Severity::Act,
+                fmt::format("link lost, silent for {:.0f} s", link.silence), link.silence);
+        } else if (link.state == LinkState::Degraded) {
+            const std::string why = link.reasons.empty() ? "degraded" : toString(link.reasons.front());
+            add(idOf(alarm_key::LinkDegraded), Severity::Attention, "link: " + why, Unknown, why);
+        }
+    }
+
+    void attitude() {
+        const auto angles = rollAndPitch(m_robot.description, m_robot.said, m_now);
+        if (!angles) return;
+        const auto [roll, pitch] = *angles;
+        const double tilt = std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
+        if (const AlarmId id = idOf(alarm_key::RollOver);
+            above(id, tilt, m_limits.rolledOver, m_limits.rolledOver)) {
+            return add(id, Severity::Act,
+                       fmt::format("rolled over, tilted by {:.0f} degrees", inDegrees(tilt)), tilt);
+        }
+        const AlarmId id = idOf(alarm_key::Attitude);
+        const double share = shareOfLimits(m_robot.description, roll, pitch);
+        if (const auto loud = above(id, share, m_limits.attitude, m_limits.attitudeAct)) {
+            add(id, *loud,
+                fmt::format("roll {:.0f}, pitch {:.0f} degrees: {:.0f} % of where it tips over",
+                            wholeDegrees(roll), wholeDegrees(pitch), 100.0 * share),
+                share);
+        }
+    }
+
+    void battery() {
+        if (!isFresh(m_robot.said.battery, m_now, 10.0)) return;
+        const BatterySample& battery = m_robot.said.battery->sample;
+        if (battery.status == BatterySample::Status::Charging) return;
+        const AlarmId id = idOf(alarm_key::Battery);
+        const double minutes = minutesLeft(battery);
+        const auto byTime = std::isfinite(minutes)
+                                ? below(id, minutes, m_limits.batteryMinutes, m_limits.batteryMinutesAct)
+                                : std::nullopt;
+        const auto byShare =
+            std::isfinite(battery.fraction)
+                ? below(id, battery.fraction, m_limits.batteryShare, m_limits.batteryShareAct)
+                : std::nullopt;
+        if (!byTime && !byShare) return;
+        const Severity loud =
+            std::max(byTime.value_or(Severity::Attention), byShare.value_or(Severity::Attention));
+        std::string text = "battery";
+        if (std::isfinite(battery.fraction)) text += fmt::format(" {:.0f} %", 100.0 * battery.fraction);
+        if (std::isfinite(minutes)) text += fmt::format(", {:.0f} min left", minutes);
+        const bool timed = std::isfinite(minutes);
+        add(id, loud, text, timed ? minutes : battery.fraction, timed ? "minutes" : "share");
+    }
+
+    void gas() {
+        if (!isFresh(m_robot.said.gas, m_now, 5.0)) return;
+        const double ppm = m_robot.said.gas->sample.ppm;
+        const AlarmId id = idOf(alarm_key::Gas);
+        if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
+            add(id, Severity::Attention, fmt::format("CO2 {:.0f} ppm", ppm), ppm);
+    }
+
+    void bump() {
+        if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped) {
+            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention, "bumped: " + m_robot.bumper,
+                *m_robot.bumpAge);
+        }
+    }
+
+    void diagnostics() {
+        if (!m_robot.said.diagnostics) return;
+        for (const DiagnosticStatus& part : m_robot.said.diagnostics->sample.statuses) {
+            if (part.level != DiagnosticStatus::Level::Error) continue;
+            add(idOf(alarm_key::Diagnostics, part.name), Severity::Act,
+                fmt::format("{}: {}", part.name, part.message), Unknown, part.message);
+        }
+    }
+
+    void pictures() {
+        for (const CameraView& camera : m_robot.view.cameras) {
+            if (!camera.age.isFrozen(m_limits.frozen)) continue;
+            add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention,
+                fmt::format("camera {} repeats one picture for {:.0f} s", camera.sensor, camera.age.content),
+                camera.age.content);
+        }
+    }
+
+    void clock() {
+        if (!m_robot.view.link.clock) return;
+        const ClockStatus& clock = *m_robot.view.link.clock;
+        const double ahead = std::chrono::duration<double>(clock.ahead).count();
+        const double sure = std::abs(ahead) - std::chrono::duration<double>(clock.uncertainty).count();
+        const AlarmId id = idOf(alarm_key::ClockOffset);
+        if (!above(id, sure, m_limits.clock, std::numeric_limits<double>::infinity())) return;
+        add(id, Severity::Attention,
+            fmt::format("its clock is {:.1f} s {} the station's", std::abs(ahead),
+                        ahead > 0.0 ? "ahead of" : "behind"),
+            ahead);
+    }
+
+    void stop() {
+        const StopStatus& stop = m_robot.view.stop;
+        const double waits = std::chrono::duration<double>(stop.unanswered).count();
+        if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
+        add(idOf(alarm_key::StopUnanswered), Severity::Act,
+            fmt::format("does not answer the stop for {:.0f} s", waits), waits);
+    }
+
+    void grant() {
+        const GrantView& grant = m_robot.view.grant;
+        if (grant.lostTo.empty() || grant.mine) return;
+        const std::string who = grant.holderTitle.empty() ? grant.lostTo : grant.holderTitle;
+        add(idOf(alarm_key::GrantLost), Severity::Attention, "the grant to drive was lost to " + who, Unknown,
+            who);
+    }
+
+    const RobotWatch& m_robot;
+    const AlarmBook& m_book;
+    const Time m_now;
+    const AlarmLimits& m_limits;
+    std::vector<AlarmCause> m_causes;
+};
+
+}  // namespace
+
+std::vector<AlarmCause> alarmsOf(const RobotWatch& robot, const AlarmBook& book, Time now,
+                                 const AlarmLimits& limits) {
+    return Judge(robot, book, now, limits).all();
+}
+
+}  // namespace leitstand

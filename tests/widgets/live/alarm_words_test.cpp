@@ -1,0 +1,94 @@
+#include "widgets/models/live/alarm_words.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <QLocale>
+#include <QSignalSpy>
+
+#include "tests/widgets/live/sample_robot.h"
+#include "widgets/models/live/alarm_list_model.h"
+
+namespace leitstand {
+namespace {
+
+using test::at;
+
+class AlarmWords : public testing::Test {
+protected:
+    void SetUp() override { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
+    [[nodiscard]] static std::string textOf(const char* key, double value, const char* detail = "",
+                                            const char* note = "") {
+        return alarmText({{"kurt3d", key, detail}, AlarmSeverity::Act, "Kurt3D: in English", value, note})
+            .toStdString();
+    }
+    [[nodiscard]] static Alarm alarm(AlarmSeverity severity, const char* robot = "kurt3d") {
+        Alarm one;
+        one.cause = {{robot, alarm_key::LinkLost, ""}, severity, "text", 4.4, ""};
+        one.since = at(-12.0);
+        return one;
+    }
+    const std::vector<RobotFace> faces{{"kurt3d", "K", "Kurt3D", 0}, {"crawler", "C", "Crawler", 1}};
+};
+
+TEST_F(AlarmWords, EachKeyHasItsOwn) {
+    EXPECT_EQ(textOf(alarm_key::Attitude, 0.72), "tilted: 72 % of where it tips over");
+    EXPECT_EQ(textOf(alarm_key::RollOver, 1.4835), "rolled over, tilted by 85°");
+    EXPECT_EQ(textOf(alarm_key::LinkLost, 4.4), "link lost, silent for 4 s");
+    EXPECT_EQ(textOf(alarm_key::LinkDegraded, 0, "", "round trip 380 ms"), "link: round trip 380 ms");
+    EXPECT_EQ(textOf(alarm_key::Battery, 7.2, "", "minutes"), "battery: 7 min left");
+    EXPECT_EQ(textOf(alarm_key::Battery, 0.18, "", "share"), "battery: 18 % left");
+    EXPECT_EQ(textOf(alarm_key::Gas, 2345), "CO₂ 2,345 ppm");
+    EXPECT_EQ(textOf(alarm_key::Bump, 0.3, "front_left"), "bumped: front left");
+    EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", "hot"), "motor driver: hot");
+    EXPECT_EQ(textOf(alarm_key::StopUnanswered, 3.1), "does not answer STOP for 3 s");
+    EXPECT_EQ(textOf(alarm_key::FrozenPicture, 12.9, "left"), "camera left repeats one picture for 12 s");
+    EXPECT_EQ(textOf(alarm_key::GrantLost, 0, "", "Van"), "the grant to drive was lost to Van");
+    EXPECT_EQ(textOf(alarm_key::ClockOffset, -3.0), "its clock is 3.0 s behind");
+    EXPECT_EQ(textOf(alarm_key::UncertainScan, 2), "uncertain scans to be decided on: 2");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_full", "the disk is full"), "the disk is full");
+    EXPECT_EQ(textOf("what_is_this", 0), "Kurt3D: in English");
+}
+
+TEST_F(AlarmWords, ALineSaysWhoseHowLoudAndForHowLong) {
+    auto lines = alarmLinesOf({alarm(AlarmSeverity::Act), alarm(AlarmSeverity::Attention, "")}, faces, at(0));
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].face.letter.toStdString(), "K");
+    EXPECT_EQ(lines[0].since.toStdString(), "12 s");
+    EXPECT_EQ(lines[0].tone, Tone::Act);
+    EXPECT_EQ(lines[0].stage, AlarmStage::Standing);
+    EXPECT_TRUE(lines[1].face.letter.isEmpty()) << "of the station";
+    EXPECT_EQ(lines[1].tone, Tone::Attention);
+    Alarm one = alarm(AlarmSeverity::Act);
+    one.acknowledged = true;
+    EXPECT_EQ(alarmLinesOf({one}, faces, at(0))[0].tone, Tone::Muted);
+    one.acknowledged = false;
+    one.ended = at(-3.0);
+    lines = alarmLinesOf({one}, faces, at(0));
+    EXPECT_EQ(lines[0].stage, AlarmStage::Over);
+    EXPECT_EQ(lines[0].since.toStdString(), "over for 3 s");
+    EXPECT_EQ(lines[0].tone, Tone::Normal) << "it waits to be acknowledged, but nothing burns";
+}
+
+TEST_F(AlarmWords, TheMuteCountsDown) {
+    EXPECT_EQ(muteText(at(48), at(0.4)).toStdString(), "muted for 48 s");
+    EXPECT_TRUE(muteText(at(48), at(48)).isEmpty());
+    EXPECT_TRUE(muteText({}, at(0)).isEmpty());
+}
+
+TEST_F(AlarmWords, TheListKeepsItsRowsWhileNumbersChange) {
+    AlarmListModel model;
+    QSignalSpy reset(&model, &QAbstractItemModel::modelReset),
+        changed(&model, &QAbstractItemModel::dataChanged);
+    model.setLines(alarmLinesOf({alarm(AlarmSeverity::Act)}, faces, at(0)));
+    EXPECT_EQ(reset.count(), 1);
+    model.setLines(alarmLinesOf({alarm(AlarmSeverity::Act)}, faces, at(5)));
+    EXPECT_EQ(reset.count(), 1);
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_EQ(model.index(0).data().toString().toStdString(), "link lost, silent for 4 s");
+    EXPECT_EQ(model.index(0).data(Qt::AccessibleTextRole).toString().toStdString(),
+              "Act · Kurt3D: link lost, silent for 4 s · 17 s");
+    EXPECT_EQ(model.line(1), nullptr);
+}
+
+}  // namespace
+}  // namespace leitstand

@@ -1,0 +1,94 @@
+#include "widgets/alarms/alarm_panel.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/alarms/alarm_delegate.h"
+
+namespace leitstand {
+
+AlarmPanel::AlarmPanel(QWidget* parent)
+    : QWidget(parent),
+      m_list(new QListView(this)),
+      m_title(new QLabel(this)),
+      m_calm(new QLabel(tr("No alarms"), this)),
+      m_acknowledge(new QToolButton(this)),
+      m_mute(new QToolButton(this)) {
+    setAccessibleName(tr("Alarms"));
+    m_list->setObjectName(QStringLiteral("alarms"));
+    m_list->setAccessibleName(tr("Alarms, newest first; Return acknowledges the chosen one"));
+    m_list->setModel(&m_model);
+    m_list->setItemDelegate(new AlarmDelegate(m_list));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setUniformItemSizes(true);
+    m_calm->setProperty("muted", true);
+    m_calm->setAlignment(Qt::AlignCenter);
+    m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
+    m_acknowledge->setText(tr("⌫ Acknowledge"));
+    m_acknowledge->setToolTip(tr("Acknowledges the newest alarm that is not: its tone ends"));
+    m_acknowledge->setAccessibleName(tr("Acknowledge the newest alarm"));
+    m_mute->setObjectName(QStringLiteral("mute"));
+    m_mute->setCheckable(true);
+    m_mute->setToolTip(tr("No tones for one minute; alarms are shown all the same"));
+    for (QToolButton* button : {m_acknowledge, m_mute}) {
+        button->setProperty("quiet", true);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    connect(m_list, &QListView::activated, this, [this](const QModelIndex& index) {
+        if (const AlarmLine* line = m_model.line(index.row())) emit acknowledged(line->id);
+    });
+    connect(m_acknowledge, &QToolButton::clicked, this, &AlarmPanel::newestAcknowledged);
+    connect(m_mute, &QToolButton::clicked, this, &AlarmPanel::muteToggled);
+
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(8, 4, 4, 0);
+    head->addWidget(m_title, 1);
+    head->addWidget(m_mute);
+    head->addWidget(m_acknowledge);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    rows->addLayout(head);
+    rows->addWidget(m_list, 1);
+    rows->addWidget(m_calm, 1);
+    refresh();
+}
+
+void AlarmPanel::show(const std::vector<AlarmLine>& lines, const QString& mute) {
+    m_model.setLines(lines);
+    m_muted = mute;
+    refresh();
+}
+
+void AlarmPanel::setSoundTrouble(const QString& trouble) {
+    m_trouble = trouble;
+    setToolTip(trouble);
+}
+
+void AlarmPanel::refresh() {
+    const int count = m_model.rowCount();
+    bool waits = false;
+    for (int row = 0; row < count; ++row) waits = waits || !m_model.line(row)->acknowledged;
+    m_list->setVisible(count > 0);
+    m_calm->setVisible(count == 0);
+    m_title->setText(count == 0 ? tr("Alarms") : tr("Alarms · %1").arg(count));
+    m_acknowledge->setEnabled(waits);
+    m_mute->setChecked(!m_muted.isEmpty());
+    m_mute->setText(m_muted.isEmpty() ? tr("M Mute") : tr("M %1").arg(m_muted));
+    m_mute->setAccessibleName(m_muted.isEmpty() ? tr("Mute tones for one minute") : m_muted);
+}
+
+void AlarmPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange)
+        m_list->viewport()->update();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <QAbstractListModel>
+
+#include "widgets/models/live/alarm_words.h"
+
+namespace leitstand {
+
+/// The alarms as a list, newest first. Rows stay where they are as long as the same alarms stand, so that a
+/// choice is kept while their numbers change.
+class AlarmListModel final : public QAbstractListModel {
+    Q_OBJECT
+public:
+    enum Role { LineRole = Qt::UserRole + 10 };  ///< AlarmLine, for painters
+
+    using QAbstractListModel::QAbstractListModel;
+
+    void setLines(const std::vector<AlarmLine>& lines);
+    [[nodiscard]] const AlarmLine* line(int row) const;  ///< null when there is none
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
+private:
+    std::vector<AlarmLine> m_lines;
+};
+
+}  // namespace leitstand
+
+Q_DECLARE_METATYPE(leitstand::AlarmLine)
+Q_DECLARE_METATYPE(leitstand::AlarmId)

@@ -1,0 +1,107 @@
+#include "widgets/models/live/alarm_words.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "core/base/pose.h"
+#include "widgets/models/live/freshness.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct AlarmTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::AlarmLine)
+};
+
+QString wholeSeconds(double seconds) {
+    return seconds < 99.5 ? AlarmTexts::tr("%1 s").arg(numberText(std::floor(std::max(0.0, seconds)), 0))
+                          : secondsText(seconds);
+}
+
+QString batteryText(const AlarmCause& cause) {
+    return cause.note == "minutes"
+               ? AlarmTexts::tr("battery: %1 min left").arg(numberText(cause.value, 0))
+               : AlarmTexts::tr("battery: %1 % left").arg(numberText(100.0 * cause.value, 0));
+}
+
+QString clockText(double ahead) {
+    const QString by = numberText(std::abs(ahead), 1);
+    return ahead > 0.0 ? AlarmTexts::tr("its clock is %1 s ahead").arg(by)
+                       : AlarmTexts::tr("its clock is %1 s behind").arg(by);
+}
+
+double secondsBetween(Time earlier, Time later) {
+    return std::chrono::duration<double>(later - earlier).count();
+}
+
+Tone toneOf(const AlarmLine& line) {
+    if (line.stage == AlarmStage::Standing)
+        return line.severity == AlarmSeverity::Act ? Tone::Act : Tone::Attention;
+    return line.stage == AlarmStage::Over && !line.acknowledged ? Tone::Normal : Tone::Muted;
+}
+
+}  // namespace
+
+QString alarmText(const AlarmCause& cause) {
+    const std::string& key = cause.id.key;
+    const QString detail =
+        QString::fromStdString(cause.id.detail).replace(QLatin1Char('_'), QLatin1Char(' '));
+    const QString note = QString::fromStdString(cause.note);
+    if (key == alarm_key::Attitude)
+        return AlarmTexts::tr("tilted: %1 % of where it tips over").arg(numberText(100.0 * cause.value, 0));
+    if (key == alarm_key::RollOver)
+        return AlarmTexts::tr("rolled over, tilted by %1°").arg(numberText(inDegrees(cause.value), 0));
+    if (key == alarm_key::LinkLost)
+        return AlarmTexts::tr("link lost, silent for %1").arg(wholeSeconds(cause.value));
+    if (key == alarm_key::LinkDegraded) return AlarmTexts::tr("link: %1").arg(note);
+    if (key == alarm_key::Battery) return batteryText(cause);
+    if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
+    if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(detail);
+    if (key == alarm_key::Diagnostics) return AlarmTexts::tr("%1: %2").arg(detail, note);
+    if (key == alarm_key::StopUnanswered)
+        return AlarmTexts::tr("does not answer STOP for %1").arg(wholeSeconds(cause.value));
+    if (key == alarm_key::FrozenPicture)
+        return AlarmTexts::tr("camera %1 repeats one picture for %2").arg(detail, wholeSeconds(cause.value));
+    if (key == alarm_key::GrantLost) return AlarmTexts::tr("the grant to drive was lost to %1").arg(note);
+    if (key == alarm_key::ClockOffset) return clockText(cause.value);
+    if (key == alarm_key::UncertainScan)
+        return AlarmTexts::tr("uncertain scans to be decided on: %1").arg(numberText(cause.value, 0));
+    if (key == alarm_key::Log) return note;
+    return QString::fromStdString(cause.text);
+}
+
+std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms, const std::vector<RobotFace>& faces,
+                                    Time now) {
+    std::vector<AlarmLine> lines;
+    for (const Alarm& alarm : alarms) {
+        AlarmLine line;
+        line.id = alarm.cause.id;
+        const auto face = std::find_if(faces.begin(), faces.end(), [&](const RobotFace& one) {
+            return one.name.toStdString() == alarm.cause.id.robot;
+        });
+        if (face != faces.end()) line.face = *face;
+        line.severity = alarm.cause.severity;
+        line.acknowledged = alarm.acknowledged;
+        line.stage = alarm.ended          ? AlarmStage::Over
+                     : alarm.acknowledged ? AlarmStage::Acknowledged
+                                          : AlarmStage::Standing;
+        line.text = alarmText(alarm.cause);
+        line.since = alarm.ended
+                         ? AlarmTexts::tr("over for %1").arg(wholeSeconds(secondsBetween(*alarm.ended, now)))
+                         : wholeSeconds(secondsBetween(alarm.since, now));
+        line.tone = toneOf(line);
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+QString muteText(Time mutedUntil, Time now) {
+    const double left = secondsBetween(now, mutedUntil);
+    return left > 0.0 ? AlarmTexts::tr("muted for %1 s").arg(numberText(std::ceil(left), 0)) : QString();
+}
+
+}  // namespace leitstand
