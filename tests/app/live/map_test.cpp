@@ -113,6 +113,31 @@ TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
     lookAt("map_decisions");
 }
 
+TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    ASSERT_TRUE(soon([&] { return place("crawler").placed; })) << "it is looked for beside Kurt3D";
+    m_window->selection().select("crawler");
+    trigger("map.followAbove");
+    const Pose before = place("crawler").baseInMap;
+    const Eigen::Vector3d ahead = before * Eigen::Vector3d(0.5, 0, 0);
+    ASSERT_TRUE(soon([&] {
+        const auto at = map().project(ahead);
+        return at && map().rect().contains(at->toPoint()) && map().settled();
+    }));
+    trigger("map.placeRobot");
+    const QPoint from = map().project(before.translation())->toPoint(), to = map().project(ahead)->toPoint();
+    QTest::mousePress(&map(), Qt::LeftButton, {}, from);
+    QMouseEvent drag(QEvent::MouseMove, to, map().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&map(), &drag);
+    QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
+    EXPECT_FALSE(map().drawing());
+    EXPECT_TRUE(soon([&] {
+        const RobotInMap now = place("crawler");
+        return now.placed && (now.baseInMap.translation() - before.translation()).head<2>().norm() < 0.3;
+    }));
+    lookAt("map_placed");
+}
+
 TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsNoted) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && map().settled(); }));
     trigger("map.area");

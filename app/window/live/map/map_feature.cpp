@@ -11,6 +11,7 @@
 #include "app/window/live/map/decisions_feature.h"
 #include "app/window/live/map/go_to.h"
 #include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/place_robot.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
@@ -50,6 +51,8 @@ void MapFeature::addRobots() {
     connect(&m_pane->view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
         going->go({place, std::nullopt});
     });
+    auto* placing = new PlaceRobot(m_context, *gestures, *robots, this);
+    connect(placing, &PlaceRobot::told, this, &MapFeature::told);
     auto* decisions = new DecisionsFeature(m_context, m_pane->view(), *gestures, *robots, this);
     connect(decisions, &DecisionsFeature::told, this, &MapFeature::told);
 }

@@ -1,0 +1,49 @@
+#include "app/window/live/map/place_robot.h"
+
+#include <QAction>
+
+#include "app/session/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/selection.h"
+
+namespace leitstand {
+
+PlaceRobot::PlaceRobot(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots,
+                       QObject* parent)
+    : QObject(parent),
+      m_context(context),
+      m_gestures(gestures),
+      m_robots(robots),
+      m_action(&context.commands.add(
+          {.id = "map.placeRobot",
+           .menu = CommandMenu::Map,
+           .text = tr("P&lace a robot"),
+           .hint = tr(
+               "Click on the map where a robot stands that is not in it yet, or the selected one; drag its "
+               "heading"),
+           .keys = QKeySequence(Qt::SHIFT | Qt::Key_O),
+           .checkable = true})) {
+    connect(m_action, &QAction::triggered, this, &PlaceRobot::arm);
+}
+
+void PlaceRobot::arm(bool on) {
+    if (!on) return m_gestures.disarm();
+    const std::string robot = m_robots.toPlace();
+    const RobotMark mark = m_robots.mark(robot);
+    m_gestures.armPose(
+        *m_action, mark,
+        tr("Click where %1 stands, drag its heading · right button: not at all").arg(mark.face.title),
+        [this, robot](const GroundPose& pose) { place(robot, pose); });
+}
+
+void PlaceRobot::place(const std::string& robot, const GroundPose& pose) {
+    const double heading = pose.heading.value_or(headingOf(m_robots.mark(robot).baseInMap));
+    const Pose baseInMap = poseFrom(pose.place, 0, 0, heading);
+    const auto placed = m_context.bridge.station().mapping().place(robot, baseInMap);
+    if (!placed) emit told(QString::fromStdString(placed.error().text));
+}
+
+}  // namespace leitstand
