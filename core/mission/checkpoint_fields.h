@@ -37,6 +37,9 @@ inline ScanTrust lastOf(ScanTrust) {
 inline ScanPosesSample::Cause lastOf(ScanPosesSample::Cause) {
     return ScanPosesSample::Cause::Operator;
 }
+inline RobotPlaceSample::Cause lastOf(RobotPlaceSample::Cause) {
+    return RobotPlaceSample::Cause::FoundAgain;
+}
 
 template <class A>
 void describe(A& a, SampleHeader& v) {
@@ -108,9 +111,14 @@ void describe(A& a, ClockOffsetSample& v) {
     a(v.stamp, v.robot, v.ahead, v.uncertainty, v.roundTrip);
 }
 template <class A>
+void describe(A& a, RobotPlaceSample& v) {
+    a(v.stamp, v.station, v.robot, v.cause, v.measured, v.baseInMap, v.odomInMap, v.certainty, v.overlap,
+      v.certain, v.how);
+}
+template <class A>
 void describe(A& a, RobotState& v) {
     a(v.odometry, v.imu, v.mode, v.battery, v.gas, v.bumps, v.sightings, v.diagnostics, v.stop, v.stopCommand,
-      v.clockOffset, v.streams);
+      v.clockOffset, v.place, v.streams);
 }
 template <class A>
 void describe(A& a, VictimSign& v) {

@@ -24,8 +24,8 @@ using Sample =
                  PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
                  BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
                  ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
-                 KeyScanSample, ScanPosesSample, ClockSample, ClockOffsetSample, UndoSample, CheckpointSample,
-                 NoteSample, SessionSample, AlarmSample>;
+                 KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
+                 CheckpointSample, NoteSample, SessionSample, AlarmSample>;
 
 /// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
 struct Event {

@@ -101,6 +101,9 @@ private:
     void handle(const ClockOffsetSample& sample) {
         if (!sample.robot.empty()) m_state.robots[sample.robot].edit().clockOffset = latest(sample);
     }
+    void handle(const RobotPlaceSample& sample) {
+        if (!sample.robot.empty()) m_state.robots[sample.robot].edit().place = latest(sample);
+    }
     void handle(const ClockSample& sample) { m_state.clock = latest(sample); }
 
     void handle(const VictimSample& sample) { decided(sample); }

@@ -8,6 +8,7 @@
 #include "core/base/time.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/samples/command_samples.h"
+#include "core/robot/samples/map_samples.h"
 #include "core/robot/samples/motion_samples.h"
 #include "core/robot/samples/station_samples.h"
 #include "core/robot/samples/status_samples.h"
@@ -46,7 +47,8 @@ struct RobotState {
     std::optional<Latest<StopStateSample>> stop;
     std::optional<Latest<StopCommandSample>> stopCommand;  ///< newest that a station sent to it
     std::optional<Latest<ClockOffsetSample>> clockOffset;
-    std::map<std::string, StreamState> streams;  ///< by topic
+    std::optional<Latest<RobotPlaceSample>> place;  ///< of robots that another one's map was made for
+    std::map<std::string, StreamState> streams;     ///< by topic
 };
 
 }  // namespace leitstand

@@ -13,6 +13,7 @@ inline constexpr std::string_view Grants = "/leitstand/grants";               //
 inline constexpr std::string_view Victims = "/leitstand/victims";             ///< Victim
 inline constexpr std::string_view KeyScans = "/leitstand/key_scans";          ///< KeyScan
 inline constexpr std::string_view ScanPoses = "/leitstand/scan_poses";        ///< ScanPoses
+inline constexpr std::string_view RobotPlaces = "/leitstand/robot_places";    ///< RobotPlace
 inline constexpr std::string_view Clock = "/leitstand/clock";                 ///< MissionClock
 inline constexpr std::string_view ClockOffsets = "/leitstand/clock_offsets";  ///< ClockOffset
 inline constexpr std::string_view Undo = "/leitstand/undo";                   ///< Undo

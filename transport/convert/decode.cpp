@@ -70,6 +70,7 @@ const std::vector<Entry>& entries() {
         entry<leitstand_msgs::Victim>(),
         entry<leitstand_msgs::KeyScan>(),
         entry<leitstand_msgs::ScanPoses>(),
+        entry<leitstand_msgs::RobotPlace>(),
         entry<leitstand_msgs::MissionClock>(),
         entry<leitstand_msgs::ClockOffset>(),
         entry<leitstand_msgs::Undo>(),

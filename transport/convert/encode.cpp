@@ -87,6 +87,7 @@ const std::vector<Entry>& entries() {
         entry<VictimSample, leitstand_msgs::Victim>(),
         entry<KeyScanSample, leitstand_msgs::KeyScan>(),
         entry<ScanPosesSample, leitstand_msgs::ScanPoses>(),
+        entry<RobotPlaceSample, leitstand_msgs::RobotPlace>(),
         entry<ClockSample, leitstand_msgs::MissionClock>(),
         entry<ClockOffsetSample, leitstand_msgs::ClockOffset>(),
         entry<UndoSample, leitstand_msgs::Undo>(),

@@ -1,5 +1,6 @@
 #include "app/session/station/live_mapping.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <variant>
@@ -8,6 +9,11 @@
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
+namespace {
+
+constexpr double AboutARobot = 0.1;  ///< so much about its corners may be of a robot, too [m]
+
+}  // namespace
 
 MapPtr shownMap(const LiveMap& live) {
     auto map = std::make_shared<Map>();
@@ -32,8 +38,8 @@ MapPtr shownMap(const LiveMap& live) {
     return map;
 }
 
-LiveMapping::Robot::Robot(const RobotDescription& description)
-    : poses(description), tracker(description.name) {
+LiveMapping::Robot::Robot(const RobotDescription& description, const std::string& station)
+    : poses(description), tracker(description.name), laser(tracker, station) {
     // They know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
         if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
@@ -42,15 +48,19 @@ LiveMapping::Robot::Robot(const RobotDescription& description)
 
 LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
                          const LiveSettings& settings, LiveMappingListener listener,
-                         const std::vector<KeyScanSample>& earlier, const std::vector<ScanPose>& poses)
+                         const EarlierMap& earlier)
     : m_descriptions(robots), m_listener(std::move(listener)), m_mapper(station, settings) {
     for (const RobotDescription& robot : m_descriptions) {
-        m_robots.emplace(robot.name, Robot(robot));
+        m_robots.try_emplace(robot.name, robot, station);
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
     }
-    for (const KeyScanSample& scan : earlier) m_mapper.restore(scan);
-    if (!earlier.empty()) {
-        m_mapper.follow(poses);
+    for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
+    if (!earlier.scans.empty()) {
+        m_mapper.follow(earlier.poses);
+        for (auto& [name, robot] : m_robots) {
+            const auto place = earlier.places.find(name);
+            if (place != earlier.places.end()) robot.laser.restore(place->second);
+        }
         followFixes();
         tellMap();
     }
@@ -69,6 +79,7 @@ void LiveMapping::take(const Event& event) {
     const bool wanted = std::holds_alternative<OdometrySample>(event.sample) ||
                         std::holds_alternative<ImuSample>(event.sample) ||
                         std::holds_alternative<CloudSample>(event.sample) ||
+                        std::holds_alternative<RangesSample>(event.sample) ||
                         event.role == StreamRole::StaticTransforms;
     if (!wanted || !m_robots.contains(event.robot)) return;
     {
@@ -109,7 +120,59 @@ void LiveMapping::work(const Event& event) {
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
         cutterOf(robot, event).add(*cloud, sensor, event.received);
+    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+        if (m_mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans tell more
+        RangesSample stamped = *ranges;
+        if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
+        const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
+        seeing(robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
     }
+}
+
+void LiveMapping::seeing(Robot& robot, LaserView view, Time now) {
+    std::vector<Disc> others;
+    for (const RobotDescription& description : m_descriptions) {
+        const Robot& other = m_robots.at(description.name);
+        if (&other == &robot || !other.tracker.placed()) continue;
+        Disc disc{other.tracker.now().baseInMap.translation().head<2>(), 0.0};
+        for (const Eigen::Vector2d& corner : description.footprint)
+            disc.radius = std::max(disc.radius, corner.norm() + AboutARobot);
+        others.push_back(disc);
+    }
+    tellPlace(robot.laser.see(std::move(view), m_map, now, others));
+}
+
+void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
+    if (place && m_listener.onPlace) m_listener.onPlace(*place);
+}
+
+void LiveMapping::placeOthers(Time now) {
+    if (!m_map || m_map->scans.empty()) return;
+    const LiveKeyScan& first = m_map->scans.front();
+    const Pose began = first.pose.scanInMap * first.sensorInBase.inverse();
+    for (auto& [name, robot] : m_robots) {
+        if (name != first.scan->robot && !m_mapper.fix(name))
+            tellPlace(robot.laser.placeBeside(began, m_map, now));
+    }
+}
+
+void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
+    const std::string& name = scan.scan->robot;
+    if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
+    // Without a plane laser its 3D scans do as well.
+    if (!robot.tracker.placed()) {
+        seeing(robot, laserView(scan), now);
+        placeOthers(now);
+    }
+    if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
+}
+
+void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
+    post([this, name, baseInMap](LiveMapper& mapper) {
+        Robot& robot = m_robots.at(name);
+        if (mapper.fix(name)) return mapper.place(name, baseInMap);
+        tellPlace(robot.laser.place(baseInMap, m_map, stationTime()));
+    });
 }
 
 void LiveMapping::work(const Task& task) {
@@ -122,10 +185,13 @@ void LiveMapping::registerDone(Time now) {
     for (auto& [name, robot] : m_robots) {
         for (auto& [topic, cutter] : robot.cutters) {
             for (const LiveScan& scan : cutter.take(now)) {
+                place(robot, scan, now);
                 const MapUpdate update = m_mapper.add(scan, now);
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
-                if (update.keyScan || update.poses) tellMap();
+                if (!update.keyScan && !update.poses) continue;
+                tellMap();
+                placeOthers(now);
             }
         }
     }
@@ -142,7 +208,8 @@ void LiveMapping::followFixes() {
 }
 
 void LiveMapping::tellMap() {
-    if (m_listener.onMap) m_listener.onMap(m_mapper.map());
+    m_map = m_mapper.map();
+    if (m_listener.onMap) m_listener.onMap(m_map);
 }
 
 void LiveMapping::tellRobots() {

@@ -18,40 +18,52 @@
 #include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/live/scan_cutter.h"
 #include "core/mapping/map.h"
+#include "core/mapping/placement/laser_robot.h"
 #include "core/mission/event.h"
 
 namespace leitstand {
 
 /// Called on the mapping's thread, which they must not hold up.
 struct LiveMappingListener {
+    std::function<void(const RobotPlaceSample&)> onPlace =
+        {};                                               ///< likewise, of robots that do not make the map
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
+};
+
+/// What the mission's earlier sessions have of the map.
+struct EarlierMap {
+    std::vector<KeyScanSample> scans;
+    std::vector<ScanPose> poses;                     ///< where they are now
+    std::map<std::string, RobotPlaceSample> places;  ///< of robots that do not make it, by name
 };
 
 /// Registers what robots scan while they drive, on a thread of its own. Any thread.
 class LiveMapping {
 public:
-    /// @p earlier: key scans of the mission's earlier sessions; @p poses: where they are now.
     LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
-                const LiveSettings& settings, LiveMappingListener listener,
-                const std::vector<KeyScanSample>& earlier = {}, const std::vector<ScanPose>& poses = {});
+                const LiveSettings& settings, LiveMappingListener listener, const EarlierMap& earlier = {});
     ~LiveMapping();
     LiveMapping(const LiveMapping&) = delete;
     LiveMapping& operator=(const LiveMapping&) = delete;
 
-    void end();                     ///< what waits is left; nobody is told anything any more
-    void take(const Event& event);  ///< odometry, inertial unit, fixed frames, 3D scans; others are passed by
+    void end();  ///< what waits is left; nobody is told anything any more
+    /// Odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser; others are passed by.
+    void take(const Event& event);
     /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
     void post(std::function<void(LiveMapper&)> task);
+    /// The operator puts @p robot, by name one of ours, to @p baseInMap.
+    void place(const std::string& robot, const Pose& baseInMap);
     /// Where the robots are; never null.
     [[nodiscard]] RobotsInMapPtr robots() const;
 
 private:
     struct Robot {
-        explicit Robot(const RobotDescription& description);
+        Robot(const RobotDescription& description, const std::string& station);
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
         RobotTracker tracker;
+        LaserRobot laser;  ///< corrects the tracker while no 3D scan of its own does
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;
@@ -59,7 +71,11 @@ private:
     void work(const Event& event);
     void work(const Task& task);
     void registerDone(Time now);
-    void followFixes();  ///< robots stand where the mapper says
+    void followFixes();          ///< robots stand where the mapper says
+    void placeOthers(Time now);  ///< robots that do not make the map
+    void place(Robot& robot, const LiveScan& scan, Time now);
+    void seeing(Robot& robot, LaserView view, Time now);
+    void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();
     void tellRobots();
     [[nodiscard]] std::optional<Time> due() const;
@@ -67,8 +83,9 @@ private:
 
     const std::vector<RobotDescription> m_descriptions;
     const LiveMappingListener m_listener;
-    LiveMapper m_mapper;  ///< of the thread, as the robots
-    std::map<std::string, Robot> m_robots;
+    LiveMapper m_mapper;                    ///< of the thread, as the robots
+    LiveMapPtr m_map;                       ///< newest; likewise, null before there is one
+    std::map<std::string, Robot> m_robots;  ///< fixed
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     std::deque<Work> m_waiting;  ///< under the mutex

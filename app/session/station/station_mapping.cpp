@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -31,14 +33,16 @@ struct StationMapping::State {
     const std::function<bool()> mayMap;
     const std::string station;
     const StationMappingListener listener;
-    std::deque<Event> heldBack;  ///< scans; of the mission's thread
-    mutable std::mutex mutex;    ///< of the following
+    std::deque<Event> heldBack;           ///< scans; of the mission's thread
+    std::map<std::string, bool> certain;  ///< whether a robot's place was; of the mapping's thread
+    mutable std::mutex mutex;             ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
     MapCrop crop;
     /// Of the poses and undos that we said, how much came back from the log: only then the mission has all of
     /// it.
     std::uint64_t said = 0, heard = 0;
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
+    std::set<std::string> robots;                          ///< fixed
     std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
 
     State(LiveMission& log, std::function<bool()> may, std::string name, StationMappingListener told)
@@ -50,6 +54,7 @@ struct StationMapping::State {
     void show(const LiveMapPtr& map);
     void say(const Sample& sample, std::string_view topic);
     void log(const MapUpdate& update);
+    void log(const RobotPlaceSample& place);
     void hear(const Event& event);
     void whenSettled(std::function<void(LiveMapper&)> task, bool first = false);
     void settle(LiveMapper& mapper);
@@ -86,6 +91,20 @@ void StationMapping::State::log(const MapUpdate& update) {
             tell(kept.error().text);
     }
     if (update.poses) say(*update.poses, station_topic::ScanPoses);
+}
+
+void StationMapping::State::log(const RobotPlaceSample& place) {
+    if (const auto kept = mission.say(place, station_topic::RobotPlaces); !kept) tell(kept.error().text);
+    const bool before = std::exchange(certain[place.robot], place.certain);
+    if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
+    using Cause = RobotPlaceSample::Cause;
+    const char* what =
+        place.cause == Cause::Tracked
+            ? (place.certain ? "its laser fits the map again" : "its place in the map is doubted")
+        : place.certain              ? "found in the map"
+        : place.cause == Cause::Slot ? "not found beside the other robot: drag it to where it stands"
+                                     : "not found there";
+    tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
 }
 
 void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {
@@ -173,10 +192,15 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     state.crop = setup.settings.crop;
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
+    listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
-    state.mapping =
-        std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings, std::move(listening),
-                                      setup.earlier, posesOf(*mission.state()));
+    EarlierMap earlier{std::move(setup.earlier), posesOf(*mission.state()), {}};
+    for (const auto& [name, robot] : mission.state()->robots) {
+        if (robot->place) earlier.places.emplace(name, robot->place->sample);
+    }
+    for (const RobotDescription& robot : setup.robots) state.robots.insert(robot.name);
+    state.mapping = std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings,
+                                                  std::move(listening), earlier);
 }
 
 StationMapping::~StationMapping() = default;
@@ -189,7 +213,9 @@ void StationMapping::take(const Event& event) {
     State& state = *m_state;
     if (event.robot.empty()) return state.hear(event);
     // How robots move, and where their sensors sit, is known before the scans.
-    const bool scan = std::holds_alternative<CloudSample>(event.sample);
+    const bool scan = std::holds_alternative<CloudSample>(event.sample),
+               laser = std::holds_alternative<RangesSample>(event.sample);
+    if (laser && !state.mayMap()) return;
     if (!scan) return state.mapping->take(event);
     auto& waiting = state.heldBack;
     if (state.mayMap()) {
@@ -252,6 +278,15 @@ Result<void> StationMapping::setCrop(const MapCrop& crop) {
 MapCrop StationMapping::crop() const {
     const std::lock_guard lock(m_state->mutex);
     return m_state->crop;
+}
+
+Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
+    if (auto may = m_state->granted(); !may) return may;
+    if (!m_state->robots.contains(robot))
+        return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+    if (scans()->scans.empty()) return Error{"there is no map yet to put a robot into"};
+    m_state->mapping->place(robot, baseInMap);
+    return {};
 }
 
 LiveMapPtr StationMapping::scans() const {

@@ -63,6 +63,11 @@ public:
     Result<void> setCrop(const MapCrop& crop);
     [[nodiscard]] MapCrop crop() const;
 
+    /// Puts @p robot to where the operator says it stands (base_link), roughly: its laser, or its next 3D
+    /// scan, is looked for about there. Without that it is placed by itself beside the robot that makes the
+    /// map. What came of it shows in robots() and is told as a message.
+    Result<void> place(const std::string& robot, const Pose& baseInMap);
+
     [[nodiscard]] LiveMapPtr scans() const;       ///< never null
     [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null
 

@@ -163,6 +163,8 @@ std::optional<RobotFix> LiveMapper::fix(const std::string& name) const {
     const auto robot = m_state->robots.find(name);
     if (robot == m_state->robots.end() || !robot->second.known) return std::nullopt;
     const RobotTrack& track = robot->second;
+    if (track.placedInMap)
+        return RobotFix{track.stamp, *track.placedInMap, 0.0, static_cast<std::uint8_t>(ScanDoubt::Odometry)};
     return RobotFix{track.stamp, track.sensorInMap * track.sensorInBase.inverse(), track.certainty,
                     track.doubts};
 }

@@ -64,4 +64,25 @@ struct ScanPosesSample {
     std::vector<ScanPose> poses;
 };
 
+/// Where a robot was placed in the map that another one's scans made, and how its laser keeps it there.
+struct RobotPlaceSample {
+    enum class Cause : std::uint8_t {
+        Slot,        ///< looked for beside the robot that makes the map
+        Operator,    ///< put there
+        Tracked,     ///< followed since
+        FoundAgain,  ///< looked for and found away from where its odometry had it
+    };
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string robot;
+    Cause cause = Cause::Tracked;
+    Time measured{};                    ///< robot's clock
+    Pose baseInMap = Pose::Identity();  ///< then
+    Pose odomInMap = Pose::Identity();  ///< where its odometry's poses lie from then on, level by its gyros
+    double certainty = 0.0;             ///< 0 to 1
+    double overlap = 0.0;               ///< share of what it sees that the map has
+    bool certain = false;               ///< else its odometry alone carries it on
+    std::string how;                    ///< in words, in English
+};
+
 }  // namespace leitstand

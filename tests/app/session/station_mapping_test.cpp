@@ -201,8 +201,10 @@ TEST_F(StationMappingTest, OnlyTheHolderOfTheGrantDecidesAndScansWaitForIt) {
 TEST_F(StationMappingTest, RobotsAreWhereTheirOdometryCarriesThemFromTheirNewestScan) {
     begin();
     EXPECT_FALSE(m_mapping->robots()->at(0).placed);
-    for (int i = 0; i < 3; ++i) scan();
-    ASSERT_TRUE(scans(3)) << words();
+    for (std::size_t i = 1; i <= 3; ++i) {
+        scan();
+        ASSERT_TRUE(scans(i)) << words();
+    }
     for (int i = 0; i < 10; ++i) {
         m_time += 50ms;
         odometry(basePose(m_way + 0.03 * (i + 1)) * m_slip);

@@ -160,6 +160,19 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
             case 17:
                 sample = BumpSample{.header = {}, .bumpers = {{"front", true, 3}}};
                 break;
+            case 18:
+                sample = RobotPlaceSample{.stamp = at(1),
+                                          .station = "s",
+                                          .robot = robot,
+                                          .cause = static_cast<RobotPlaceSample::Cause>(below(4)),
+                                          .measured = {},
+                                          .baseInMap = shifted(x),
+                                          .odomInMap = shifted(2.0 * x),
+                                          .certainty = 0.1 * x,
+                                          .overlap = 0.5,
+                                          .certain = below(2) == 0,
+                                          .how = text};
+                break;
             default: {
                 OdometrySample odometry;
                 odometry.baseInOdom = shifted(x);

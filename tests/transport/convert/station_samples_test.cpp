@@ -61,6 +61,15 @@ TEST(ScanPoses, AreRigidAndOfScans) {
     EXPECT_THAT(error([](auto& m) { m.cause = 3; }), HasSubstr("cause"));
 }
 
+TEST(RobotPlaces, AreRigidAndOfARobot) {
+    const auto error = [](auto change) { return errorAfter<lm::RobotPlace>(change); };
+    EXPECT_EQ(error([](auto& m) { m.overlap = NaN; }), "none") << "not known";
+    EXPECT_THAT(error([](auto& m) { m.robot.clear(); }), HasSubstr("robot"));
+    EXPECT_THAT(error([](auto& m) { m.cause = 4; }), HasSubstr("cause"));
+    EXPECT_THAT(error([](auto& m) { m.certainty = Infinity; }), HasSubstr("certainty"));
+    EXPECT_THAT(error([](auto& m) { m.odom_in_map.orientation.w = 5; }), HasSubstr("odom_in_map"));
+}
+
 TEST(Victims, HaveANumberAPlaceAndKnownStates) {
     const auto error = [](auto change) { return errorAfter<lm::Victim>(change); };
     EXPECT_EQ(error([](auto& m) { m.heat.value = m.deviation = NaN; }), "none") << "not known";

@@ -49,6 +49,7 @@ PingSample fromWire(const wire::leitstand_msgs::Ping& from, const Source&, Check
 GrantSample fromWire(const wire::leitstand_msgs::Grant& from, const Source&, Checks& checks);
 VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks);
 KeyScanSample fromWire(const wire::leitstand_msgs::KeyScan& from, const Source&, Checks& checks);
+RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks);
 ScanPosesSample fromWire(const wire::leitstand_msgs::ScanPoses& from, const Source&, Checks& checks);
 ClockSample fromWire(const wire::leitstand_msgs::MissionClock& from, const Source&, Checks& checks);
 ClockOffsetSample fromWire(const wire::leitstand_msgs::ClockOffset& from, const Source&, Checks& checks);

@@ -183,4 +183,33 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
     }
 }
 
+RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks) {
+    checks.require(!from.robot.empty(), "robot", "expected a name");
+    return {checks.time("stamp", from.stamp),
+            from.station,
+            from.robot,
+            checks.enumerator<RobotPlaceSample::Cause>("cause", from.cause, 4),
+            checks.time("measured", from.measured),
+            checks.pose("base_in_map", from.base_in_map),
+            checks.pose("odom_in_map", from.odom_in_map),
+            checks.known("certainty", from.certainty),
+            checks.known("overlap", from.overlap),
+            from.certain,
+            from.how};
+}
+
+void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks) {
+    to = {checks.wireTime("stamp", from.stamp),
+          from.station,
+          from.robot,
+          static_cast<std::uint8_t>(from.cause),
+          checks.wireTime("measured", from.measured),
+          checks.wirePose("base_in_map", from.baseInMap),
+          checks.wirePose("odom_in_map", from.odomInMap),
+          from.certainty,
+          from.overlap,
+          from.certain,
+          from.how};
+}
+
 }  // namespace leitstand::detail

@@ -47,6 +47,7 @@ void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Che
 void toWire(const GrantSample& from, wire::leitstand_msgs::Grant& to, Buffer&, Checks& checks);
 void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks);
 void toWire(const KeyScanSample& from, wire::leitstand_msgs::KeyScan& to, Buffer&, Checks& checks);
+void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks);
 void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Buffer&, Checks& checks);
 void toWire(const ClockSample& from, wire::leitstand_msgs::MissionClock& to, Buffer&, Checks& checks);
 void toWire(const ClockOffsetSample& from, wire::leitstand_msgs::ClockOffset& to, Buffer&, Checks& checks);

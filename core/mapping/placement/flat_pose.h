@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "core/base/pose.h"
+
+namespace leitstand {
+
+/// A place and a heading on a plane.
+struct FlatPose {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< [m]
+    double heading = 0.0;                             ///< [rad]
+
+    [[nodiscard]] static FlatPose of(const Pose& pose) {
+        const Eigen::Vector3d ahead = pose.linear().col(0);
+        return {pose.translation().head<2>(), std::atan2(ahead.y(), ahead.x())};
+    }
+    /// Standing at @p height [m].
+    [[nodiscard]] Pose standing(double height) const {
+        return poseFrom({place.x(), place.y(), height}, 0.0, 0.0, heading);
+    }
+    [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
+        return place + Eigen::Rotation2Dd(heading) * point;
+    }
+};
+
+}  // namespace leitstand

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/placement/laser_localiser.h"
+#include "core/mapping/placement/laser_view.h"
+#include "core/robot/samples/map_samples.h"
+
+namespace leitstand {
+
+/// A robot that does not make the map itself: it is placed in it by its laser and kept there. What comes of
+/// it is a sample for the log. Without thread and clock: the caller tells what time it is, on the station's
+/// clock. One thread at a time.
+class LaserRobot {
+public:
+    /// @p tracker is corrected; it must outlive this.
+    LaserRobot(RobotTracker& tracker, std::string station, const LocaliserSettings& settings = {});
+
+    /// What the laser sees now: it is followed when it was placed, and else kept for that. The map may be
+    /// null.
+    /// @p others: robots in the map, which the laser sees and the map does not have.
+    [[nodiscard]] std::optional<RobotPlaceSample> see(LaserView view, const LiveMapPtr& map, Time now,
+                                                      std::span<const Disc> others = {});
+    /// Looks for it beside the robot that makes the map, which began at @p otherInMap; what it drove since it
+    /// was heard first counts. Empty while nothing is to be told: it found nothing and is to be tried again.
+    [[nodiscard]] std::optional<RobotPlaceSample> placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
+                                                              Time now);
+    /// The operator put it to @p baseInMap: looked for about there; where it is not found it stands there,
+    /// uncertain.
+    [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap, const LiveMapPtr& map, Time now);
+    /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its
+    /// odometry went on to.
+    void restore(const RobotPlaceSample& place);
+
+    [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
+    [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && m_tries < MostTries; }
+    /// It sees by 3D scans that are in the map: no laser is needed.
+    void rest() { m_view.reset(); }
+
+    static constexpr int MostTries = 6;  ///< beside the other robot
+
+private:
+    [[nodiscard]] const LocalMap& localAt(const LiveMapPtr& map, const Pose& place);
+    [[nodiscard]] RobotPlaceSample taken(const MapFix& fix, RobotPlaceSample::Cause cause, double overlap,
+                                         Time now);
+    [[nodiscard]] std::optional<RobotPlaceSample> resumed(const LiveMapPtr& map, Time now);
+
+    RobotTracker& m_tracker;
+    std::string m_station;
+    LocaliserSettings m_settings;
+    LaserLocaliser m_localiser;
+    std::optional<LaserView> m_view;  ///< newest
+    std::optional<Pose> m_begin;      ///< base_link in odom when it was heard first
+    std::optional<RobotPlaceSample> m_resumed;
+    int m_tries = 0;
+    LiveMapPtr m_map;  ///< that m_local is of
+    LocalMap m_local;
+    Pose m_localPlace = Pose::Identity();
+};
+
+}  // namespace leitstand

@@ -1,0 +1,97 @@
+#include "core/mapping/placement/laser_view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/mapping/placement/flat_pose.h"
+#include "core/scan/cell_table.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Ground = 0.07;               ///< what is lower is floor [m]
+constexpr double Below = 0.06, Above = 0.25;  ///< a laser's plane is tilted a little: heights about it [m]
+constexpr double Low = 0.12, High = 0.6;      ///< of a 3D scan [m]
+constexpr double Edge = 0.05;                 ///< points are thinned to this [m]
+
+/// @p base turned about its place so that it is level, with the same heading.
+Pose level(const Pose& base) {
+    const Eigen::Vector3d ahead = base.linear().col(0);
+    return poseFrom(base.translation(), 0.0, 0.0, std::atan2(ahead.y(), ahead.x()));
+}
+
+/// Keeps points, one a square.
+class Thinned {
+public:
+    explicit Thinned(LaserView& view) : m_view(view) {}
+    void add(const Eigen::Vector3d& point) {
+        const Eigen::Vector3f flat(static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F);
+        if (m_cells.cellOf(flat) == m_view.points.size()) m_view.points.emplace_back(flat.x(), flat.y());
+    }
+
+private:
+    LaserView& m_view;
+    detail::CellTable m_cells{Edge};
+};
+
+}  // namespace
+
+void leaveOut(LaserView& view, const Pose& baseInMap, std::span<const Disc> discs) {
+    const FlatPose at = FlatPose::of(baseInMap);
+    std::erase_if(view.points, [&](const Eigen::Vector2f& point) {
+        return std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+            return (at * point.cast<double>() - disc.middle).norm() < disc.radius;
+        });
+    });
+}
+
+LaserView laserView(const RangesSample& ranges, const Pose& laserInBase, const MotionBuffer& motion) {
+    LaserView view;
+    const auto rays = static_cast<double>(ranges.ranges.size());
+    const auto after = [&](double ray) {
+        return ranges.header.stamp + std::chrono::nanoseconds(std::llround(1e9 * ray * ranges.timeStep));
+    };
+    view.stamp = after(std::max(0.0, rays - 1.0));
+    const auto poseAt = [&](Time stamp) {
+        const auto known = motion.at(stamp);
+        return known ? known->baseInOdom : Pose::Identity();
+    };
+    const bool moves = motion.at(view.stamp).has_value() && motion.at(after(0.0)).has_value();
+    const Pose end = poseAt(view.stamp), begin = moves ? poseAt(after(0.0)) : end;
+    const Pose flat = level(end);
+    view.tilt = flat.inverse() * end;
+    const double height = (view.tilt * laserInBase).translation().z();
+    view.low = std::max(Ground, height - Below);
+    view.high = height + Above;
+    Thinned kept(view);
+    for (std::size_t i = 0; i < ranges.ranges.size(); ++i) {
+        const double range = double{ranges.ranges[i]}, ray = static_cast<double>(i);
+        if (!std::isfinite(range) || range < ranges.rangeMin || range > ranges.rangeMax) continue;
+        const double angle = ranges.angleMin + ray * ranges.angleStep;
+        const Pose base = interpolated(begin, end, rays > 1.0 ? ray / (rays - 1.0) : 1.0);
+        const Eigen::Vector3d inLaser(range * std::cos(angle), range * std::sin(angle), 0.0);
+        const Eigen::Vector3d point = flat.inverse() * (base * (laserInBase * inLaser));
+        if (point.z() > Ground) kept.add(point);
+    }
+    return view;
+}
+
+LaserView laserView(const LiveScan& live) {
+    LaserView view;
+    view.stamp = live.scan->end;
+    view.low = Low;
+    view.high = High;
+    const auto up = (live.sensorInBase.linear() * live.up).normalized();
+    view.tilt.linear() = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Pose sensor = view.tilt * live.sensorInBase;
+    Thinned kept(view);
+    for (const Eigen::Vector3f& one : live.scan->points) {
+        if (!one.allFinite()) continue;
+        const Eigen::Vector3d point = sensor * one.cast<double>();
+        if (point.z() > Low && point.z() < High) kept.add(point);
+    }
+    return view;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,65 @@
+#include "core/mapping/placement/placement.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/mapping/placement/wall_fit.h"
+#include "core/mapping/placement/wall_map.h"
+
+namespace leitstand {
+namespace {
+
+const std::vector<double> Schedule = {0.3, 0.15, 0.1};
+
+double share(double value, double from, double plenty) {
+    return std::clamp((value - from) / (plenty - from), 0.0, 1.0);
+}
+
+int percent(double value) {
+    return static_cast<int>(std::lround(100.0 * value));
+}
+
+}  // namespace
+
+Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& guess,
+                     const SearchWindow& window, const PlacementSettings& settings) {
+    Placement placed;
+    placed.baseInMap = guess;
+    if (static_cast<int>(view.points.size()) < settings.leastPoints) {
+        placed.how = fmt::format("its laser sees too little: {} points", view.points.size());
+        return placed;
+    }
+    const WallMap map = wallMap(local, guess, view.low, view.high);
+    const Correlation found = correlate(view, map, FlatPose::of(guess), window);
+    const WallFit fit = fitToWalls(view, map, found.pose, Schedule);
+    placed.overlap = fit.overlap;
+    const double contrast = found.score > 0.0 ? 1.0 - found.second / found.score : 0.0;
+    // Half of the overlap that is asked for is no certainty, just what is asked for is some.
+    const double meets = share(fit.overlap, 0.5 * settings.leastOverlap, settings.plentyOverlap);
+    const double unique = share(contrast, 0.0, settings.plentyContrast);
+    const double held = share(fit.direction, 0.0, settings.plentyDirection);
+    placed.certainty = meets * unique * held;
+    std::string doubt;
+    if (fit.overlap < settings.leastOverlap) {
+        doubt = "too little of what it sees is in the map";
+    } else if (placed.certainty < settings.leastCertainty) {
+        doubt = held <= unique ? "the walls leave a direction open" : "it could as well stand elsewhere";
+    }
+    placed.certain = doubt.empty();
+    const std::string figures = fmt::format("{} % of what it sees is in the map", percent(fit.overlap));
+    if (!placed.certain) {
+        placed.certainty = std::min(placed.certainty, 0.5 * settings.leastCertainty);
+        placed.how = fmt::format("{}: {}", doubt, figures);
+        return placed;
+    }
+    placed.baseInMap = fit.pose.standing(map.ground) * view.tilt;
+    placed.how =
+        fmt::format("{}, {:.0f} cm and {:.0f} degrees from the guess", figures,
+                    100.0 * (fit.pose.place - guess.translation().head<2>()).norm(),
+                    inDegrees(angleBetween(fit.pose.standing(0.0), FlatPose::of(guess).standing(0.0))));
+    return placed;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,144 @@
+#include "tests/simulation/mapping/robot_pair.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "robots/simulation/arena/arena_generator.h"
+
+namespace leitstand::simulation::test {
+namespace {
+
+Pose placeOf(const Pose& pose) {
+    const FlatPose flat = FlatPose::of(pose);
+    return flat.standing(pose.translation().z());
+}
+
+/// What is nearest ahead [m], of rays within @p angle to either side of @p towards [rad].
+double nearest(const RangesSample& scan, double towards, double angle) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+        const double at = scan.angleMin + scan.angleStep * static_cast<double>(i);
+        if (std::abs(at - towards) < angle && std::isfinite(scan.ranges[i]))
+            least = std::min(least, double{scan.ranges[i]});
+    }
+    return least;
+}
+
+}  // namespace
+
+RobotPair::RobotPair(std::uint64_t seed, const Pose& wrongSlot) {
+    m_world = std::make_unique<World>(generateArena(Grade::Yellow, seed), seed);
+    HardwareSettings fitting;
+    fitting.seed = seed;
+    fitting.cameras = false;
+    m_kurt = std::make_unique<OperatedRobot>(*m_world, "kurt3d", fitting);
+    m_crawler = std::make_unique<OperatedRobot>(*m_world, "crawler", fitting);
+    for (const OperatedRobot* robot : {m_kurt.get(), m_crawler.get()})
+        m_mapper.setBody(robot->description().name,
+                         {robot->description().footprint, robot->description().height});
+    // The Crawler stands where the arena has it: the slot is wrong by as much the other way.
+    LocaliserSettings settings;
+    const Pose between =
+        placeOf(m_kurt->state().baseInArena).inverse() * placeOf(m_crawler->state().baseInArena);
+    settings.placement.slotInOther = between * wrongSlot;
+    m_laser = std::make_unique<LaserRobot>(m_tracker, "test", settings);
+    m_last = m_crawler->state().baseInArena.translation().head<2>();
+}
+
+Pose RobotPair::truth() const {
+    return m_mapInArena->inverse() * m_crawler->state().baseInArena;
+}
+
+double RobotPair::off() const {
+    return (truth().translation() - crawler().baseInMap.translation()).head<2>().norm();
+}
+
+double RobotPair::turned() const {
+    return std::abs(std::remainder(FlatPose::of(truth()).heading - FlatPose::of(crawler().baseInMap).heading,
+                                   2.0 * M_PI));
+}
+
+RobotPlaceSample RobotPair::place(const Pose& baseInMap) {
+    places.push_back(m_laser->place(baseInMap, m_map, m_world->now()));
+    return places.back();
+}
+
+void RobotPair::steer(OperatedRobot& robot, bool drives, double speed) {
+    if (!drives) return robot.wish(0.0);
+    double& turn = m_turn[0];
+    if (!m_ahead) return robot.wish(0.0);
+    const double ahead = nearest(*m_ahead, 0.0, degrees(30));
+    if (ahead > 0.6 || (turn == 0.0 && ahead > 0.4)) {
+        turn = 0.0;
+        const double left = std::min(1.0, nearest(*m_ahead, degrees(60), degrees(25))),
+                     right = std::min(1.0, nearest(*m_ahead, degrees(-60), degrees(25)));
+        return robot.wish(speed, 0.8 * (left - right));
+    }
+    if (turn == 0.0) {
+        const bool left =
+            nearest(*m_ahead, degrees(75), degrees(30)) > nearest(*m_ahead, degrees(-75), degrees(30));
+        turn = left ? 0.7 : -0.7;
+    }
+    robot.wish(0.0, turn);
+}
+
+void RobotPair::pass(double seconds, bool kurtDrives, bool crawlerDrives) {
+    if (kurtDrives) {
+        Sender station;
+        station.bytes[0] = 1;
+        m_kurt->agent().hear(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", "explore"}, station);
+    }
+    for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
+        steer(*m_crawler, crawlerDrives, 0.25);
+        simulation::pass(*m_world, {m_kurt.get(), m_crawler.get()}, 0.01);
+        hear();
+        const Eigen::Vector2d here = m_crawler->state().baseInArena.translation().head<2>();
+        way += (here - m_last).norm();
+        m_last = here;
+    }
+}
+
+void RobotPair::hear() {
+    const Time now = m_world->now();
+    const auto& kurt = m_kurt->description().sensors;
+    for (const auto& one : m_kurt->all<OdometrySample>()) m_cutter.add(one, now);
+    for (const auto& one : m_kurt->all<ImuSample>()) m_cutter.add(one, kurt.at("imu").sensorInBase, now);
+    for (const auto& one : m_kurt->all<CloudSample>())
+        m_cutter.add(one, kurt.at("scanner").sensorInBase, now);
+    m_kurt->forget();
+    for (const LiveScan& scan : m_cutter.take(now)) {
+        const MapUpdate update = m_mapper.add(scan, now);
+        if (!update.keyScan) continue;
+        m_map = m_mapper.map();
+        if (!m_mapInArena) {
+            m_mapInArena = m_world->baseInArena(m_kurt->number(), scan.scan->end) * scan.sensorInBase *
+                           update.keyScan->scanInMap.inverse();
+            m_kurtBegan = update.localisation.baseInMap;
+        }
+        if (const auto placed = m_laser->placeBeside(m_kurtBegan, m_map, now)) places.push_back(*placed);
+    }
+    const auto& crawler = m_crawler->description().sensors;
+    for (const auto& one : m_crawler->all<OdometrySample>()) m_tracker.add(one, now);
+    for (const auto& one : m_crawler->all<ImuSample>())
+        m_tracker.add(one, crawler.at("imu").sensorInBase, now);
+    for (const auto& one : m_crawler->all<RangesSample>()) {
+        m_ahead = one;
+        std::vector<Disc> others;
+        if (m_mapInArena) {
+            const Pose kurtInMap = m_mapInArena->inverse() * m_kurt->state().baseInArena;
+            others.push_back({kurtInMap.translation().head<2>(), 0.45});
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        auto view = laserView(one, crawler.at("laser").sensorInBase, m_tracker.motion());
+        if (const auto place = m_laser->see(std::move(view), m_map, now, others)) {
+            places.push_back(*place);
+            this->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            ++views;
+        }
+    }
+    m_crawler->forget();
+}
+
+}  // namespace leitstand::simulation::test

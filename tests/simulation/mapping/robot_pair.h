@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/placement/laser_robot.h"
+#include "tests/simulation/world/operated_robot.h"
+
+namespace leitstand::simulation::test {
+
+/// Kurt3D, which maps a yellow arena, and the Crawler, which is placed in its map.
+class RobotPair {
+public:
+    /// @p wrongSlot: so far is the Crawler's start from the slot that the settings tell.
+    RobotPair(std::uint64_t seed, const Pose& wrongSlot);
+
+    /// Both stand, or go as told, each turning away from what is ahead of it.
+    void pass(double seconds, bool kurtDrives, bool crawlerDrives);
+
+    [[nodiscard]] const RobotInMap& crawler() const { return m_tracker.now(); }
+    /// The Crawler's base_link in the map, truly.
+    [[nodiscard]] Pose truth() const;
+    /// ... less where the map has it: distance [m] and heading [rad].
+    [[nodiscard]] double off() const;
+    [[nodiscard]] double turned() const;
+    [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap);
+    [[nodiscard]] Pose slotInMap() const;
+
+    std::vector<RobotPlaceSample> places;  ///< all that came of the Crawler
+    double way = 0.0;                      ///< that the Crawler drove [m]
+    double seconds = 0.0;                  ///< that following took, all in all [s]
+    int views = 0;
+
+private:
+    void hear();
+    void steer(OperatedRobot& robot, bool drives, double speed);
+
+    std::unique_ptr<World> m_world;
+    std::unique_ptr<OperatedRobot> m_kurt, m_crawler;
+    Pose m_firstInArena = Pose::Identity();  ///< Kurt3D's scanner when it made the map
+    std::optional<Pose> m_mapInArena;
+    Pose m_kurtBegan = Pose::Identity();  ///< in the map
+    ScanCutter m_cutter{"kurt3d"};
+    LiveMapper m_mapper{"test", {}};
+    LiveMapPtr m_map;
+    RobotTracker m_tracker{"crawler"};
+    std::unique_ptr<LaserRobot> m_laser;
+    Eigen::Vector2d m_last = Eigen::Vector2d::Zero();
+    std::optional<RangesSample> m_ahead;  ///< newest of the Crawler's laser
+    double m_turn[2] = {0.0, 0.0};        ///< that a robot is at, to get away [rad/s]
+};
+
+}  // namespace leitstand::simulation::test

@@ -1,0 +1,71 @@
+#include "tests/simulation/mapping/robot_pair.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+namespace leitstand::simulation::test {
+namespace {
+
+const Pose Wrong = poseFrom({0.32, 0.24, 0}, 0, 0, degrees(15));  ///< 0.4 m
+
+std::string saidOf(const RobotPair& pair) {
+    std::string text;
+    for (const RobotPlaceSample& place : pair.places)
+        text +=
+            std::to_string(static_cast<int>(place.cause)) + (place.certain ? " " : "? ") + place.how + "\n";
+    return text;
+}
+
+TEST(RobotPair, TheCrawlerIsPlacedFromAWrongSlotAndKeptWhileItDrives) {
+    RobotPair pair(2, Wrong);
+    pair.pass(9.0, false, false);
+    ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+    EXPECT_TRUE(pair.crawler().certain);
+    EXPECT_LE(pair.off(), 0.10) << saidOf(pair);
+    EXPECT_LE(inDegrees(pair.turned()), 3.0);
+    double most = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        pair.pass(1.0, true, true);
+        most = std::max(most, pair.off());
+    }
+    EXPECT_GT(pair.way, 1.0);
+    EXPECT_LE(most, 0.15) << saidOf(pair);
+}
+
+// The Crawler follows into what Kurt3D has seen, and now and then beyond.
+TEST(RobotPairLong, AMinuteInFourYellowArenas) {
+    std::printf("  arena   way     start          worst while certain  worst          certain  ms a view\n");
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        RobotPair pair(seed, Wrong);
+        pair.pass(9.0, false, false);
+        ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+        const double start = pair.off(), startTurned = pair.turned();
+        EXPECT_LE(start, 0.10) << saidOf(pair);
+        EXPECT_LE(inDegrees(startTurned), 3.0);
+        pair.pass(60.0, true, false);
+        double most = 0.0, mostTurned = 0.0, certainMost = 0.0, certainTurned = 0.0;
+        int certain = 0;
+        for (int i = 0; i < 120; ++i) {
+            pair.pass(0.5, true, true);
+            most = std::max(most, pair.off());
+            mostTurned = std::max(mostTurned, pair.turned());
+            if (!pair.crawler().certain) continue;
+            ++certain;
+            certainMost = std::max(certainMost, pair.off());
+            certainTurned = std::max(certainTurned, pair.turned());
+        }
+        std::printf(
+            "  yellow %u %4.1f m  %2.0f cm %4.1f deg  %2.0f cm %4.1f deg       %2.0f cm %4.1f deg  %3d %%    "
+            "%.1f\n",
+            static_cast<unsigned>(seed), pair.way, 100.0 * start, inDegrees(startTurned), 100.0 * certainMost,
+            inDegrees(certainTurned), 100.0 * most, inDegrees(mostTurned), certain * 100 / 120,
+            1e3 * pair.seconds / pair.views);
+        EXPECT_LE(certainMost, 0.15) << seed << "\n" << saidOf(pair);
+        EXPECT_LE(most, 0.35) << seed << ": where Kurt3D has not been, tracks alone carry it on";
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::simulation::test
