@@ -79,6 +79,7 @@ void RobotLine::tell(RobotView& robot) const {
                    .driving = status.driving,
                    .needsNeutral = status.needsNeutral,
                    .listening = status.listeners > 0,
+                   .reachable = m_drive->listeners() > 0,
                    .sight = status.sight};
 }
 

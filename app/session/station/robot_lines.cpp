@@ -1,6 +1,5 @@
 #include "app/session/station/robot_lines.h"
 
-#include "app/session/log/sequencer.h"
 
 namespace leitstand {
 namespace {
@@ -26,30 +25,6 @@ void giveSticks(const RobotLines& lines, const std::string& robot) {
     }
     const auto chosen = lines.find(robot);
     if (chosen != lines.end() && chosen->second->drive() != nullptr) chosen->second->drive()->setFocus(true);
-}
-
-DriveView driveViewOf(const RobotLine& line) {
-    const DriveStreamer* const drive = line.drive();
-    if (drive == nullptr) return {};
-    const DriveStatus status = drive->status();
-    return {.drivable = true,
-            .velocity = status.velocity,
-            .focus = status.focus,
-            .driving = status.driving,
-            .needsNeutral = status.needsNeutral,
-            .listening = status.listeners > 0,
-            .reachable = drive->listeners() > 0,
-            .sight = status.sight};
-}
-
-PanTiltCommand panTiltCommand(const std::map<std::string, double>& joints) {
-    PanTiltCommand command;
-    command.header.stamp = stationTime();
-    for (const auto& [name, angle] : joints) {
-        command.names.push_back(name);
-        command.positions.push_back(angle);
-    }
-    return command;
 }
 
 StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants, const StopSender& stops) {

@@ -6,7 +6,6 @@
 
 #include "app/session/station/robot_line.h"
 #include "app/session/station/station_brakes.h"
-#include "core/robot/robot_view.h"
 #include "transport/link/grant_keeper.h"
 #include "transport/link/stop_sender.h"
 
@@ -17,12 +16,6 @@ using RobotLines = std::map<std::string, std::unique_ptr<RobotLine>>;
 
 /// Gives the sticks to @p robot alone; all others stand first. Empty: to none.
 void giveSticks(const RobotLines& lines, const std::string& robot);
-
-/// How the operator's hold on the robot of @p line is.
-[[nodiscard]] DriveView driveViewOf(const RobotLine& line);
-
-/// Asks the @p joints of cameras for angles [rad].
-[[nodiscard]] PanTiltCommand panTiltCommand(const std::map<std::string, double>& joints);
 
 /// What brake tests do with robots and learn of them, but for focus, refresh and done. All outlive it.
 [[nodiscard]] StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants,

@@ -1,0 +1,249 @@
+#include "app/session/station/station_state.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/session/log/link_line.h"
+#include "app/session/log/sequencer.h"
+#include "app/session/station/mission_map.h"
+#include "core/io/settings/alarm_file.h"
+#include "core/mission/station_topics.h"
+
+namespace leitstand {
+namespace {
+
+/// The station that has it registers; the others would make a second map of the same scans.
+const GrantId MapGrant{GrantSample::Kind::Map, {}};
+
+}  // namespace
+
+Station::State::~State() {
+    {
+        const std::lock_guard lock(mutex);
+        open = false;
+    }
+    if (node) node->onDiscovery([] {});
+    for (const auto& [name, line] : lines) {
+        if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
+    }
+    if (cameras) cameras->snapshots().finish();  // they are told in the log
+    if (alarms) alarms->end();
+    if (feed) feed->end();
+    // Events that wait still go into the log; what would come of them in the map does not.
+    if (mapping) mapping->end();
+    clock.reset();
+    mission.reset();  // its thread looks at the lines and hands over to the mapping
+    mapping.reset();
+    cameras.reset();
+    alarms.reset();
+    lines.clear();
+    streams.reset();
+    brakes.reset();
+    stops.reset();
+    grants.reset();
+    node.reset();
+}
+
+void Station::State::refresh(const std::string& robot) {
+    const std::lock_guard lock(mutex);
+    if (!open) return;
+    for (const auto& [name, line] : lines) {
+        if ((robot.empty() || name == robot) && line->drive() != nullptr) line->drive()->refresh();
+    }
+}
+
+Result<void> Station::State::control() {
+    GrantListener held;
+    held.onChange = [this] { refresh({}); };
+    held.onHeld = [this](const std::vector<HeldGrant>& now) {
+        if (const auto kept = memory->remember(now); !kept) say(kept.error().text);
+    };
+    auto keeper = GrantKeeper::create(*node, memory->identity(), std::move(held));
+    if (!keeper) return keeper.error();
+    grants = std::move(keeper).value();
+    StopSenderSettings stopping;
+    stopping.station = memory->identity().id;
+    stopping.mayRelease = [this](const std::string& robot) { return grants->mayAct(driveGrant(robot)); };
+    stopping.onChange = [this](const std::string& robot) { refresh(robot); };
+    auto sender = StopSender::create(*node, settings.mission.robots, std::move(stopping));
+    if (!sender) return sender.error();
+    stops = std::move(sender).value();
+    return {};
+}
+
+Result<void> Station::State::lineTo(const RobotDescription& robot) {
+    const auto conditions = [this, name = robot.name] {
+        const bool may =
+            grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) && !brakes->refuses(name);
+        return DriveConditions{may, stops->holdsByZeros(name), brakes->silences(name)};
+    };
+    LinkListener watch;
+    watch.onStatus = [this](const LinkStatus& link) {
+        if (!open) return;
+        streams->take(link);
+        brakes->look(link.robot);
+    };
+    watch.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
+    watch.onClockOffset = [this](const ClockOffsetSample& offset) {
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+    };
+    auto line = RobotLine::create(*node, robot, memory->identity().id, conditions, std::move(watch));
+    if (!line) return line.error();
+    lines.emplace(robot.name, std::move(line).value());
+    return {};
+}
+
+void Station::State::map(std::vector<KeyScanSample> earlier) {
+    StationMappingListener listening;
+    listening.onMessage = [this](const std::string& text) { say(text); };
+    listening.onMap = listener.onMap;
+    listening.onScans = listener.onScans;
+    mapping = std::make_unique<StationMapping>(
+        *mission, [this] { return grants->mayAct(MapGrant); },
+        StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
+                            std::move(earlier)},
+        std::move(listening));
+    grants->ask(MapGrant);
+}
+
+void Station::State::watch() {
+    StationAlarmsSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    const auto limits = readAlarmLimits(settings.alarms);
+    if (limits)
+        setup.limits = *limits;
+    else
+        say(limits.error().text);  // the usual ones, then
+    setup.view = [this](const std::string& robot) { return view(robot); };
+    setup.mission = [this] { return mission->state(); };
+    setup.scans = [this] { return mapping->scans(); };
+    setup.onLog = [this](const AlarmSample& alarm) {
+        if (const auto kept = mission->say(alarm, station_topic::Alarms); !kept) say(kept.error().text);
+    };
+    alarms = std::make_unique<StationAlarms>(std::move(setup));
+}
+
+void Station::State::listen() {
+    feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
+        for (const auto& [name, line] : lines) line->link().onSample(sample);
+    });
+    for (const RobotDescription& robot : settings.mission.robots) {
+        for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Heard)) say(problem);
+    }
+    for (const auto& problem : feed->listenToStations()) say(problem);
+    node->onDiscovery([this] { tellMismatches(); });
+}
+
+void Station::State::tellMismatches() {
+    for (const Mismatch& mismatch : node->mismatches()) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!told.insert(mismatch.text).second) continue;
+        }
+        say(mismatch.text);
+    }
+}
+
+void Station::State::watchStreams() {
+    streams = std::make_unique<StationStreams>(
+        settings.mission.robots,
+        [this](const std::string& robot, StreamCommandSample command) {
+            command.stamp = stationTime();
+            command.station = memory->identity().id;
+            return wish(robot, StreamRole::StreamCommand, command);
+        },
+        [this](const std::string& robot, const std::string& topic, bool off) {
+            line(robot)->link().setPaused(topic, off);
+        });
+}
+
+void Station::State::watchBrakes() {
+    StationBrakes::Hands hands = brakeHands(lines, *grants, *stops);
+    hands.focus = [this](const std::string& robot, bool on) {
+        giveSticks(lines, on ? robot : std::string());
+        if (on) grants->ask(driveGrant(robot));
+    };
+    hands.refresh = [this](const std::string& robot) { refresh(robot); };
+    hands.done = [this](const std::string& robot, const BrakeResult& result) {
+        const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
+        say(robot + ": " + note.text);
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(note, station_topic::Notes);  // a plain sample can be encoded
+    };
+    const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
+    brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
+}
+
+Result<void> Station::State::start() {
+    auto network = nodeSettings(settings.domain, "leitstand");
+    if (!network) return network.error();
+    auto remembered = StationFile::open(settings.memory, settings.mission.title);
+    if (!remembered) return remembered.error();
+    memory = std::move(remembered).value();
+    if (!memory->warning().empty()) say(memory->warning());
+    settings.mission.station = memory->identity().id;
+    auto joined = Node::create(*network);
+    if (!joined) return joined.error();
+    node = std::move(joined).value();
+    for (const std::string& warning : node->warnings()) say(warning);
+    LiveMission::Listener log;
+    log.onAlarm = [this](const std::string& text) { say(text); };
+    log.onEvent = [this](const Event& event) {
+        if (!open) return;
+        if (RobotLine* const known = line(event.robot)) known->sight().take(event);
+        brakes->take(event);
+        alarms->take(event);
+        mapping->take(event);
+        cameras->turning().take(event);
+        if (listener.onEvent) listener.onEvent(event);
+    };
+    std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
+    auto recorded = LiveMission::open(settings.mission, std::move(log));
+    if (!recorded) return recorded.error();
+    mission = std::move(recorded).value();
+    if (auto controlled = control(); !controlled) return controlled;
+    watchStreams();
+    watchBrakes();
+    for (const RobotDescription& robot : settings.mission.robots) {
+        if (auto made = lineTo(robot); !made) return made;
+    }
+    cameras = std::make_unique<StationCameras>(
+        settings.mission, *grants,
+        [this](const std::string& robot, const PanTiltCommand& command) {
+            return wish(robot, StreamRole::PanTiltCommand, command);
+        },
+        [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
+        [this](const std::string& text) { say(text); });
+    map(std::move(earlier));
+    watch();
+    clock = std::make_unique<StationClock>(*mission, memory->identity().id);
+    {
+        const std::lock_guard lock(mutex);
+        open = true;
+    }
+    refresh({});
+    listen();
+    return {};
+}
+
+RobotView Station::State::view(const std::string& name) const {
+    const RobotLine* const known = line(name);
+    if (known == nullptr) return {};
+    RobotView view;
+    known->tell(view);
+    view.grant = grants->view(driveGrant(name));
+    view.stop = stops->status(name);
+    return view;
+}
+
+Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
+    RobotLine* const to = line(robot);
+    if (to == nullptr) return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+    return to->say(role, sample);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/session/log/mission_feed.h"
+#include "app/session/station/robot_lines.h"
+#include "app/session/station/station.h"
+#include "app/session/station/station_alarms.h"
+#include "app/session/station/station_brakes.h"
+#include "app/session/station/station_cameras.h"
+#include "app/session/station/station_clock.h"
+#include "app/session/station/station_mapping.h"
+#include "app/session/station/station_streams.h"
+#include "core/io/station_file.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// All parts of a station, put together and taken apart in the right order.
+struct Station::State {
+    StationSettings settings;
+    StationListener listener;
+    std::optional<StationFile> memory;
+    std::unique_ptr<Node> node;
+    std::unique_ptr<GrantKeeper> grants;
+    std::unique_ptr<StopSender> stops;
+    std::unique_ptr<StationStreams> streams;
+    std::unique_ptr<StationBrakes> brakes;
+    RobotLines lines;  ///< fixed once open
+    std::unique_ptr<StationCameras> cameras;
+    std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<StationMapping> mapping;
+    std::unique_ptr<StationClock> clock;
+    std::unique_ptr<StationAlarms> alarms;
+    std::unique_ptr<MissionFeed> feed;
+    std::mutex mutex;                ///< of the next two
+    std::atomic<bool> open = false;  ///< all is there; changed under the mutex
+    std::set<std::string> told;      ///< mismatches; under the mutex
+
+    ~State();
+    Result<void> start();
+    Result<void> control();
+    Result<void> lineTo(const RobotDescription& robot);
+    void watchStreams();
+    void watchBrakes();
+    void map(std::vector<KeyScanSample> earlier);
+    void watch();
+    void listen();
+    [[nodiscard]] RobotView view(const std::string& robot) const;
+    void refresh(const std::string& robot);  ///< empty: all
+    void say(const std::string& text) const {
+        if (listener.onMessage) listener.onMessage(text);
+    }
+    void tellMismatches();
+    [[nodiscard]] RobotLine* line(const std::string& robot) const {
+        const auto found = lines.find(robot);
+        return found == lines.end() ? nullptr : found->second.get();
+    }
+    [[nodiscard]] Result<void> wish(const std::string& robot, StreamRole role, const Sample& sample) const;
+};
+
+}  // namespace leitstand
