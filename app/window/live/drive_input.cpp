@@ -109,7 +109,13 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {
             const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget == nullptr || widget->window() != &m_window) return false;
+            if (widget == nullptr) return false;
+            if (widget->window() != &m_window) {
+                // A menu that was opened meanwhile has the keyboard: what is let go there is let go.
+                const auto& key = static_cast<const QKeyEvent&>(*event);
+                if (event->type() == QEvent::KeyRelease && isTaken(key)) take(key, false);
+                return false;
+            }
             return take(static_cast<const QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
         }
         case QEvent::ShortcutOverride: {

@@ -28,6 +28,13 @@
 #include "widgets/theme.h"
 
 namespace leitstand {
+namespace {
+
+// How a gamepad repeats the tones of alarms.
+constexpr double WeakRumble = 0.3, StrongRumble = 0.9;
+constexpr int ShortRumble = 200, LongRumble = 600;  ///< [ms]
+
+}  // namespace
 
 LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts, PadMemory pads,
                        QWidget* parent)
@@ -49,7 +56,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
-    new AlarmsFeature(context);
+    m_alarms = new AlarmsFeature(context);
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();
@@ -108,6 +115,12 @@ void LiveWindow::connectFeatures() {
     connect(m_link, &LinkFeature::told, this, &LiveWindow::tell);
     connect(&m_pads->input(), &PadInput::panTilt, m_cameras,
             [this](const PanTiltRate& rate) { m_cameras->setRate(rate.pan, -rate.tilt); });
+    connect(&m_pads->input(), &PadInput::connected, m_preflight, &PreflightFeature::setGamepad);
+    connect(&m_pads->input(), &PadInput::gone, m_preflight, [this] { m_preflight->setGamepad({}); });
+    connect(m_alarms, &AlarmsFeature::sounded, this, [this](AlarmTone tone) {
+        const bool act = tone == AlarmTone::Act;
+        m_pads->input().rumble(act ? StrongRumble : WeakRumble, act ? LongRumble : ShortRumble);
+    });
     connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
     watch();
 }

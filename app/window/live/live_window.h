@@ -13,6 +13,7 @@ class QLabel;
 
 namespace leitstand {
 
+class AlarmsFeature;
 class CameraFeature;
 class CommandTable;
 class DriveFeature;
@@ -77,6 +78,7 @@ private:
     MapFeature* m_map = nullptr;
     PadFeature* m_pads = nullptr;
     LinkFeature* m_link = nullptr;
+    AlarmsFeature* m_alarms = nullptr;
     PreflightFeature* m_preflight = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };

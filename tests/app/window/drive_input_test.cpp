@@ -1,5 +1,6 @@
 #include "app/window/live/drive_input.h"
 
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWidget>
@@ -53,6 +54,18 @@ TEST_F(DriveInputTest, KeysDriveOnlyInTheDriveFocus) {
     EXPECT_EQ(sticks().forward, 0.0);
     let(Qt::Key_A);
     EXPECT_TRUE(isZero(sticks()));
+}
+
+TEST_F(DriveInputTest, AKeyThatIsLetGoIntoAMenuIsLetGo) {
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    ASSERT_GT(sticks().forward, 0.2);
+    QMenu menu(&m_window);
+    menu.addAction("Anything");
+    menu.popup(m_window.mapToGlobal(QPoint(5, 5)));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&menu));
+    QTest::keyRelease(&menu, Qt::Key_W);
+    EXPECT_EQ(sticks().forward, 0.0);
 }
 
 TEST_F(DriveInputTest, ArrowsShiftAndCtrl) {

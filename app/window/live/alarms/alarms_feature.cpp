@@ -68,8 +68,10 @@ void AlarmsFeature::show(const LiveMoment& moment) {
     for (const RobotDescription& robot : m_context.selection.robots())
         faces.push_back(m_context.selection.faceOfRobot(robot));
     m_panel->show(alarmLinesOf(view.alarms, faces, moment.now), muteText(view.mutedUntil, moment.now));
-    if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now))
+    if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now)) {
         m_player.play(*tone);
+        emit sounded(*tone);
+    }
 }
 
 }  // namespace leitstand

@@ -17,6 +17,9 @@ class AlarmsFeature final : public QObject {
 public:
     explicit AlarmsFeature(const LiveContext& context);
 
+signals:
+    void sounded(leitstand::AlarmTone tone);  ///< also where there is no sound device
+
 private:
     void addCommands();
     void toggleMute();
