@@ -61,13 +61,11 @@ TEST(Placement, CorrelationFindsWhatTryingAllPosesFinds) {
     const WallMap map = wallMap(world.map(), There, view.low, view.high);
     const FlatPose guess = FlatPose::of(There * poseFrom({0.2, 0.1, 0}, 0, 0, degrees(7)));
     const Correlation found = correlate(view, map, guess, {0.4, degrees(12)});
-    double best = 0.0;  // one pose at a time: a window without an extent is its block
-    for (int turn = -12; turn <= 12; ++turn) {
-        for (double x = -0.4; x < 0.41; x += 0.2) {
-            for (double y = -0.4; y < 0.41; y += 0.2) {
-                const FlatPose pose{guess.place + Eigen::Vector2d(x, y), guess.heading + degrees(turn)};
-                best = std::max(best, correlate(view, map, pose, {0.1, 0.0}).score);
-            }
+    double best = 0.0;  // windows of a few blocks each, all of which are looked at
+    for (double x = -0.4; x < 0.41; x += 0.2) {
+        for (double y = -0.4; y < 0.41; y += 0.2) {
+            const FlatPose pose{guess.place + Eigen::Vector2d(x, y), guess.heading};
+            best = std::max(best, correlate(view, map, pose, {0.1, degrees(12)}).score);
         }
     }
     EXPECT_NEAR(found.score, best, 0.02);
@@ -134,13 +132,13 @@ TEST(LaserLocaliser, FollowsSmallErrorsOfTheOdometry) {
     Followed robot;
     for (int i = 0; i < 5; ++i) {
         robot.drive(0.1);
-        EXPECT_TRUE(robot.localiser.due(robot.now, robot.motion));
+        EXPECT_TRUE(robot.localiser.due(robot.now + 100ms, robot.motion));
         robot.slip = robot.slip * poseFrom({-0.02, 0.01, 0}, 0, 0, degrees(1.5));
         const MapFix fix = robot.follow(robot.world);
         EXPECT_TRUE(fix.certain) << fix.how;
         EXPECT_LT(off(fix.baseInMap, There * robot.slip * robot.odometry), 0.03);
     }
-    EXPECT_FALSE(robot.localiser.due(robot.now + 100ms, robot.motion)) << "not so soon";
+    EXPECT_FALSE(robot.localiser.due(robot.now + 200ms, robot.motion)) << "not so soon";
 }
 
 TEST(LaserLocaliser, WhatItDoesNotKnowIsToldAndNothingJumps) {
