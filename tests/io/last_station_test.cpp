@@ -29,7 +29,7 @@ TEST(LastStation, NonsenseIsNothing) {
         std::ofstream(file) << text;
         EXPECT_FALSE(readLastStation(file)) << text;
     }
-    EXPECT_FALSE(writeLastStation(folder, {{"a"}}).ok());
+    EXPECT_FALSE(writeLastStation(folder.path(), {{"a"}}).ok());
 }
 
 }  // namespace
