@@ -243,6 +243,10 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
     }
     std::vector<RobotGuess> result;
     for (auto& [name, guess] : guesses) {
+        for (StreamDescription& stream : guess.robot.streams) {
+            // Robots with names share it with others that are here, or will be.
+            if (prefixed && stream.topic == "/diagnostics") stream.hardwareId = name;
+        }
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }
     return result;

@@ -183,9 +183,11 @@ void PaneDocks::dress(QDockWidget& dock, bool withTitle) {
         dock.setTitleBarWidget(new NoTitle(&dock));
     }
     delete before;
-    dock.setFeatures(withTitle ? QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
-                                     QDockWidget::DockWidgetFloatable
-                               : QDockWidget::DockWidgetFeatures(QDockWidget::NoDockWidgetFeatures));
+    // One that is not closable could not be shown and hidden in the menu either.
+    const QDockWidget::DockWidgetFeatures moves =
+        QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable;
+    dock.setFeatures(withTitle ? QDockWidget::DockWidgetClosable | moves
+                               : QDockWidget::DockWidgetFeatures(QDockWidget::DockWidgetClosable));
 }
 
 void PaneDocks::setArranging(bool on) {

@@ -69,6 +69,9 @@ TEST(RobotGuess, SharedDiagnosticsSayNothingOfFrames) {
     ASSERT_EQ(guesses.size(), 2u);
     EXPECT_EQ(guesses[0].robot.tfPrefix, TfPrefix::Topic);
     EXPECT_EQ(guesses[1].robot.tfPrefix, TfPrefix::Topic);
+    EXPECT_EQ(guesses[0].robot.stream(StreamRole::Diagnostics)->hardwareId, "crawler");
+    EXPECT_EQ(guesses[1].robot.stream(StreamRole::Diagnostics)->hardwareId, "kurt3d")
+        << "they share the topic";
 }
 
 TEST(RobotGuess, AStockRobotWithoutANamespaceIsOneRobot) {

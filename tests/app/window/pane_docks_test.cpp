@@ -71,6 +71,13 @@ TEST_F(PaneDocksTest, PanesChangePlacesAndBack) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - camera.width()) < 12; }));
 }
 
+TEST_F(PaneDocksTest, PanesAreShownAndHiddenAlsoWhileNothingIsArranged) {
+    m_docks.visibility("other")->trigger();
+    EXPECT_TRUE(m_docks.isPaneVisible("other"));
+    m_docks.visibility("map")->trigger();
+    EXPECT_FALSE(m_docks.isPaneVisible("map"));
+}
+
 TEST_F(PaneDocksTest, AnArrangementComesBack) {
     m_docks.setArranging(true);
     m_docks.visibility("scan")->trigger();
