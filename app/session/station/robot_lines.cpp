@@ -1,6 +1,5 @@
 #include "app/session/station/robot_lines.h"
 
-
 namespace leitstand {
 namespace {
 

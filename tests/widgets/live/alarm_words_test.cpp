@@ -45,7 +45,9 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::GrantLost, 0, "", "Van"), "the grant to drive was lost to Van");
     EXPECT_EQ(textOf(alarm_key::ClockOffset, -3.0), "its clock is 3.0 s behind");
     EXPECT_EQ(textOf(alarm_key::UncertainScan, 2), "uncertain scans to be decided on: 2");
-    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_full", "the disk is full"), "the disk is full");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_full", "the disk is full"), "log: the disk is full");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_slow", "/missions/a/a_0.db3: the disk does not keep up: 2 s"),
+              "log: the disk does not keep up: 2 s");
     EXPECT_EQ(textOf("what_is_this", 0), "Kurt3D: in English");
 }
 

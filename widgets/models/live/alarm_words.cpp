@@ -38,6 +38,12 @@ double secondsBetween(Time earlier, Time later) {
     return std::chrono::duration<double>(later - earlier).count();
 }
 
+/// What is wrong is what is read first; the message names the file.
+QString withoutFile(const QString& text) {
+    const auto colon = text.startsWith(QLatin1Char('/')) ? text.indexOf(QLatin1String(": ")) : -1;
+    return colon < 0 ? text : text.mid(colon + 2);
+}
+
 Tone toneOf(const AlarmLine& line) {
     if (line.stage == AlarmStage::Standing)
         return line.severity == AlarmSeverity::Act ? Tone::Act : Tone::Attention;
@@ -70,7 +76,7 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::ClockOffset) return clockText(cause.value);
     if (key == alarm_key::UncertainScan)
         return AlarmTexts::tr("uncertain scans to be decided on: %1").arg(numberText(cause.value, 0));
-    if (key == alarm_key::Log) return note;
+    if (key == alarm_key::Log) return AlarmTexts::tr("log: %1").arg(withoutFile(note));
     return QString::fromStdString(cause.text);
 }
 
