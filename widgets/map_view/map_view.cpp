@@ -62,7 +62,9 @@ const MapViewSettings& MapView::settings() const {
 }
 
 void MapView::setCamera(CameraPreset preset) {
+    const bool following = m_state->scenery.following();
     m_state->scenery.setCamera(preset);
+    if (following && !m_state->scenery.following()) emit followEnded();
 }
 
 void MapView::setHighlighted(std::uint64_t id) {

@@ -96,13 +96,17 @@ bool MapView::State::moveGesture(const QMouseEvent& event) {
 bool MapView::State::releaseGesture(const QMouseEvent& event) {
     if (!view.drawing()) return false;
     if (event.button() != Qt::LeftButton) return true;
-    if (const auto pose = tools.release()) emit view.poseDrawn(*pose);
+    if (const auto pose = tools.release()) {
+        drawn = true;  // the second press of a double click is no other wish
+        emit view.poseDrawn(*pose);
+    }
     view.update();
     return true;
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
     State& state = *m_state;
+    if (std::exchange(state.drawn, false)) return;
     if (event->button() != Qt::LeftButton || state.measuring || state.tools.posing()) {
         mousePressEvent(event);
         return;

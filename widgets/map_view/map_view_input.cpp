@@ -85,6 +85,7 @@ void MapView::State::moveBy(MapDrag how, const QPointF& pull) {
 
 void MapView::mousePressEvent(QMouseEvent* event) {
     State& state = *m_state;
+    state.drawn = false;
     if (state.drag == MapDrag::None && state.pressGesture(*event)) return;
     if (state.drag != MapDrag::None) return;  // a second button does not change what the first one does
     state.drag = dragFor(*event, settings().look);

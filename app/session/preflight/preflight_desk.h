@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -36,7 +37,8 @@ private:
     Station& m_station;
     mutable std::mutex m_mutex;
     std::optional<double> m_rate;  ///< under the mutex
-    std::jthread m_measuring;      ///< last: joined first
+    std::atomic<bool> m_busy = false;
+    std::jthread m_measuring;  ///< last: joined first
 };
 
 }  // namespace leitstand

@@ -1,15 +1,19 @@
 #include "app/session/station/robot_sight.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <variant>
+
+#include "app/session/log/sequencer.h"
 
 namespace leitstand {
 namespace {
 
 /// Odometry older than this is not asked for any more: scans come late after a radio gap.
 constexpr std::chrono::seconds Kept(90);
-constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);  ///< of a clock, backwards
+constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
+constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);          ///< of a clock, backwards
 
 double secondsBetween(SteadyTime earlier, SteadyTime later) {
     return std::chrono::duration<double>(later - earlier).count();
@@ -33,7 +37,9 @@ RobotSight::RobotSight(const RobotDescription& robot)
 
 void RobotSight::take(const Event& event) {
     const std::lock_guard lock(m_mutex);
-    const SteadyTime now = std::chrono::steady_clock::now();
+    // What waited in the queue came earlier than it is taken: old pictures must not look fresh.
+    const auto waited = std::clamp(stationTime() - event.received, std::chrono::nanoseconds(0), LongestWait);
+    const SteadyTime now = std::chrono::steady_clock::now() - waited;
     if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
         if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture->content.bytes, now);
         return;

@@ -72,8 +72,10 @@ void StationAlarms::take(const Event& event) {
 
 void StationAlarms::endEarlier() {
     const MissionStatePtr mission = m_setup.mission();
+    const std::uint64_t session = mission->sessions->empty() ? 0 : mission->sessions->back().started;
     for (const auto& [id, state] : *mission->alarms) {
         if (std::get<0>(id) != m_setup.station || state.alarm.state == AlarmSample::State::Cleared) continue;
+        if (session > 0 && state.raised >= session) continue;  // of the log, since it was opened
         AlarmSample over = state.alarm;
         over.stamp = stationTime();
         over.state = AlarmSample::State::Cleared;

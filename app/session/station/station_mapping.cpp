@@ -196,7 +196,10 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
     EarlierMap earlier{std::move(setup.earlier), posesOf(*mission.state()), {}};
     for (const auto& [name, robot] : mission.state()->robots) {
-        if (robot->place) earlier.places.emplace(name, robot->place->sample);
+        // One that was looked for in vain is nowhere: its place was a guess.
+        const bool vain = robot->place && robot->place->sample.cause == RobotPlaceSample::Cause::Slot &&
+                          !robot->place->sample.certain;
+        if (robot->place && !vain) earlier.places.emplace(name, robot->place->sample);
     }
     for (const RobotDescription& robot : setup.robots) state.robots.insert(robot.name);
     state.mapping = std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings,

@@ -164,8 +164,12 @@ void Station::State::watchStreams() {
 void Station::State::watchBrakes() {
     StationBrakes::Hands hands = brakeHands(lines, *grants, *stops);
     hands.focus = [this](const std::string& robot, bool on) {
-        giveSticks(lines, on ? robot : std::string());
-        if (on) grants->ask(driveGrant(robot));
+        if (on) {
+            giveSticks(lines, robot);
+            grants->ask(driveGrant(robot));
+        } else if (DriveStreamer* const drive = lines.at(robot)->drive()) {
+            drive->setFocus(false);  // others may be driven by now
+        }
     };
     hands.refresh = [this](const std::string& robot) { refresh(robot); };
     hands.done = [this](const std::string& robot, const BrakeResult& result) {

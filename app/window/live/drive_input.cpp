@@ -46,12 +46,16 @@ void DriveInput::setRobot(const RobotDescription& robot) {
         const auto known = actions().find(action);
         const QKeySequence sequence(QString::fromStdString(name));
         if (known == actions().end() || sequence.count() != 1) continue;
-        m_bindings[sequence[0].key()] = known->second;
+        const int key = sequence[0].key();
+        // These stop, halt and lift the cap, whatever a file says.
+        if (key == Qt::Key_Escape || key == Qt::Key_Space || key == OverrideKey) continue;
+        m_bindings[key] = known->second;
     }
 }
 
 void DriveInput::take(bool keys, bool pad) {
     m_keys.releaseAll();
+    m_down.clear();
     if (keys == m_focus && pad == m_pad) return;
     const bool padEnds = m_pad && !pad;
     m_focus = keys;
@@ -77,28 +81,39 @@ void DriveInput::setPad(const DriveVelocity& velocity, bool driving) {
     if (m_pad) emit sticks(velocity);
 }
 
-bool DriveInput::isTaken(const QKeyEvent& event) const {
-    return event.key() == Qt::Key_Space || event.key() == OverrideKey ||
-           (m_focus && m_bindings.contains(event.key()));
+bool DriveInput::isTaken(int key) const {
+    return key == Qt::Key_Space || key == OverrideKey || (m_focus && m_bindings.contains(key));
+}
+
+int DriveInput::keyOf(const QKeyEvent& event, bool held) {
+    const std::uint32_t code = event.nativeScanCode();
+    if (code == 0 || event.isAutoRepeat()) return event.key();
+    if (held) return m_down[code] = event.key();
+    const auto down = m_down.find(code);
+    if (down == m_down.end()) return event.key();
+    const int key = down->second;
+    m_down.erase(down);
+    return key;
 }
 
 bool DriveInput::take(const QKeyEvent& event, bool held) {
-    if (!isTaken(event)) return false;
-    if (event.key() == Qt::Key_Space) {
+    const int key = keyOf(event, held);
+    if (!isTaken(key)) return false;
+    if (key == Qt::Key_Space) {
         const bool padHad = m_pad;
         if (held && !event.isAutoRepeat()) {
+            emit halted();  // while the robot still has the sticks
             take(m_focus, false);
             if (padHad) emit padMustLetGo();
-            emit halted();
         }
         return true;
     }
-    if (event.key() == OverrideKey) {
+    if (key == OverrideKey) {
         if (!event.isAutoRepeat()) m_withoutEyes = held;
         return true;
     }
     if (event.isAutoRepeat() || m_pad) return true;
-    m_keys.set(m_bindings.at(event.key()), held);
+    m_keys.set(m_bindings.at(key), held);
     emit sticks(m_keys.sticks(m_limits));
     return true;
 }
@@ -112,15 +127,17 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             if (widget == nullptr) return false;
             if (widget->window() != &m_window) {
                 // A menu that was opened meanwhile has the keyboard: what is let go there is let go.
-                const auto& key = static_cast<const QKeyEvent&>(*event);
-                if (event->type() == QEvent::KeyRelease && isTaken(key)) take(key, false);
+                if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
                 return false;
             }
             return take(static_cast<const QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
         }
         case QEvent::ShortcutOverride: {
-            // Letters that drive are no shortcuts meanwhile.
-            if (!isTaken(static_cast<const QKeyEvent&>(*event))) return false;
+            // Letters that drive are no shortcuts meanwhile; nor are those with Shift and Ctrl, which are
+            // slow and fast: a follow key with "fast" held must not undo anything.
+            const auto& key = static_cast<const QKeyEvent&>(*event);
+            const bool geared = m_focus && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
+            if (key.key() == Qt::Key_Escape || (!isTaken(key.key()) && !geared)) return false;
             event->accept();
             return true;
         }

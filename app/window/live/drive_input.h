@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -50,11 +51,14 @@ signals:
 private:
     /// Whether the key is one of driving, and was taken.
     bool take(const QKeyEvent& event, bool held);
-    [[nodiscard]] bool isTaken(const QKeyEvent& event) const;
+    [[nodiscard]] bool isTaken(int key) const;
+    /// The key that went down there: modifiers that come and go meanwhile change what a release is called.
+    int keyOf(const QKeyEvent& event, bool held);
     void take(bool keys, bool pad);  ///< who has the sticks from now on
 
     QWidget& m_window;
-    std::map<int, DriveKey> m_bindings;  ///< by Qt::Key
+    std::map<int, DriveKey> m_bindings;   ///< by Qt::Key
+    std::map<std::uint32_t, int> m_down;  ///< Qt::Key by the keyboard's own code, of what is held
     DriveLimits m_limits;
     DriveKeys m_keys;
     QTimer m_rhythm;

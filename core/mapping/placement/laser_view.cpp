@@ -13,6 +13,7 @@ namespace {
 constexpr double Ground = 0.07;               ///< what is lower is floor [m]
 constexpr double Below = 0.06, Above = 0.25;  ///< a laser's plane is tilted a little: heights about it [m]
 constexpr double Low = 0.12, High = 0.6;      ///< of a 3D scan [m]
+constexpr double Farthest = 40.0;             ///< points beyond say nothing here [m]
 constexpr double Edge = 0.05;                 ///< points are thinned to this [m]
 
 /// @p base turned about its place so that it is level, with the same heading.
@@ -27,6 +28,7 @@ public:
     explicit Thinned(LaserView& view) : m_view(view) {}
     void add(const Eigen::Vector3d& point) {
         const Eigen::Vector3f flat(static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F);
+        if (!(flat.norm() < Farthest)) return;
         if (m_cells.cellOf(flat) == m_view.points.size()) m_view.points.emplace_back(flat.x(), flat.y());
     }
 

@@ -1,5 +1,7 @@
 #include "app/window/live/drive_input.h"
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
@@ -66,6 +68,29 @@ TEST_F(DriveInputTest, AKeyThatIsLetGoIntoAMenuIsLetGo) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&menu));
     QTest::keyRelease(&menu, Qt::Key_W);
     EXPECT_EQ(sticks().forward, 0.0);
+}
+
+/// As the keyboard tells it: @p code is the place of the key, @p key what it means with the modifiers of now.
+void tellKey(QWidget& window, QEvent::Type type, quint32 code, Qt::Key key) {
+    QKeyEvent event(type, key, Qt::NoModifier, code, 0, 0);
+    QApplication::sendEvent(&window, &event);
+}
+
+TEST_F(DriveInputTest, AKeyThatAModifierRenamedMeanwhileIsLetGo) {
+    m_input.setFocus(true);
+    tellKey(m_window, QEvent::KeyPress, 25, Qt::Key_W);
+    ASSERT_GT(sticks().forward, 0.2);
+    tellKey(m_window, QEvent::KeyRelease, 25, static_cast<Qt::Key>(0x141));  // AltGr+W on many keyboards
+    EXPECT_EQ(sticks().forward, 0.0);
+}
+
+TEST_F(DriveInputTest, NoFileTakesTheKeysThatStop) {
+    RobotDescription odd = robot();
+    odd.bindings = {{"forward", "Esc"}, {"back", "Space"}};
+    m_input.setRobot(odd);
+    m_input.setFocus(true);
+    hold(Qt::Key_Escape);
+    EXPECT_TRUE(isZero(sticks()));
 }
 
 TEST_F(DriveInputTest, ArrowsShiftAndCtrl) {

@@ -36,6 +36,10 @@ TEST(BrakeFile, NonsenseIsNoTest) {
         std::ofstream(file) << text;
         EXPECT_TRUE(readBrakes(file).empty()) << text;
     }
+    std::ofstream(file) << "brakes: {a: 1, b: {verdict: failed}, c: {verdict: passed}}";
+    ASSERT_EQ(readBrakes(file).size(), 1u);
+    EXPECT_EQ(readBrakes(file).at("b").verdict, Verdict::Failed)
+        << "a damaged file lets no robot drive that failed";
     EXPECT_FALSE(writeBrakes(folder / "no" / "such" / "folder.yaml", {}).ok());
 }
 

@@ -89,6 +89,7 @@ void CameraFeature::addLooks() {
     connect(&add("camera.exchange", tr("E&xchange both pictures"),
                  tr("The camera in the small pane gets the large one")),
             &QAction::triggered, this, [this] {
+                setRate(0.0, 0.0);  // of the camera that was large until now
                 m_views.swap();
                 showPanes();
             });

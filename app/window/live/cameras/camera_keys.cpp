@@ -103,11 +103,15 @@ bool CameraKeys::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {
             const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget == nullptr || widget->window() != &m_window) return false;
+            if (widget == nullptr) return false;
             auto& key = static_cast<QKeyEvent&>(*event);
-            // What went down is let go even when a modifier came to it meanwhile.
-            if (event->type() == QEvent::KeyRelease)
-                return wayOf(key) && (isOurs(key) || !m_held.empty()) && take(key, false);
+            // What went down is let go even when a modifier or a menu came to it meanwhile; what did not go
+            // down here is others' (driving's).
+            if (event->type() == QEvent::KeyRelease) {
+                const auto way = wayOf(key);
+                return way && m_held.contains(*way) && take(key, false);
+            }
+            if (widget->window() != &m_window) return false;
             if (!isOurs(key) || widget->testAttribute(Qt::WA_InputMethodEnabled)) return false;
             if (event->type() == QEvent::KeyPress) return take(key, true);
             event->accept();

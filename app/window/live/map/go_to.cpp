@@ -109,6 +109,9 @@ bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& mome
 bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
     const bool late = moment.now - way.asked > Patience;
     if (!way.sent) {
+        // A stop is for what was asked before it, too.
+        const StopStatus& stop = moment.view(robot).stop;
+        if (stop.sent || stop.stopped || stop.releasing) return true;
         if (moment.view(robot).grant.mine) {
             if (!send(robot, way, moment)) return true;
             way.sent = true;

@@ -136,9 +136,14 @@ void PreflightFeature::add(const QString& stranger) {
 }
 
 void PreflightFeature::addFile() {
-    const QString file =
-        QFileDialog::getOpenFileName(m_dialog, tr("Robot file"), {}, tr("Robot files (*.yaml *.yml)"));
-    if (!file.isEmpty()) join(file);
+    // Not modal and not the desktop's own: STOP, by Esc and by its button, works while it is open.
+    auto* dialog = new QFileDialog(m_dialog, tr("Robot file"), {}, tr("Robot files (*.yaml *.yml)"));
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setModal(false);
+    connect(dialog, &QFileDialog::fileSelected, this, &PreflightFeature::join);
+    dialog->show();
 }
 
 void PreflightFeature::join(const QString& file) {
