@@ -1,11 +1,13 @@
 #include "core/mapping/placement/laser_robot.h"
 
+#include <chrono>
 #include <utility>
 
 namespace leitstand {
 namespace {
 
 constexpr double SameLocal = 0.5;  ///< so near the local map is the same [m]
+constexpr std::chrono::seconds TryAgain(2);
 constexpr SearchWindow ResumedWindow{0.5, degrees(20)};
 
 }  // namespace
@@ -63,13 +65,16 @@ std::optional<RobotPlaceSample> LaserRobot::see(LaserView view, const LiveMapPtr
 std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
                                                         Time now) {
     if (!wantsSlot() || !m_view || !map || map->scans.empty()) return std::nullopt;
+    // It was told that it is not there; as the map grows, it may be found after all.
+    if (m_tries >= MostTries && m_view->stamp - m_triedAt < TryAgain) return std::nullopt;
+    m_triedAt = m_view->stamp;
     const auto here = m_tracker.motion().at(m_view->stamp);
     Pose guess = otherInMap * m_settings.placement.slotInOther;
     if (here && m_begin) guess = guess * (m_begin->inverse() * here->baseInOdom);
     const Placement found =
         placeRobot(*m_view, localAt(map, guess), guess, m_settings.placement.slot, m_settings.placement);
     ++m_tries;
-    if (!found.certain && m_tries < MostTries) return std::nullopt;
+    if (!found.certain && m_tries != MostTries) return std::nullopt;
     const MapFix fix{m_view->stamp, found.baseInMap, found.certainty, found.certain, found.how};
     if (found.certain) {
         m_localiser.begin(fix);
@@ -92,7 +97,7 @@ RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map,
         fix = {m_view->stamp, found.baseInMap, found.certainty, found.certain,
                found.certain ? found.how : "put there by the operator, but " + found.how};
     }
-    m_tries = MostTries;  // the operator knows better
+    m_put = true;  // the operator knows better
     m_localiser.begin(fix);
     return taken(fix, RobotPlaceSample::Cause::Operator, overlap, now);
 }

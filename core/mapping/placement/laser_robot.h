@@ -41,11 +41,12 @@ public:
     void restore(const RobotPlaceSample& place);
 
     [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
-    [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && m_tries < MostTries; }
+    [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && !m_put; }
     /// It sees by 3D scans that are in the map: no laser is needed.
     void rest() { m_view.reset(); }
 
-    static constexpr int MostTries = 6;  ///< beside the other robot
+    static constexpr int MostTries =
+        6;  ///< beside the other robot, until it is told; then with a growing map
 
 private:
     [[nodiscard]] const LocalMap& localAt(const LiveMapPtr& map, const Pose& place);
@@ -60,6 +61,8 @@ private:
     std::optional<LaserView> m_view;  ///< newest
     std::optional<Pose> m_begin;      ///< base_link in odom when it was heard first
     std::optional<RobotPlaceSample> m_resumed;
+    bool m_put = false;  ///< by the operator
+    Time m_triedAt{};    ///< robot's clock
     int m_tries = 0;
     LiveMapPtr m_map;  ///< that m_local is of
     LocalMap m_local;
