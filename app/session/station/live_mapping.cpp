@@ -189,9 +189,8 @@ void LiveMapping::registerDone(Time now) {
                 const MapUpdate update = m_mapper.add(scan, now);
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
-                if (!update.keyScan && !update.poses) continue;
-                tellMap();
-                placeOthers(now);
+                if (update.keyScan || update.poses) tellMap();
+                placeOthers(now);  // also while this one stands: the others' lasers may have come since
             }
         }
     }
