@@ -63,17 +63,8 @@ void Listening::look() {
         auto [place, isNew] = m_heard.try_emplace(endpoint.topic);
         Heard& heard = place->second;
         SeenTopic& topic = heard.probed.topic;
-        if (isNew || (writes && !topic.written)) {
-            topic = {.name = endpoint.topic,
-                     .type = endpoint.type,
-                     .qos = endpoint.qos,
-                     .written = writes,
-                     .read = topic.read,
-                     .obstacle = obstacleOf(endpoint)};
-            heard.hosts.clear();
-        }
+        if (see(topic, isNew, endpoint)) heard.hosts.clear();
         ++(writes ? heard.probed.writers : heard.probed.readers);
-        topic.read |= !writes;
         if (writes == topic.written) heard.hosts.insert(endpoint.host);
         if (writes && endpoint.ros && topic.obstacle.empty() && !heard.subscription) listen(heard);
     }

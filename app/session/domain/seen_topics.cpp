@@ -16,21 +16,26 @@ std::string obstacleOf(const RemoteEndpoint& endpoint) {
     return {};
 }
 
+bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint) {
+    const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
+    const bool anew = isNew || (writes && !topic.written);
+    if (anew) {
+        topic = {.name = endpoint.topic,
+                 .type = endpoint.type,
+                 .qos = endpoint.qos,
+                 .written = writes,
+                 .read = topic.read,
+                 .obstacle = obstacleOf(endpoint)};
+    }
+    topic.read |= !writes;
+    return anew;
+}
+
 std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints) {
     std::map<std::string, SeenTopic> topics;
     for (const RemoteEndpoint& endpoint : endpoints) {
-        const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
         const auto [place, isNew] = topics.try_emplace(endpoint.topic);
-        SeenTopic& topic = place->second;
-        if (isNew || (writes && !topic.written)) {
-            topic = {.name = endpoint.topic,
-                     .type = endpoint.type,
-                     .qos = endpoint.qos,
-                     .written = writes,
-                     .read = topic.read,
-                     .obstacle = obstacleOf(endpoint)};
-        }
-        topic.read |= !writes;
+        see(place->second, isNew, endpoint);
     }
     std::vector<SeenTopic> all;
     for (auto& [name, topic] : topics) all.push_back(std::move(topic));

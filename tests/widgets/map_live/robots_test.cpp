@@ -46,7 +46,8 @@ TEST(RobotsOnTheMap, AreDrawnAsEver) {
 }
 
 TEST(RobotsOnTheMap, PicturesForPeople) {
-    if (qEnvironmentVariableIsEmpty("LEITSTAND_PICTURES")) GTEST_SKIP() << "nobody looks";
+    if (qEnvironmentVariableIsEmpty("LEITSTAND_PICTURES"))
+        GTEST_SKIP() << "SKIPPED: draws for people only: set LEITSTAND_PICTURES to a folder";
     ShownView view(liveRoom(true), {}, {1280, 800});
     view->setRobots(team());
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
