@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/perception/picture.h"
+
+namespace leitstand {
+
+/// A QR code in a picture.
+struct FoundCode {
+    std::string text;                        ///< as read; without control characters, at most 512 bytes
+    std::array<Eigen::Vector2d, 4> corners;  ///< around it, in its own order [px]
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< [px]
+    double size = 0.0;                                 ///< square root of its area [px]
+};
+
+/// Reads QR codes (ZBar), those that are too small for it also in an enlarged picture. One thread.
+class CodeReader {
+public:
+    CodeReader();
+    ~CodeReader();
+    CodeReader(CodeReader&&) noexcept;
+    CodeReader& operator=(CodeReader&&) noexcept;
+
+    /// All codes of a picture (colours or grey of 8 bits; nothing in others), each text once.
+    [[nodiscard]] std::vector<FoundCode> read(const Picture& picture);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,125 @@
+#include "core/perception/cues/hazard.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/core/perception/cues/cue_pictures.h"
+
+namespace leitstand::test {
+namespace {
+
+const cv::Scalar Red(200, 35, 40), Orange(235, 125, 25), Yellow(240, 205, 30), Green(45, 140, 65),
+    Blue(35, 80, 175), White(235, 235, 232), Black(20, 20, 20);
+
+/// A placard with a black line in it and a pictogram, on a wall.
+cv::Mat placard(const cv::Scalar& upper, const cv::Scalar& lower, int size, double turn = 0.0,
+                const cv::Scalar& pictogram = Black) {
+    cv::Mat wall(240, 320, CV_8UC3, cv::Scalar(150, 135, 110));
+    const cv::Point top(160, 120 - size / 2), right(160 + size / 2, 120), bottom(160, 120 + size / 2),
+        left(160 - size / 2, 120);
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{top, right, left}}, upper);
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{bottom, right, left}}, lower);
+    cv::polylines(wall, std::vector<std::vector<cv::Point>>{{top, right, bottom, left}}, true, Black, 2);
+    cv::circle(wall, {160, 120 - size / 5}, size / 9, pictogram, cv::FILLED);
+    const cv::Mat warp = cv::getRotationMatrix2D({160.0F, 120.0F}, turn, 1.0);
+    cv::warpAffine(wall, wall, warp, wall.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::GaussianBlur(wall, wall, {3, 3}, 0.7);
+    return noisy(wall, 4.0, 5);
+}
+
+TEST(Hazard, PlacardsAreNamedByTheirColours) {
+    const std::vector<std::tuple<std::string, cv::Scalar, cv::Scalar>> all = {
+        {"explosive", Orange, Orange}, {"flammable", Red, Red},
+        {"gas", Green, Green},         {"wet", Blue, Blue},
+        {"combustible", White, Red},   {"oxidizer", Yellow, Yellow},
+        {"peroxide", Red, Yellow},     {"radioactive", Yellow, White},
+        {"corrosive", White, Black},   {"poison or infectious", White, White}};
+    for (const auto& [name, upper, lower] : all) {
+        for (const int size : {40, 90}) {
+            for (const double turn : {0.0, 12.0}) {
+                const auto found = findHazards(pictureFrom(placard(upper, lower, size, turn)));
+                ASSERT_EQ(found.size(), 1U) << name << " of " << size << " px, turned " << turn;
+                EXPECT_EQ(found[0].name, name) << size << " px, turned " << turn;
+                EXPECT_NEAR(found[0].centre.x(), 160.0, 4.0);
+                EXPECT_NEAR(found[0].centre.y(), 120.0, 4.0);
+                EXPECT_NEAR(found[0].size, size, 0.35 * size);
+            }
+        }
+    }
+}
+
+TEST(Hazard, OtherThingsAreNone) {
+    cv::Mat wall(240, 320, CV_8UC3, cv::Scalar(150, 135, 110));
+    cv::rectangle(wall, {20, 20}, {90, 90}, Red, cv::FILLED);  // stands on a side
+    cv::circle(wall, {160, 60}, 35, Yellow, cv::FILLED);       // round
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{230, 20}, {290, 90}, {200, 90}}}, Orange);
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{60, 120}, {100, 160}, {60, 200}, {20, 160}}},
+                 White);  // an empty sheet
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{160, 120}, {260, 140}, {160, 160}, {60, 140}}},
+                 Green);  // far too flat
+    for (const HazardPlacard& one : findHazards(pictureFrom(noisy(wall, 4.0, 1))))
+        ADD_FAILURE() << one.name << " at " << one.centre.transpose() << ", " << one.confidence;
+    EXPECT_TRUE(findHazards(pictureFrom(noisy(wall, 40.0, 1))).empty());
+}
+
+TEST(Hazard, StrangePicturesAreTaken) {
+    EXPECT_TRUE(findHazards({}).empty());
+    EXPECT_TRUE(findHazards({20, 20, Picture::Pixel::Grey8, std::vector<std::byte>(400)}).empty());
+    EXPECT_TRUE(findHazards({20, 20, Picture::Pixel::Rgb8, std::vector<std::byte>(13)}).empty());
+    EXPECT_TRUE(findHazards({1, 1, Picture::Pixel::Rgb8, std::vector<std::byte>(3)}).empty());
+    EXPECT_TRUE(findHazards({2000, 17, Picture::Pixel::Rgb8, std::vector<std::byte>(102'000)}).empty());
+}
+
+/// Pictures of the LaTeX package ghsystem (Debian's texlive-science; or LEITSTAND_GHSYSTEM names its folder).
+TEST(Hazard, PicturesOfAnotherProject) {
+    const char* named = std::getenv("LEITSTAND_GHSYSTEM");
+    const std::filesystem::path folder =
+        named != nullptr ? named : "/usr/share/texlive/texmf-dist/tex/latex/ghsystem/pictures";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no ghsystem here: needs Debian's texlive-science";
+    const std::map<std::string, std::string> all = {{"explos", "GHS"},
+                                                    {"flame", "GHS"},
+                                                    {"flame-O", "GHS"},
+                                                    {"skull", "GHS"},
+                                                    {"exclam", "GHS"},
+                                                    {"health", "GHS"},
+                                                    {"aqpol", "GHS"},
+                                                    {"bottle", "GHS"},
+                                                    {"acid", "GHS"},
+                                                    {"explos-1", "explosive"},
+                                                    {"bottle-2-black", "gas"},
+                                                    {"bottle-2-white", "gas"},
+                                                    {"flame-2-black", "flammable"},
+                                                    {"flame-3-white", "flammable"},
+                                                    {"flame-4-2", "combustible"},
+                                                    {"flame-4-3-white", "wet"},
+                                                    {"flame-O-5-1", "oxidizer"},
+                                                    {"flame-5-2-black", "peroxide"},
+                                                    {"skull-6", "poison or infectious"},
+                                                    {"acid-8", "corrosive"}};
+    int right = 0;
+    std::string wrong;
+    for (const auto& [picture, name] : all) {
+        cv::Mat sign = cv::imread((folder / ("ghsystem_" + picture + ".jpg")).string(), cv::IMREAD_COLOR);
+        if (sign.empty()) continue;
+        cv::cvtColor(sign, sign, cv::COLOR_BGR2RGB);
+        cv::resize(sign, sign, {90, 90}, 0, 0, cv::INTER_AREA);
+        cv::Mat wall(240, 320, CV_8UC3, cv::Scalar(150, 135, 110));
+        sign.copyTo(wall(cv::Rect(120, 70, 90, 90)));
+        const auto found = findHazards(pictureFrom(noisy(wall, 3.0, 1)));
+        const bool good = found.size() == 1 && found[0].name == name;
+        right += good ? 1 : 0;
+        if (!good) wrong += " " + picture + "=" + (found.empty() ? "none" : found[0].name);
+    }
+    std::printf("placards of ghsystem: %d of %zu named rightly; not:%s\n", right, all.size(), wrong.c_str());
+    EXPECT_GE(right, 16);
+}
+
+}  // namespace
+}  // namespace leitstand::test
