@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/session/domain/robot_guess.h"
+#include "core/io/bag/bag_reader.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 
@@ -64,6 +66,21 @@ std::vector<RobotDescription> keptRobots(const fs::path& folder, std::vector<std
             warnings.push_back(robot.error().text);
         }
     }
+    return robots;
+}
+
+std::vector<RobotDescription> robotsOf(const fs::path& mission, const BagReader& bag,
+                                       std::vector<std::string>& warnings) {
+    auto robots = keptRobots(fs::is_directory(mission) ? mission : mission.parent_path(), warnings);
+    if (!robots.empty()) return robots;
+    std::vector<SeenTopic> seen;
+    for (const BagTopic& topic : bag.topics()) {
+        SeenTopic one;
+        one.name = topic.info.name;
+        one.type = topic.info.type;
+        seen.push_back(std::move(one));
+    }
+    for (RobotGuess& guess : guessRobots(seen)) robots.push_back(std::move(guess.robot));
     return robots;
 }
 

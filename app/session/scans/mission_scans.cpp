@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "app/session/domain/robot_guess.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/scans/sensor_poses.h"
@@ -18,21 +17,6 @@ namespace leitstand {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<RobotDescription> robotsOf(const fs::path& mission, const BagReader& bag,
-                                       std::vector<std::string>& warnings) {
-    auto robots = keptRobots(fs::is_directory(mission) ? mission : mission.parent_path(), warnings);
-    if (!robots.empty()) return robots;
-    std::vector<SeenTopic> seen;
-    for (const BagTopic& topic : bag.topics()) {
-        SeenTopic one;
-        one.name = topic.info.name;
-        one.type = topic.info.type;
-        seen.push_back(std::move(one));
-    }
-    for (RobotGuess& guess : guessRobots(seen)) robots.push_back(std::move(guess.robot));
-    return robots;
-}
 
 /// Topics of @p robots with one of @p roles.
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots,

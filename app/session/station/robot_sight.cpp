@@ -36,10 +36,13 @@ RobotSight::RobotSight(const RobotDescription& robot)
 }
 
 void RobotSight::take(const Event& event) {
-    const std::lock_guard lock(m_mutex);
     // What waited in the queue came earlier than it is taken: old pictures must not look fresh.
     const auto waited = std::clamp(stationTime() - event.received, std::chrono::nanoseconds(0), LongestWait);
-    const SteadyTime now = std::chrono::steady_clock::now() - waited;
+    take(event, std::chrono::steady_clock::now() - waited);
+}
+
+void RobotSight::take(const Event& event, SteadyTime now) {
+    const std::lock_guard lock(m_mutex);
     if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
         if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture->content.bytes, now);
         return;
@@ -90,16 +93,23 @@ SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes) const {
 }
 
 void RobotSight::tell(RobotView& robot) const {
+    tell(robot, std::chrono::steady_clock::now());
+}
+
+void RobotSight::tell(RobotView& robot, SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
-    const SteadyTime now = std::chrono::steady_clock::now();
     for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
     robot.joints = m_joints;
     if (m_joints) robot.jointsAge = secondsBetween(m_jointsCame, now);
 }
 
 std::optional<VirtualScanView> RobotSight::view() const {
+    return view(std::chrono::steady_clock::now());
+}
+
+std::optional<VirtualScanView> RobotSight::view(SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
-    return look(std::chrono::steady_clock::now());
+    return look(now);
 }
 
 std::optional<VirtualScanView> RobotSight::look(SteadyTime now) const {

@@ -21,15 +21,18 @@ public:
     explicit RobotSight(const RobotDescription& robot);
 
     void take(const Event& event);  ///< what this robot said; what tells nothing here is passed by
+    void take(const Event& event, SteadyTime now);  ///< the same, as it came at another moment
     /// The driver looks through the camera @p sensor from now on; at first, through the one named first.
     void lookThrough(const std::string& sensor);
     /// How fast the robot may be driven where @p sticks lead.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
     /// Fills cameras and joints.
     void tell(RobotView& robot) const;
+    void tell(RobotView& robot, SteadyTime now) const;
     /// As seen from where the robot was by its newest odometry; ages run on while nothing comes. Empty before
     /// any odometry. Sectors' ages are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;
+    [[nodiscard]] std::optional<VirtualScanView> view(SteadyTime now) const;
 
     /// How far the robot can drive straight ahead until it touches something, at most 2 m; NaN where that was
     /// not looked at within 10 s.

@@ -1,0 +1,113 @@
+#include "core/mission/timeline/timeline_marks.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+namespace {
+
+std::string nameOf(VictimSample::Status status) {
+    switch (status) {
+        case VictimSample::Status::Hypothesis:
+            return "hypothesis";
+        case VictimSample::Status::Confirmed:
+            return "confirmed";
+        case VictimSample::Status::Discarded:
+            break;
+    }
+    return "discarded";
+}
+
+}  // namespace
+
+void TimelineCollector::put(const Event& event, TimelineMark mark) {
+    if (mark.at == Time{}) mark.at = event.received;
+    mark.sequence = event.sequence;
+    m_marks.push_back(std::move(mark));
+}
+
+void TimelineCollector::addBumps(const Event& event, const BumpSample& bumps) {
+    for (const Bumper& bumper : bumps.bumpers) {
+        const auto [known, fresh] = m_hits.try_emplace({event.robot, bumper.name}, bumper.hits);
+        // The first that is said may count what happened before the mission; a count that falls: it
+        // restarted.
+        const bool hit = fresh ? bumper.pressed : bumper.hits > known->second;
+        known->second = bumper.hits;
+        if (!hit) continue;
+        put(event, {.kind = TimelineMark::Kind::Bump, .robot = event.robot, .key = bumper.name, .act = true});
+    }
+}
+
+void TimelineCollector::addSightings(const Event& event, const SightingSample& sightings) {
+    for (const Sighting& one : sightings.sightings) {
+        if (!m_sightings.emplace(event.robot, one.id).second) continue;
+        put(event,
+            {.kind = TimelineMark::Kind::Sighting, .robot = event.robot, .key = one.kind, .text = one.text});
+    }
+}
+
+void TimelineCollector::add(const Event& event) {
+    using Kind = TimelineMark::Kind;
+    if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
+        const std::string name = fmt::format("V{}", victim->number);
+        const auto [known, fresh] = m_victims.try_emplace(name, victim->status);
+        // What is typed into a form is no moment to jump to; that it was filed, confirmed, discarded is.
+        if (!fresh && known->second == victim->status) return;
+        known->second = victim->status;
+        put(event,
+            {.kind = Kind::Victim, .robot = victim->robot, .key = nameOf(victim->status), .name = name});
+    } else if (const auto* alarm = std::get_if<AlarmSample>(&event.sample)) {
+        if (alarm->state != AlarmSample::State::Raised) return;
+        put(event, {.kind = Kind::Alarm,
+                    .robot = alarm->robot,
+                    .key = alarm->key,
+                    .text = alarm->text,
+                    .act = alarm->severity == AlarmSample::Severity::Critical});
+    } else if (const auto* note = std::get_if<NoteSample>(&event.sample)) {
+        // One that was written in a review speaks of an earlier moment.
+        const bool earlier = note->stamp != Time{} && note->stamp < event.received;
+        put(event, {.kind = Kind::Note,
+                    .at = earlier ? note->stamp : event.received,
+                    .robot = note->robot,
+                    .text = note->text});
+    } else if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample)) {
+        if (poses->cause == ScanPosesSample::Cause::Operator)
+            put(event, {.kind = Kind::Decision, .key = "poses"});
+    } else if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
+        put(event, {.kind = Kind::Decision, .key = "undo", .text = undo->text});
+    } else if (const auto* session = std::get_if<SessionSample>(&event.sample)) {
+        put(event, {.kind = Kind::Session, .key = session->start ? "start" : "end", .text = session->title});
+    } else if (const auto* mode = std::get_if<ModeSample>(&event.sample)) {
+        std::string& before = m_modes[event.robot];
+        if (before == mode->mode) return;
+        before = mode->mode;
+        put(event, {.kind = Kind::Mode, .robot = event.robot, .key = mode->mode, .text = mode->reason});
+    } else if (const auto* bumps = std::get_if<BumpSample>(&event.sample)) {
+        addBumps(event, *bumps);
+    } else if (const auto* sightings = std::get_if<SightingSample>(&event.sample)) {
+        addSightings(event, *sightings);
+    }
+}
+
+std::vector<TimelineMark> TimelineCollector::marks() const {
+    std::vector<TimelineMark> sorted = m_marks;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const TimelineMark& a, const TimelineMark& b) { return a.at < b.at; });
+    return sorted;
+}
+
+const TimelineMark* markAfter(const std::vector<TimelineMark>& marks, Time at) {
+    const auto found = std::upper_bound(marks.begin(), marks.end(), at,
+                                        [](Time time, const TimelineMark& mark) { return time < mark.at; });
+    return found == marks.end() ? nullptr : &*found;
+}
+
+const TimelineMark* markBefore(const std::vector<TimelineMark>& marks, Time at) {
+    const auto found = std::lower_bound(marks.begin(), marks.end(), at,
+                                        [](const TimelineMark& mark, Time time) { return mark.at < time; });
+    return found == marks.begin() ? nullptr : &*std::prev(found);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+/// Something of a mission that a reviewer wants to jump to.
+struct TimelineMark {
+    enum class Kind : std::uint8_t {
+        Victim,    ///< filed or changed; name: "V1", key: "hypothesis", "confirmed", "discarded"
+        Alarm,     ///< raised; key: AlarmSample::key, text: as logged
+        Note,      ///< text: what was written
+        Decision,  ///< of the operator on scans, or an undo; key: "poses", "undo"; text: what is undone
+        Mode,      ///< of a robot; key: ModeSample::mode
+        Bump,      ///< key: the bumper
+        Sighting,  ///< a robot's own; key: Sighting::kind, text: of a code
+        Session,   ///< a station began or ended to write; key: "start", "end"; text: its title
+    };
+    Kind kind = Kind::Note;
+    Time at{};                   ///< station's clock
+    std::uint64_t sequence = 0;  ///< of the event
+    std::string robot = {};      ///< may be empty
+    std::string key = {};        ///< as the kind says
+    std::string name = {};       ///< likewise
+    std::string text = {};       ///< likewise
+    bool act = false;            ///< an alarm that says "act", a bump
+};
+
+/// Finds the marks in a mission's events, which come in their order. Pure.
+class TimelineCollector {
+public:
+    void add(const Event& event);
+    /// Those found so far, by rising time.
+    [[nodiscard]] std::vector<TimelineMark> marks() const;
+
+private:
+    void put(const Event& event, TimelineMark mark);
+    void addBumps(const Event& event, const BumpSample& bumps);
+    void addSightings(const Event& event, const SightingSample& sightings);
+
+    std::vector<TimelineMark> m_marks;
+    std::map<std::string, std::string> m_modes;                           ///< newest, by robot
+    std::map<std::pair<std::string, std::string>, std::uint32_t> m_hits;  ///< by robot and bumper
+    std::set<std::pair<std::string, std::uint32_t>> m_sightings;          ///< robot and id
+    std::map<std::string, VictimSample::Status> m_victims;                ///< newest, by name
+};
+
+/// A stretch of time in which something was recorded.
+struct TimelineStretch {
+    Time from{}, to{};  ///< both inclusive
+    friend bool operator==(const TimelineStretch&, const TimelineStretch&) = default;
+};
+
+/// The first mark later than @p at, or the last one earlier than it; null: there is none. @p marks by time.
+[[nodiscard]] const TimelineMark* markAfter(const std::vector<TimelineMark>& marks, Time at);
+[[nodiscard]] const TimelineMark* markBefore(const std::vector<TimelineMark>& marks, Time at);
+
+}  // namespace leitstand

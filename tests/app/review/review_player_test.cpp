@@ -1,0 +1,189 @@
+#include "app/session/review/review_player.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/review/written_mission.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Mission = WrittenMission;
+using Kind = TimelineMark::Kind;
+using testing::ElementsAre;
+
+double secondsOf(Time at) {
+    return std::chrono::duration<double>(at - Mission::begin()).count();
+}
+
+class ReviewTest : public testing::Test {
+protected:
+    void SetUp() override {
+        WrittenMission mission(m_mission);
+        writeMinute(mission);
+    }
+    const TemporaryFolder m_folder;
+    const std::filesystem::path m_mission = m_folder / "mission";
+};
+
+class ReviewSceneTest : public ReviewTest {
+protected:
+    void SetUp() override {
+        ReviewTest::SetUp();
+        m_log = ReviewLog::open(m_mission).value();
+        m_index = indexOf(*m_log);
+        m_scene = std::make_unique<ReviewScene>(*m_log, *m_index);
+    }
+    [[nodiscard]] ReviewMomentPtr at(double seconds) { return m_scene->at(Mission::at(seconds)); }
+
+    std::unique_ptr<ReviewLog> m_log;
+    ReviewIndexPtr m_index;
+    std::unique_ptr<ReviewScene> m_scene;
+};
+
+TEST_F(ReviewSceneTest, TheIndexMarksWhatHappened) {
+    std::vector<std::pair<Kind, double>> marks;
+    for (const TimelineMark& mark : m_index->marks) marks.emplace_back(mark.kind, secondsOf(mark.at));
+    EXPECT_THAT(marks, ElementsAre(std::pair(Kind::Session, 0.0), std::pair(Kind::Mode, 0.1),
+                                   std::pair(Kind::Victim, 20.0), std::pair(Kind::Alarm, 25.0),
+                                   std::pair(Kind::Mode, 30.0), std::pair(Kind::Note, 40.0),
+                                   std::pair(Kind::Victim, 45.0), std::pair(Kind::Bump, 50.0)));
+    EXPECT_THAT(m_index->stretches, ElementsAre(TimelineStretch{Mission::at(0), Mission::at(60)}));
+    EXPECT_EQ(m_index->keyScans.size(), 13U);
+}
+
+TEST_F(ReviewSceneTest, AMomentHasWhatTheStationHadThen) {
+    const ReviewMomentPtr early = at(12.04), late = at(47.0), again = at(12.04);
+    EXPECT_EQ(early->mission->victims->size(), 0U);
+    EXPECT_EQ(late->mission->victims->size(), 1U);
+    EXPECT_EQ(early->scans->scans.size(), 3U);
+    EXPECT_EQ(late->scans->scans.size(), 10U);
+    EXPECT_EQ(again->map->scans.size(), 3U);
+    EXPECT_EQ(early->robots.at("kurt3d").link.state, LinkState::Connected);
+    ASSERT_EQ(early->places->size(), 1U);
+    const RobotInMap& place = early->places->front();
+    EXPECT_TRUE(place.placed);
+    EXPECT_NEAR(place.baseInMap.translation().x(), 1.2, 0.011);
+    ASSERT_GE(place.trail->size(), 12U);
+    EXPECT_NEAR(place.trail->back().x(), 1.2F, 0.12F);
+    ASSERT_EQ(early->pictures.size(), 1U);
+    EXPECT_EQ(early->pictures.front().received, Mission::at(12.0));
+    EXPECT_EQ(at(12.5)->pictures.front().received, Mission::at(12.5));
+}
+
+TEST_F(ReviewSceneTest, TheMapIsAsThenOrAsFinished) {
+    const auto third = [](const ReviewMomentPtr& moment) {
+        return moment->scans->scans.at(2).pose.scanInMap.translation().x();
+    };
+    EXPECT_NEAR(third(at(57.0)), 1.0, 1e-9);
+    EXPECT_NEAR(third(at(59.0)), 1.5, 1e-9);
+    m_scene->show(ReviewMap::Finished);
+    const ReviewMomentPtr early = at(11.0);
+    EXPECT_EQ(early->scans->scans.size(), 13U);
+    EXPECT_NEAR(third(early), 1.5, 1e-9);
+    EXPECT_EQ(early->map, at(12.0)->map) << "not made anew";
+    // The robot stood beside the third scan, and is corrected as that is.
+    EXPECT_NEAR(early->places->front().baseInMap.translation().x(), 1.1 + 0.5, 0.011);
+    m_scene->show(ReviewMap::AsThen);
+    EXPECT_EQ(at(11.0)->scans->scans.size(), 3U);
+}
+
+TEST_F(ReviewSceneTest, WhatIsAroundIsThereAfterAJumpAndAsOldAsItWas) {
+    for (const double seconds : {40.0, 10.0, 10.1, 30.05}) {
+        const ReviewMomentPtr moment = at(seconds);
+        const auto& around = moment->robots.at("kurt3d").around;
+        ASSERT_TRUE(around) << seconds;
+        EXPECT_LT(around->nearest(-0.4, 0.4, /*maxAge=*/0.5), 3.0) << seconds;
+    }
+}
+
+TEST_F(ReviewSceneTest, AlarmsStandAsTheyStood) {
+    EXPECT_TRUE(at(24.0)->alarms.empty());
+    ASSERT_EQ(at(26.0)->alarms.size(), 1U);
+    EXPECT_TRUE(at(26.0)->alarms.front().isLoud());
+    EXPECT_TRUE(at(30.0)->alarms.front().ended) << "shown for a while after its end";
+    EXPECT_TRUE(at(50.0)->alarms.empty());
+}
+
+class ReviewPlayerTest : public ReviewTest {
+protected:
+    void SetUp() override {
+        ReviewTest::SetUp();
+        m_player = ReviewPlayer::open(m_mission).value();
+        ASSERT_TRUE(waitUntil([this] { return m_player->moment() != nullptr; }, 60s));
+    }
+    [[nodiscard]] bool reaches(double seconds) const {
+        return waitUntil([&] { return std::abs(secondsOf(m_player->moment()->now) - seconds) < 1e-6; }, 60s);
+    }
+    [[nodiscard]] double now() const { return secondsOf(m_player->moment()->now); }
+
+    std::unique_ptr<ReviewPlayer> m_player;
+};
+
+TEST_F(ReviewPlayerTest, StandsAtTheStartAndGoesWhereItIsTold) {
+    EXPECT_EQ(m_player->moment()->now, Mission::begin());
+    EXPECT_EQ(m_player->rate(), 0.0);
+    m_player->seek(Mission::at(42.0));
+    EXPECT_TRUE(reaches(42.0));
+    m_player->step(-10s);
+    EXPECT_TRUE(reaches(32.0));
+    m_player->seek(Mission::at(1e6));
+    EXPECT_TRUE(reaches(60.0));
+    m_player->seek(Mission::at(-1e6));
+    EXPECT_TRUE(reaches(0.0));
+}
+
+TEST_F(ReviewPlayerTest, PlaysToTheEndAndBackToTheStart) {
+    m_player->seek(Mission::at(40.0));
+    m_player->play(32.0);
+    EXPECT_TRUE(reaches(60.0));
+    EXPECT_TRUE(waitUntil([this] { return m_player->rate() == 0.0; }, 60s));
+    m_player->play(-32.0);
+    EXPECT_TRUE(reaches(0.0));
+    EXPECT_TRUE(waitUntil([this] { return m_player->rate() == 0.0; }, 60s));
+    EXPECT_EQ(m_player->moment()->mission->victims->size(), 0U);
+}
+
+TEST_F(ReviewPlayerTest, RatesStayWithinTheirBounds) {
+    m_player->play(1000.0);
+    EXPECT_EQ(m_player->rate(), ReviewPlayer::Fastest);
+    m_player->play(-0.001);
+    EXPECT_EQ(m_player->rate(), -ReviewPlayer::Slowest);
+    m_player->play(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(m_player->rate(), 0.0);
+}
+
+TEST_F(ReviewPlayerTest, PausesWhereItIs) {
+    m_player->play(32.0);
+    ASSERT_TRUE(waitUntil([this] { return now() > 5.0; }, 60s));
+    m_player->play(0.0);
+    const Time stands = m_player->position();
+    ASSERT_TRUE(waitUntil([&] { return m_player->moment()->now == stands; }, 60s));
+    EXPECT_EQ(m_player->position(), stands);
+}
+
+TEST(ReviewPlayer, PassesOverTheTimeInWhichNobodyRecorded) {
+    const TemporaryFolder folder;
+    {
+        WrittenMission mission(folder / "mission");
+        for (int i = 0; i <= 20; ++i) mission.sayPlace(0.1 * i, 0.0);
+        mission.close();
+        for (int i = 0; i <= 20; ++i) mission.sayPlace(3600.0 + 0.1 * i, 1.0);
+    }
+    const auto player = ReviewPlayer::open(folder / "mission").value();
+    ASSERT_TRUE(waitUntil([&] { return player->moment() != nullptr; }, 60s));
+    player->play(8.0);
+    EXPECT_TRUE(waitUntil([&] { return player->moment()->now == player->last(); }, 60s));
+    player->play(-8.0);
+    EXPECT_TRUE(waitUntil([&] { return player->moment()->now == player->first(); }, 60s));
+}
+
+}  // namespace
+}  // namespace leitstand::test

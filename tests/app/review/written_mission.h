@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/io/bag/bag_writer.h"
+#include "core/mission/event.h"
+#include "core/mission/fold.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand::test {
+
+/// Writes a mission of Kurt3D at times of the test's own, with checkpoints, as a station does.
+class WrittenMission {
+public:
+    /// @p checkpoints: every so many seconds; 0: none.
+    explicit WrittenMission(std::filesystem::path folder, double checkpoints = 10.0);
+    ~WrittenMission();
+
+    /// @p seconds: after begin(). Times must not fall.
+    void say(double seconds, const std::string& topic, const Sample& sample);
+    /// The robot at x = @p x [m], looking ahead, and what it says besides: a sweep of its laser.
+    void sayPlace(double seconds, double x);
+    /// A picture of the left camera, all of it as bright as @p grey.
+    void sayPicture(double seconds, int grey);
+    /// Key scan @p id of a small cloud, taken at x = @p x, matched to the one before.
+    void sayKeyScan(double seconds, std::uint64_t id, double x);
+    /// Scan @p id is now at x = @p x.
+    void moveKeyScan(double seconds, std::uint64_t id, double x);
+    void sayVictim(double seconds, std::uint32_t number, VictimSample::Status status);
+    /// Ends the session; the next thing that is said begins another.
+    void close();
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+    [[nodiscard]] static Time begin();
+    [[nodiscard]] static Time at(double seconds);
+    [[nodiscard]] static const RobotDescription& robot();
+
+private:
+    void write(double seconds, const std::string& topic, const Sample& sample);
+
+    std::filesystem::path m_folder;
+    double m_interval;
+    std::unique_ptr<BagWriter> m_writer;
+    std::uint64_t m_sequence = 0;
+    Fold m_fold;
+    double m_checkpointed = 0.0;
+};
+
+/// A minute of it: drives 0.1 m/s ahead, turns at 30 s into mode "explore"; pictures every half second that
+/// grow brighter; key scans every 5 s, of which the last moves the third; a victim filed at 20 s and
+/// confirmed at 45 s; an alarm from 25 s to 28 s; a note at 40 s; a bump at 50 s.
+void writeMinute(WrittenMission& mission);
+
+}  // namespace leitstand::test
