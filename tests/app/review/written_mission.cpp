@@ -17,7 +17,7 @@
 namespace leitstand::test {
 namespace {
 
-constexpr int LaserPoints = 181;
+constexpr int Headings = 25, Elevations = 31;  ///< of a slice of the 3D scanner
 
 std::shared_ptr<const Scan> smallScan(double x) {
     auto scan = std::make_shared<Scan>();
@@ -93,15 +93,17 @@ void WrittenMission::sayPlace(double seconds, double x) {
     odometry.baseInOdom = poseFrom({x, 0, 0}, 0, 0, 0);
     odometry.linear.x() = 0.1;
     say(seconds, "/kurt3d/odom", odometry);
-    RangesSample ranges;
-    ranges.header = {at(seconds), "kurt3d/laser"};
-    ranges.angleMin = -1.57;
-    ranges.angleStep = 3.14 / (LaserPoints - 1);
-    ranges.rangeMin = 0.1;
-    ranges.rangeMax = 20.0;
-    ranges.ranges.assign(LaserPoints, 2.0F);
-    if (const StreamDescription* const laser = robot().stream(StreamRole::Ranges))
-        say(seconds, laser->topic, ranges);
+    CloudSample wall;  // 2 m ahead and to both sides
+    wall.header = {at(seconds), "kurt3d/laser"};
+    wall.rows = Headings;
+    wall.columns = Elevations;
+    for (int row = 0; row < Headings; ++row) {
+        const float heading = -0.6F + 0.05F * static_cast<float>(row);
+        for (int column = 0; column < Elevations; ++column)
+            wall.points.emplace_back(2.0F * std::cos(heading), 2.0F * std::sin(heading),
+                                     -0.4F + 0.05F * static_cast<float>(column));
+    }
+    say(seconds, robot().stream(StreamRole::Points)->topic, wall);
 }
 
 void WrittenMission::sayPicture(double seconds, int grey) {

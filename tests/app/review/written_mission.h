@@ -20,7 +20,7 @@ public:
 
     /// @p seconds: after begin(). Times must not fall.
     void say(double seconds, const std::string& topic, const Sample& sample);
-    /// The robot at x = @p x [m], looking ahead, and what it says besides: a sweep of its laser.
+    /// The robot at x = @p x [m], looking ahead, and a slice of its scanner.
     void sayPlace(double seconds, double x);
     /// A picture of the left camera, all of it as bright as @p grey.
     void sayPicture(double seconds, int grey);
