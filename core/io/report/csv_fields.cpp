@@ -1,0 +1,72 @@
+#include "core/io/report/csv_fields.h"
+
+#include <utility>
+
+namespace leitstand {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+        text.remove_suffix(1);
+    return text;
+}
+
+/// Takes the next field and the comma after it off @p rest; the last one leaves @p more false.
+std::string takeField(std::string_view& rest, bool& more) {
+    while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
+    std::string field;
+    if (rest.starts_with('"')) {
+        rest.remove_prefix(1);
+        while (!rest.empty()) {
+            if (rest.front() == '"') {
+                if (!rest.starts_with("\"\"")) break;
+                rest.remove_prefix(1);
+            }
+            field += rest.front();
+            rest.remove_prefix(1);
+        }
+        if (!rest.empty()) rest.remove_prefix(1);  // the closing quote
+    }
+    const auto comma = rest.find(',');
+    field += trimmed(rest.substr(0, comma));
+    more = comma != std::string_view::npos;
+    rest.remove_prefix(more ? comma + 1 : rest.size());
+    return field;
+}
+
+}  // namespace
+
+std::string quotedField(std::string_view text) {
+    std::string field = "\"";
+    for (const char letter : text) {
+        if (letter == '"') field += '"';
+        field += letter == '\n' || letter == '\r' ? ' ' : letter;
+    }
+    return field + "\"";
+}
+
+std::string csvField(std::string_view text) {
+    const bool blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+    if (!blank && text.find_first_of("\",\r\n") == std::string_view::npos) return std::string(text);
+    return quotedField(text);
+}
+
+Result<CsvReader> CsvReader::open(const std::filesystem::path& file) {
+    auto opened = detail::LineReader::open(file);
+    if (!opened) return opened.error();
+    return CsvReader(std::move(opened).value());
+}
+
+bool CsvReader::next(std::vector<std::string>& fields) {
+    std::string_view line;
+    if (!m_lines.next(line)) return false;
+    if (m_lines.lineNumber() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    m_line = line;
+    fields.clear();
+    std::string_view rest = m_line;
+    for (bool more = true; more;) fields.push_back(takeField(rest, more));
+    return true;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,56 @@
+#include "core/mission/report/file_names.h"
+
+#include <array>
+#include <utility>
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t Longest = 60;
+
+/// What an umlaut is spelled as.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> Spelled = {
+    {{"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"Ä", "Ae"}, {"Ö", "Oe"}, {"Ü", "Ue"}, {"ß", "ss"}}};
+
+bool plain(char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') || letter == '.';
+}
+
+}  // namespace
+
+std::string fileNamePart(std::string_view text) {
+    std::string name;
+    while (!text.empty() && name.size() < Longest) {
+        bool spelled = false;
+        for (const auto& [letter, written] : Spelled) {
+            if (!text.starts_with(letter)) continue;
+            name += written;
+            text.remove_prefix(letter.size());
+            spelled = true;
+            break;
+        }
+        if (spelled) continue;
+        const char letter = text.front();
+        text.remove_prefix(1);
+        if (plain(letter)) {
+            name += letter;
+        } else if (!name.empty() && name.back() != '_') {
+            name += '_';
+        }
+    }
+    // Hidden files, "..", and a dot at the end, which Windows takes away.
+    while (!name.empty() && (name.front() == '.' || name.front() == '_')) name.erase(0, 1);
+    while (!name.empty() && (name.back() == '.' || name.back() == '_')) name.pop_back();
+    return name;
+}
+
+std::string handInName(std::string_view competition, std::string_view team, std::string_view mission) {
+    const auto part = [](std::string_view text, std::string_view otherwise) {
+        std::string name = fileNamePart(text);
+        return name.empty() ? std::string(otherwise) : name;
+    };
+    return part(competition, "Competition") + "-" + part(team, "Team") + "-" + part(mission, "Mission");
+}
+
+}  // namespace leitstand

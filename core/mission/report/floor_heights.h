@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mission/report/report_scan.h"
+
+namespace leitstand {
+
+/// How the local floor is told.
+struct FloorSettings {
+    double cell = 0.10;       ///< [m]
+    double layer = 0.10;      ///< points so far above a cell's lowest are of one surface [m]
+    double step = 0.12;       ///< from cell to cell; what is higher is furniture, not floor [m]
+    double underRobot = 0.2;  ///< so near to where base_link stood a cell is floor for sure [m]
+};
+
+/// How high the floor is at each place of a map: floors have ramps and storeys, so that heights count from
+/// the floor where one is. Floor is what is labelled so and can be reached from under the robots without a
+/// step; tables are not. Where no floor was seen the nearest one counts.
+class FloorHeights {
+public:
+    /// @p ground: base_link of the robots in the map, where they stood [m].
+    [[nodiscard]] static FloorHeights of(std::span<const ReportScan> scans,
+                                         std::span<const Eigen::Vector3d> ground,
+                                         const FloorSettings& settings = {});
+
+    /// Height of the floor in the map [m]; 0 when no floor is known at all.
+    [[nodiscard]] double at(double x, double y) const;
+    /// Whether floor was seen there.
+    [[nodiscard]] bool seen(double x, double y) const;
+
+private:
+    [[nodiscard]] std::ptrdiff_t cellOf(double x, double y) const;  ///< -1: outside
+    void gather(std::span<const ReportScan> scans, const FloorSettings& settings);
+    void grow(std::span<const Eigen::Vector3d> ground, const FloorSettings& settings);
+    void fill();
+
+    double m_cell = 0.1;
+    Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();
+    int m_columns = 0, m_rows = 0;  ///< along x and y
+    std::vector<float> m_surface;   ///< lowest labelled surface [m]; NaN: none
+    std::vector<float> m_height;    ///< of the floor [m]
+    std::vector<std::uint8_t> m_seen;
+};
+
+}  // namespace leitstand
