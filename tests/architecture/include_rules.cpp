@@ -27,9 +27,7 @@ const std::vector<Rule>& rules() {
     };
     static const std::vector<Rule> all = {
         {"core", core, coreLibraries},
-        {"core/io",
-         with(core, {"core/io"}),
-         {"Eigen", "fmt", "pcl", "sqlite3", "yaml-cpp", "nlohmann"}},
+        {"core/io", with(core, {"core/io"}), {"Eigen", "fmt", "pcl", "sqlite3", "yaml-cpp", "nlohmann"}},
         {"core/io/report", with(core, {"core/io"}), {"Eigen", "fmt", "gdal", "octomap", "openssl"}},
         {"transport", with(core, {"transport"}), {"Eigen", "fmt", "fastdds", "openssl"}},
         {"robots",
