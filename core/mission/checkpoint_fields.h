@@ -28,6 +28,9 @@ inline AlarmSample::State lastOf(AlarmSample::State) {
 inline VictimSign::State lastOf(VictimSign::State) {
     return VictimSign::State::Present;
 }
+inline VictimSample::Kind lastOf(VictimSample::Kind) {
+    return VictimSample::Kind::Object;
+}
 inline VictimSample::Status lastOf(VictimSample::Status) {
     return VictimSample::Status::Discarded;
 }
@@ -116,9 +119,13 @@ void describe(A& a, RobotPlaceSample& v) {
       v.certain, v.how);
 }
 template <class A>
+void describe(A& a, Contact& v) {
+    a(v.sequence, v.received, v.bumper, v.hits, v.baseInOdom);
+}
+template <class A>
 void describe(A& a, RobotState& v) {
-    a(v.odometry, v.imu, v.mode, v.battery, v.gas, v.bumps, v.sightings, v.diagnostics, v.stop, v.stopCommand,
-      v.clockOffset, v.place, v.streams);
+    a(v.odometry, v.imu, v.mode, v.battery, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics, v.stop,
+      v.stopCommand, v.clockOffset, v.place, v.streams);
 }
 template <class A>
 void describe(A& a, VictimSign& v) {
@@ -132,7 +139,24 @@ template <class A>
 void describe(A& a, VictimSample& v) {
     a(v.stamp, v.station, v.number, v.status, v.found, v.robot, v.autonomous, v.scan, v.positionInScan,
       v.positionInMap, v.deviation, v.form, v.motion, v.heat, v.sound, v.co2, v.situation, v.tag, v.area,
-      v.text, v.evidence);
+      v.text, v.evidence, v.kind, v.mergedInto);
+}
+template <class A>
+void describe(A& a, Cue& v) {
+    a(v.kind, v.robot, v.sensor, v.topic, v.sequence, v.stamp, v.value, v.confidence, v.text);
+}
+template <class A>
+void describe(A& a, CandidateSample& v) {
+    a(v.stamp, v.station, v.id, v.kind, v.scan, v.positionInScan, v.positionInMap, v.deviation, v.confidence,
+      v.victim, v.dismissed, v.cues);
+}
+template <class A>
+void describe(A& a, CandidateState& v) {
+    a(v.sequence, v.first, v.candidate);
+}
+template <class A>
+void describe(A& a, MissionInfoSample& v) {
+    a(v.stamp, v.station, v.competition, v.team, v.country, v.mission, v.operators, v.area, v.profile);
 }
 template <class A>
 void describe(A& a, NoteSample& v) {
@@ -148,7 +172,7 @@ void describe(A& a, ScanPosesSample& v) {
 }
 template <class A>
 void describe(A& a, KeyScanEntry& v) {
-    a(v.id, v.robot, v.stamp, v.sensorInBase, v.scanInMap, v.matched, v.points);
+    a(v.id, v.robot, v.stamp, v.sensorInBase, v.scanInMap, v.sensorInOdom, v.matched, v.points);
 }
 template <class A>
 void describe(A& a, UndoSample& v) {
@@ -198,7 +222,7 @@ template <class A>
 void describe(A& a, MissionState& v) {
     // Victims, key scans and notes follow from the decisions.
     a(v.sequence, v.events, v.first, v.last, v.robots, v.ownTopics, v.decisions, v.grants, v.alarms,
-      v.sessions, v.remarks, v.clock);
+      v.sessions, v.remarks, v.clock, v.candidates, v.info);
 }
 
 }  // namespace leitstand

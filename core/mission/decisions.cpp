@@ -20,7 +20,7 @@ public:
 
 private:
     void effect(const Decision& decision, const VictimSample& victim) {
-        const auto [known, fresh] = m_state.victims.edit().try_emplace(victim.number);
+        const auto [known, fresh] = m_state.victims.edit().try_emplace(FindKey{victim.kind, victim.number});
         if (fresh) known->second.filed = decision.sequence;
         known->second.sequence = decision.sequence;
         known->second.victim = victim;

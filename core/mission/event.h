@@ -7,6 +7,7 @@
 
 #include "core/base/time.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/samples/candidate_sample.h"
 #include "core/robot/samples/cloud_sample.h"
 #include "core/robot/samples/command_samples.h"
 #include "core/robot/samples/map_samples.h"
@@ -25,7 +26,8 @@ using Sample =
                  BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
                  ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
                  KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
-                 CheckpointSample, NoteSample, SessionSample, AlarmSample>;
+                 CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample,
+                 MissionInfoSample>;
 
 /// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
 struct Event {

@@ -73,6 +73,26 @@ private:
         decide(m_state, {m_event.sequence, m_event.received, false, std::move(content)});
     }
 
+    /// What @p sample counts beyond what the robot counted before. A robot that starts again counts from
+    /// zero.
+    void countContacts(const BumpSample& sample) {
+        RobotState& state = robot();
+        for (const Bumper& bumper : sample.bumpers) {
+            std::uint32_t before = 0;
+            if (state.bumps) {
+                for (const Bumper& known : state.bumps->sample.bumpers) {
+                    if (known.name == bumper.name) before = known.hits;
+                }
+            }
+            if (bumper.hits < before) before = 0;
+            if (bumper.hits == before || state.contacts.size() >= RobotState::MostContacts) continue;
+            std::optional<Pose> place;
+            if (state.odometry) place = state.odometry->sample.baseInOdom;
+            state.contacts.push_back(
+                {m_event.sequence, m_event.received, bumper.name, bumper.hits - before, place});
+        }
+    }
+
     void handle(const OdometrySample& sample) {
         OdometrySample kept = sample;
         kept.poseCovariance = kept.twistCovariance = {};
@@ -86,7 +106,11 @@ private:
     void handle(const ModeSample& sample) { keep(&RobotState::mode, sample); }
     void handle(const BatterySample& sample) { keep(&RobotState::battery, sample); }
     void handle(const GasSample& sample) { keep(&RobotState::gas, sample); }
-    void handle(const BumpSample& sample) { keep(&RobotState::bumps, sample); }
+    void handle(const BumpSample& sample) {
+        if (m_event.robot.empty()) return;
+        countContacts(sample);
+        keep(&RobotState::bumps, sample);
+    }
     void handle(const SightingSample& sample) { keep(&RobotState::sightings, sample); }
     void handle(const DiagnosticsSample& sample) {
         if (m_event.robot.empty() || sample.statuses.empty()) return;  // a message about other robots
@@ -105,6 +129,13 @@ private:
         if (!sample.robot.empty()) m_state.robots[sample.robot].edit().place = latest(sample);
     }
     void handle(const ClockSample& sample) { m_state.clock = latest(sample); }
+    void handle(const MissionInfoSample& sample) { m_state.info = latest(sample); }
+    void handle(const CandidateSample& sample) {
+        CandidateState& candidate = m_state.candidates.edit()[sample.id];
+        if (candidate.first == 0) candidate.first = m_event.sequence;
+        candidate.sequence = m_event.sequence;
+        candidate.candidate = sample;
+    }
 
     void handle(const VictimSample& sample) { decided(sample); }
     void handle(const NoteSample& sample) { decided(sample); }
@@ -117,6 +148,7 @@ private:
         entry.stamp = sample.stamp;
         entry.sensorInBase = sample.sensorInBase;
         entry.scanInMap = sample.scanInMap;
+        if (sample.scan && sample.scan->hasOdometry) entry.sensorInOdom = sample.scan->sensorInOdom;
         entry.matched = sample.matched;
         entry.points = sample.scan ? sample.scan->points.size() : 0;
         decided(std::move(entry));

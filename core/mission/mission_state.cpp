@@ -4,10 +4,24 @@
 
 namespace leitstand {
 
+namespace {
+
+/// Where something that hangs on a scan is now.
+template <class Find>
+Eigen::Vector3d placeOf(const MissionState& state, const Find& find) {
+    const auto scan = state.keyScans->find(find.scan);
+    if (find.scan == 0 || scan == state.keyScans->end()) return find.positionInMap;
+    return scan->second.pose.scanInMap * find.positionInScan;
+}
+
+}  // namespace
+
 Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim) {
-    const auto scan = state.keyScans->find(victim.scan);
-    if (victim.scan == 0 || scan == state.keyScans->end()) return victim.positionInMap;
-    return scan->second.pose.scanInMap * victim.positionInScan;
+    return placeOf(state, victim);
+}
+
+Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate) {
+    return placeOf(state, candidate);
 }
 
 const Decision* decisionAt(const MissionState& state, std::uint64_t sequence) {

@@ -16,6 +16,7 @@
 #include "core/base/time.h"
 #include "core/mission/robot_state.h"
 #include "core/mission/shared_value.h"
+#include "core/robot/samples/candidate_sample.h"
 #include "core/robot/samples/map_samples.h"
 #include "core/robot/samples/station_samples.h"
 #include "core/robot/samples/victim_sample.h"
@@ -29,6 +30,7 @@ struct KeyScanEntry {
     Time stamp{};                          ///< station's clock
     Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
     Pose scanInMap = Pose::Identity();     ///< when it entered
+    std::optional<Pose> sensorInOdom{};    ///< by odometry, at the end of the sweep
     std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
     std::uint64_t points = 0;
 };
@@ -42,11 +44,21 @@ struct Decision {
     std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample> content;
 };
 
+/// What names a victim or another find.
+using FindKey = std::pair<VictimSample::Kind, std::uint32_t>;  ///< kind, number
+
 /// A victim as the newest decision that is not undone has it.
 struct VictimState {
     std::uint64_t sequence = 0;  ///< of that decision
     std::uint64_t filed = 0;     ///< sequence of the first that is not undone
     VictimSample victim;
+};
+
+/// What the station believes to have found, as it said last.
+struct CandidateState {
+    std::uint64_t sequence = 0;  ///< of the newest
+    std::uint64_t first = 0;     ///< sequence of the first of this id
+    CandidateSample candidate;
 };
 
 /// A key scan and where it is now.
@@ -96,17 +108,19 @@ struct MissionState {
     std::uint64_t events = 0;
     Time first{}, last{};  ///< receive times of the first and of the last event
 
-    std::map<std::string, SharedValue<RobotState>> robots;        ///< by name
-    SharedValue<std::map<std::string, StreamState>> ownTopics;    ///< the stations' own topics
-    SharedValue<std::vector<Decision>> decisions;                 ///< rising sequences
-    SharedValue<std::map<std::uint32_t, VictimState>> victims;    ///< by number
-    SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;  ///< by id
-    SharedValue<std::vector<Latest<NoteSample>>> notes;           ///< that are not undone
+    std::map<std::string, SharedValue<RobotState>> robots;            ///< by name
+    SharedValue<std::map<std::string, StreamState>> ownTopics;        ///< the stations' own topics
+    SharedValue<std::vector<Decision>> decisions;                     ///< rising sequences
+    SharedValue<std::map<FindKey, VictimState>> victims;              ///< and other finds
+    SharedValue<std::map<std::uint32_t, CandidateState>> candidates;  ///< by id
+    SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;      ///< by id
+    SharedValue<std::vector<Latest<NoteSample>>> notes;               ///< that are not undone
     SharedValue<std::map<GrantKey, GrantState>> grants;
     SharedValue<std::map<AlarmKey, AlarmState>> alarms;
     SharedValue<std::vector<SessionState>> sessions;
     SharedValue<std::vector<FoldRemark>> remarks;  ///< newest MaxRemarks
     std::optional<Latest<ClockSample>> clock;
+    std::optional<Latest<MissionInfoSample>> info;
 
     static constexpr std::size_t MaxRemarks = 100;
 };
@@ -114,6 +128,7 @@ using MissionStatePtr = std::shared_ptr<const MissionState>;
 
 /// Where @p victim is in the map now: with the scan it hangs on, else where it was filed [m].
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
+[[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
 /// The decision of @p sequence; null when there is none.
 [[nodiscard]] const Decision* decisionAt(const MissionState& state, std::uint64_t sequence);
 

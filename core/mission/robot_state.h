@@ -4,7 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/samples/command_samples.h"
@@ -33,6 +35,15 @@ struct Latest {
     T sample;
 };
 
+/// A hit that a robot's bumpers counted.
+struct Contact {
+    std::uint64_t sequence = 0;  ///< of the event that told it
+    Time received{};             ///< station's clock
+    std::string bumper;
+    std::uint32_t hits = 1;            ///< counted since the one before
+    std::optional<Pose> baseInOdom{};  ///< by the newest odometry then
+};
+
 /// What a robot said last. Scans and pictures are not kept: StreamState tells where the newest stands.
 struct RobotState {
     std::optional<Latest<OdometrySample>> odometry;  ///< without its covariances
@@ -41,6 +52,7 @@ struct RobotState {
     std::optional<Latest<BatterySample>> battery;
     std::optional<Latest<GasSample>> gas;
     std::optional<Latest<BumpSample>> bumps;
+    std::vector<Contact> contacts;  ///< all hits of the mission, oldest first; at most MostContacts
     std::optional<Latest<SightingSample>> sightings;
     std::optional<Latest<DiagnosticsSample>>
         diagnostics;  ///< newest of every part, by name; newest part last
@@ -49,6 +61,8 @@ struct RobotState {
     std::optional<Latest<ClockOffsetSample>> clockOffset;
     std::optional<Latest<RobotPlaceSample>> place;  ///< of robots that another one's map was made for
     std::map<std::string, StreamState> streams;     ///< by topic
+
+    static constexpr std::size_t MostContacts = 10'000;
 };
 
 }  // namespace leitstand

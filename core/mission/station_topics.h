@@ -11,6 +11,7 @@ namespace station_topic {
 inline constexpr std::string_view Prefix = "/leitstand/";
 inline constexpr std::string_view Grants = "/leitstand/grants";               ///< Grant
 inline constexpr std::string_view Victims = "/leitstand/victims";             ///< Victim
+inline constexpr std::string_view Candidates = "/leitstand/candidates";       ///< Candidate
 inline constexpr std::string_view KeyScans = "/leitstand/key_scans";          ///< KeyScan
 inline constexpr std::string_view ScanPoses = "/leitstand/scan_poses";        ///< ScanPoses
 inline constexpr std::string_view RobotPlaces = "/leitstand/robot_places";    ///< RobotPlace
@@ -19,6 +20,7 @@ inline constexpr std::string_view ClockOffsets = "/leitstand/clock_offsets";  //
 inline constexpr std::string_view Undo = "/leitstand/undo";                   ///< Undo
 inline constexpr std::string_view Checkpoints = "/leitstand/checkpoints";     ///< Checkpoint
 inline constexpr std::string_view Notes = "/leitstand/notes";                 ///< Note
+inline constexpr std::string_view Mission = "/leitstand/mission";             ///< MissionInfo
 inline constexpr std::string_view Sessions = "/leitstand/sessions";           ///< Session
 inline constexpr std::string_view Alarms = "/leitstand/alarms";               ///< Alarm
 

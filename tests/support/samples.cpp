@@ -116,7 +116,28 @@ VictimSample victim() {
     victim.text = "beneath the stairs";
     victim.evidence = {{"picture", "/kurt3d/left/image/compressed", 4711, at(1'700'000'089, 7)},
                        {"gas", "/kurt3d/co2", 4712, at(1'700'000'090, 8)}};
+    victim.kind = VictimSample::Kind::Object;
+    victim.mergedInto = 2;
     return victim;
+}
+
+CandidateSample candidate() {
+    CandidateSample candidate;
+    candidate.stamp = at(1'700'000'101, 5);
+    candidate.station = "station-1";
+    candidate.id = 5;
+    candidate.kind = VictimSample::Kind::Hazard;
+    candidate.scan = 13;
+    candidate.positionInScan = {2.5, 3.5, -1.5};
+    candidate.positionInMap = {12.5, 13.5, 0.75};
+    candidate.deviation = 0.25;
+    candidate.confidence = 0.75;
+    candidate.victim = 3;
+    candidate.dismissed = true;
+    candidate.cues = {{"heat", "kurt3d", "ir", "/kurt3d/ir/image", 4713, at(1'700'000'091, 9), 33.5, 0.5, ""},
+                      {"code", "kurt3d", "left", "/kurt3d/left/image/compressed", 4714, at(1'700'000'092, 10),
+                       1.0, 1.0, "R-17"}};
+    return candidate;
 }
 
 KeyScanSample keyScan() {
@@ -212,6 +233,7 @@ std::vector<SampleCase> stationCases() {
          GrantSample{now, "station-1", "Left desk", GrantSample::Kind::Camera, GrantSample::Action::Consent,
                      "kurt3d", "station-2", 21}},
         {"leitstand_msgs/msg/Victim", nullopt, victim()},
+        {"leitstand_msgs/msg/Candidate", nullopt, candidate()},
         {"leitstand_msgs/msg/KeyScan", nullopt, keyScan()},
         {"leitstand_msgs/msg/ScanPoses", nullopt,
          ScanPosesSample{now,
@@ -225,6 +247,8 @@ std::vector<SampleCase> stationCases() {
                           "70 % of what it sees"}},
         {"leitstand_msgs/msg/MissionClock", nullopt,
          ClockSample{now, "station-1", true, nanoseconds(61'000'000'001), nanoseconds(1'200'000'000'000)}},
+        {"leitstand_msgs/msg/MissionInfo", nullopt,
+         MissionInfoSample{now, "station-1", "RoboCup2013", "Kurt", "Germany", "Final", 2, "orange", "2013"}},
         {"leitstand_msgs/msg/ClockOffset", nullopt,
          ClockOffsetSample{now, "kurt3d", nanoseconds(-5'000'000'001), nanoseconds(1'000),
                            nanoseconds(20'000)}},

@@ -15,6 +15,8 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> StationTopics = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim"},
+    {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
+    {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
     {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
     {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
     {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace"},

@@ -82,6 +82,18 @@ struct SessionSample {
     std::uint32_t operators = 1;
 };
 
+/// What the report says of the mission, as the operator set it; the newest counts.
+struct MissionInfoSample {
+    Time stamp{};                  ///< station's clock
+    std::string station = {};      ///< persistent identity
+    std::string competition = {};  ///< "RoboCup2013"
+    std::string team = {}, country = {};
+    std::string mission = {};     ///< name, "Preliminary1"
+    std::uint32_t operators = 1;  ///< people who drive
+    std::string area = {};        ///< where nothing else is said: "yellow", "orange", "red"; may be empty
+    std::string profile = {};     ///< of the score; empty: the newest
+};
+
 /// Something that the operator must know; raised, acknowledged, over.
 struct AlarmSample {
     enum class Severity : std::uint8_t { Information, Warning, Critical };

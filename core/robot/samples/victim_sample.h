@@ -27,12 +27,19 @@ struct VictimEvidence {
     Time stamp{};                ///< sample's own
 };
 
-/// A victim as filed or changed: always the whole form, the newest of a number counts.
+/// A victim, or another thing that the judges want to know of, as filed or changed: always the whole form,
+/// the newest of a kind and number counts.
 struct VictimSample {
+    enum class Kind : std::uint8_t {
+        Victim,
+        Hazard,  ///< a hazard sign
+        Code,    ///< a QR code; its content is the tag
+        Object,  ///< of interest
+    };
     enum class Status : std::uint8_t { Hypothesis, Confirmed, Discarded };
     Time stamp{};  ///< station's clock: of this entry
     std::string station;
-    std::uint32_t number = 0;  ///< V1 is 1
+    std::uint32_t number = 0;  ///< V1 is 1; of each kind its own
     Status status = Status::Hypothesis;
     Time found{};             ///< station's clock: when the evidence was frozen
     std::string robot;        ///< that found it
@@ -47,6 +54,12 @@ struct VictimSample {
     std::string area;       ///< "yellow", "orange", "red"; empty: unknown
     std::string text;       ///< free
     std::vector<VictimEvidence> evidence;
+    Kind kind = Kind::Victim;
+    std::uint32_t mergedInto =
+        0;  ///< of a discarded one: number, of the same kind, that it is part of; 0: none
 };
+
+/// What the operator calls it: "V1", "H1" (hazard), "Q1" (QR code), "O1" (object).
+[[nodiscard]] std::string nameOf(VictimSample::Kind kind, std::uint32_t number);
 
 }  // namespace leitstand

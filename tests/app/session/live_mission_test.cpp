@@ -112,13 +112,15 @@ TEST_F(LiveMissionTest, AResumeGoesOnFromTheStateThatWas) {
     const auto mission = begin();
     EXPECT_THAT(*mission->state()->victims, SizeIs(1));
     EXPECT_EQ(mission->state()->robots.at("kurt3d")->odometry->sample.baseInOdom.translation().x(), 50.0);
-    EXPECT_TRUE(mission
-                    ->say(UndoSample{.stamp = {},
-                                     .station = "",
-                                     .event = mission->state()->victims->at(1).sequence,
-                                     .text = ""},
-                          station_topic::Undo)
-                    .ok());
+    EXPECT_TRUE(
+        mission
+            ->say(
+                UndoSample{.stamp = {},
+                           .station = "",
+                           .event = mission->state()->victims->at({VictimSample::Kind::Victim, 1U}).sequence,
+                           .text = ""},
+                station_topic::Undo)
+            .ok());
     ASSERT_TRUE(mission->close().ok());
     EXPECT_THAT(*mission->state()->victims, IsEmpty());
     EXPECT_GT(mission->state()->sequence, last);

@@ -71,7 +71,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
         const double x = below(1'000) * 0.01;
         const auto text = std::to_string(below(100));
         Sample sample;
-        switch (below(20)) {
+        switch (below(22)) {
             case 0:
                 sample = victim(1 + below(5), text);
                 break;
@@ -159,6 +159,18 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 break;
             case 17:
                 sample = BumpSample{.header = {}, .bumpers = {{"front", true, 3}}};
+                break;
+            case 19: {
+                CandidateSample candidate;
+                candidate.id = 1 + below(4);
+                candidate.positionInMap.x() = x;
+                candidate.cues = {
+                    {.kind = "heat", .robot = robot, .sensor = "ir", .topic = "/ir", .value = x}};
+                sample = candidate;
+                break;
+            }
+            case 20:
+                sample = MissionInfoSample{.stamp = at(1), .team = text};
                 break;
             case 18:
                 sample = RobotPlaceSample{.stamp = at(1),

@@ -20,6 +20,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
+const FindKey V1{VictimSample::Kind::Victim, 1U};
+
 MissionState folded(const std::vector<Event>& events) {
     Fold fold;
     for (const Event& event : events) fold.add(event);
@@ -51,25 +53,75 @@ TEST(Fold, KeepsWhatARobotSaidLast) {
     EXPECT_EQ(state.events, 4U);
 }
 
+TEST(Fold, FindsOfEveryKindHaveTheirOwnNumbers) {
+    VictimSample sign = victim(1, "sign");
+    sign.kind = VictimSample::Kind::Hazard;
+    const MissionState state = folded({event(1, victim(1, "a")), event(2, sign)});
+    ASSERT_THAT(*state.victims, SizeIs(2));
+    EXPECT_EQ(state.victims->at({VictimSample::Kind::Hazard, 1U}).victim.text, "sign");
+    EXPECT_EQ(nameOf(sign.kind, sign.number), "H1");
+}
+
+TEST(Fold, TheNewestOfACandidateCountsAndMovesWithItsScan) {
+    CandidateSample candidate;
+    candidate.id = 7;
+    candidate.scan = 3;
+    candidate.positionInScan = {1.0, 0.0, 0.0};
+    CandidateSample surer = candidate;
+    surer.confidence = 0.9;
+    const MissionState state =
+        folded({event(1, keyScan(3, 0.0)), event(2, candidate), event(3, surer), event(4, moved(3, 5.0))});
+    ASSERT_THAT(*state.candidates, SizeIs(1));
+    const CandidateState& kept = state.candidates->at(7);
+    EXPECT_EQ(kept.first, 2U);
+    EXPECT_EQ(kept.sequence, 3U);
+    EXPECT_EQ(kept.candidate.confidence, 0.9);
+    EXPECT_NEAR(positionInMap(state, kept.candidate).x(), 6.0, 1e-9);
+}
+
+TEST(Fold, TheNewestInformationOfTheMissionCounts) {
+    const MissionState state =
+        folded({event(1, MissionInfoSample{.team = "A"}), event(2, MissionInfoSample{.team = "B"})});
+    EXPECT_EQ(state.info->sample.team, "B");
+}
+
+TEST(Fold, ContactsAreCountedWhereTheyHappenedAcrossRestarts) {
+    OdometrySample odometry;
+    odometry.baseInOdom.translation().x() = 2.0;
+    const auto bumps = [](std::uint32_t hits) {
+        return BumpSample{.header = {}, .bumpers = {{"front", true, hits}}};
+    };
+    const MissionState state =
+        folded({event(1, bumps(1), "kurt3d"), event(2, odometry, "kurt3d"), event(3, bumps(3), "kurt3d"),
+                event(4, bumps(3), "kurt3d"), event(5, bumps(2), "kurt3d")});
+    const auto& contacts = state.robots.at("kurt3d")->contacts;
+    ASSERT_THAT(contacts, SizeIs(3));
+    EXPECT_EQ(contacts[0].hits, 1U);
+    EXPECT_FALSE(contacts[0].baseInOdom);
+    EXPECT_EQ(contacts[1].hits, 2U);
+    EXPECT_EQ(contacts[1].baseInOdom->translation().x(), 2.0);
+    EXPECT_EQ(contacts[2].hits, 2U) << "it started again and counts from zero";
+}
+
 TEST(Fold, IsPure) {
     const MissionState before = folded({event(1, victim(1, "a"))});
     const auto bytes = serialised(before);
     const MissionState after = fold(before, event(2, victim(1, "b")));
     EXPECT_EQ(serialised(before), bytes);
-    EXPECT_EQ(before.victims->at(1).victim.text, "a");
-    EXPECT_EQ(after.victims->at(1).victim.text, "b");
+    EXPECT_EQ(before.victims->at(V1).victim.text, "a");
+    EXPECT_EQ(after.victims->at(V1).victim.text, "b");
 }
 
 TEST(Fold, TheNewestFormOfAVictimCountsAndUndoTakesItBack) {
     std::vector<Event> events = {event(1, victim(1, "a")), event(2, victim(1, "b")), event(3, victim(2, "c")),
                                  event(4, undo(2))};
-    EXPECT_EQ(folded(events).victims->at(1).victim.text, "a");
+    EXPECT_EQ(folded(events).victims->at(V1).victim.text, "a");
     events.push_back(event(5, undo(1)));
     EXPECT_THAT(*folded(events).victims, SizeIs(1));
     events.push_back(event(6, undo(4)));  // b is there again, a is not
     const MissionState state = folded(events);
-    EXPECT_EQ(state.victims->at(1).victim.text, "b");
-    EXPECT_EQ(state.victims->at(1).filed, 2U);
+    EXPECT_EQ(state.victims->at(V1).victim.text, "b");
+    EXPECT_EQ(state.victims->at(V1).filed, 2U);
     EXPECT_TRUE(decisionAt(state, 4)->undone);
     EXPECT_THAT(*state.remarks, IsEmpty());
     events.push_back(event(7, undo(6)));
@@ -128,7 +180,7 @@ TEST(Fold, EventsOutOfOrderAreToldAndLeftOut) {
     const MissionState state =
         folded({event(5, victim(1, "a")), event(5, victim(1, "b")), event(4, victim(2, "c"))});
     EXPECT_THAT(*state.remarks, SizeIs(2));
-    EXPECT_EQ(state.victims->at(1).victim.text, "a");
+    EXPECT_EQ(state.victims->at(V1).victim.text, "a");
     EXPECT_EQ(state.events, 1U);
 }
 

@@ -50,8 +50,9 @@ const std::vector<Entry>& allEntries() {
                 sensor_msgs::JointState, sensor_msgs::BatteryState, lm::GasConcentration, lm::Mode,
                 lm::Bumper, lm::Bumps, lm::Sighting, lm::Sightings, lm::StopState, lm::Pong, lm::StopCommand,
                 lm::ModeCommand, lm::StreamCommand, lm::Ping, lm::Grant, lm::VictimSign, lm::VictimEvidence,
-                lm::Victim, lm::KeyScan, lm::ScanPose, lm::ScanPoses, lm::RobotPlace, lm::MissionClock,
-                lm::ClockOffset, lm::Undo, lm::Checkpoint, lm::Note, lm::Session, lm::Alarm>();
+                lm::Victim, lm::Cue, lm::Candidate, lm::MissionInfo, lm::KeyScan, lm::ScanPose, lm::ScanPoses,
+                lm::RobotPlace, lm::MissionClock, lm::ClockOffset, lm::Undo, lm::Checkpoint, lm::Note,
+                lm::Session, lm::Alarm>();
     return all;
 }
 

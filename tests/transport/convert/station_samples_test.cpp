@@ -75,10 +75,22 @@ TEST(Victims, HaveANumberAPlaceAndKnownStates) {
     EXPECT_EQ(error([](auto& m) { m.heat.value = m.deviation = NaN; }), "none") << "not known";
     EXPECT_THAT(error([](auto& m) { m.number = 0; }), HasSubstr("number"));
     EXPECT_THAT(error([](auto& m) { m.status = 3; }), HasSubstr("status"));
+    EXPECT_THAT(error([](auto& m) { m.kind = 4; }), HasSubstr("kind"));
     EXPECT_THAT(error([](auto& m) { m.sound.state = 3; }), HasSubstr("sound"));
     EXPECT_THAT(error([](auto& m) { m.position_in_map.z = NaN; }), HasSubstr("position_in_map"));
     EXPECT_THAT(error([](auto& m) { m.evidence[1].stamp.nanosec = 2'000'000'000; }),
                 HasSubstr("evidence.stamp"));
+}
+
+TEST(Candidates, HaveAnIdAPlaceAndSharesOfOne) {
+    const auto error = [](auto change) { return errorAfter<lm::Candidate>(change); };
+    EXPECT_EQ(error([](auto& m) { m.confidence = m.deviation = m.cues[0].value = NaN; }), "none")
+        << "not known";
+    EXPECT_THAT(error([](auto& m) { m.id = 0; }), HasSubstr("id"));
+    EXPECT_THAT(error([](auto& m) { m.kind = 4; }), HasSubstr("kind"));
+    EXPECT_THAT(error([](auto& m) { m.confidence = 1.5; }), HasSubstr("confidence"));
+    EXPECT_THAT(error([](auto& m) { m.position_in_scan.x = Infinity; }), HasSubstr("position_in_scan"));
+    EXPECT_THAT(error([](auto& m) { m.cues[1].confidence = -0.5; }), HasSubstr("cues.confidence"));
 }
 
 TEST(StationEvents, NameWhatTheyAreAbout) {

@@ -6,17 +6,7 @@
 namespace leitstand::detail {
 namespace {
 
-using wire::geometry_msgs::Point;
 constexpr int MostRows = 65'536;  // rows and columns of any scanner
-
-VictimSign sign(const char* field, const wire::leitstand_msgs::VictimSign& from, Checks& checks) {
-    return {checks.enumerator<VictimSign::State>(field, from.state, 3), from.text,
-            checks.known(field, from.value)};
-}
-
-wire::leitstand_msgs::VictimSign wireSign(const VictimSign& from) {
-    return {static_cast<std::uint8_t>(from.state), from.text, from.value};
-}
 
 /// The lists of a scan fit its points and its grid.
 void checkScan(const Scan& scan, Checks& checks) {
@@ -39,63 +29,6 @@ std::vector<Label> labels(std::span<const std::byte> from, Checks& checks) {
 }
 
 }  // namespace
-
-VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks) {
-    checks.require(from.number > 0, "number", "expected a number from 1");
-    VictimSample to;
-    to.stamp = checks.time("stamp", from.stamp);
-    to.station = from.station;
-    to.number = from.number;
-    to.status = checks.enumerator<VictimSample::Status>("status", from.status, 3);
-    to.found = checks.time("found", from.found);
-    to.robot = from.robot;
-    to.autonomous = from.autonomous;
-    to.scan = from.scan;
-    to.positionInScan = checks.vector("position_in_scan", from.position_in_scan);
-    to.positionInMap = checks.vector("position_in_map", from.position_in_map);
-    to.deviation = checks.known("deviation", from.deviation);
-    to.form = sign("form", from.form, checks);
-    to.motion = sign("motion", from.motion, checks);
-    to.heat = sign("heat", from.heat, checks);
-    to.sound = sign("sound", from.sound, checks);
-    to.co2 = sign("co2", from.co2, checks);
-    to.situation = from.situation;
-    to.tag = from.tag;
-    to.area = from.area;
-    to.text = from.text;
-    for (const auto& one : from.evidence) {
-        to.evidence.push_back(
-            {one.kind, one.topic, one.sequence_number, checks.time("evidence.stamp", one.stamp)});
-    }
-    return to;
-}
-
-void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks) {
-    to.stamp = checks.wireTime("stamp", from.stamp);
-    to.station = from.station;
-    to.number = from.number;
-    to.status = static_cast<std::uint8_t>(from.status);
-    to.found = checks.wireTime("found", from.found);
-    to.robot = from.robot;
-    to.autonomous = from.autonomous;
-    to.scan = from.scan;
-    to.position_in_scan = checks.wireVector<Point>("position_in_scan", from.positionInScan);
-    to.position_in_map = checks.wireVector<Point>("position_in_map", from.positionInMap);
-    to.deviation = from.deviation;
-    to.form = wireSign(from.form);
-    to.motion = wireSign(from.motion);
-    to.heat = wireSign(from.heat);
-    to.sound = wireSign(from.sound);
-    to.co2 = wireSign(from.co2);
-    to.situation = from.situation;
-    to.tag = from.tag;
-    to.area = from.area;
-    to.text = from.text;
-    for (const VictimEvidence& one : from.evidence) {
-        to.evidence.push_back(
-            {one.kind, one.topic, one.sequence, checks.wireTime("evidence.stamp", one.stamp)});
-    }
-}
 
 KeyScanSample fromWire(const wire::leitstand_msgs::KeyScan& from, const Source&, Checks& checks) {
     auto scan = std::make_shared<Scan>();

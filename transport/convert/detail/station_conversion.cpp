@@ -73,6 +73,30 @@ void toWire(const NoteSample& from, wire::leitstand_msgs::Note& to, Buffer&, Che
     to = {checks.wireTime("stamp", from.stamp), from.station, from.robot, from.text};
 }
 
+MissionInfoSample fromWire(const wire::leitstand_msgs::MissionInfo& from, const Source&, Checks& checks) {
+    return {checks.time("stamp", from.stamp),
+            from.station,
+            from.competition,
+            from.team,
+            from.country,
+            from.mission,
+            from.operators,
+            from.area,
+            from.profile};
+}
+
+void toWire(const MissionInfoSample& from, wire::leitstand_msgs::MissionInfo& to, Buffer&, Checks& checks) {
+    to = {checks.wireTime("stamp", from.stamp),
+          from.station,
+          from.competition,
+          from.team,
+          from.country,
+          from.mission,
+          from.operators,
+          from.area,
+          from.profile};
+}
+
 SessionSample fromWire(const wire::leitstand_msgs::Session& from, const Source&, Checks& checks) {
     return {checks.time("stamp", from.stamp),
             from.station,

@@ -45,6 +45,8 @@ void toWire(const StreamCommandSample& from, wire::leitstand_msgs::StreamCommand
             Checks& checks);
 void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Checks& checks);
 void toWire(const GrantSample& from, wire::leitstand_msgs::Grant& to, Buffer&, Checks& checks);
+void toWire(const CandidateSample& from, wire::leitstand_msgs::Candidate& to, Buffer&, Checks& checks);
+void toWire(const MissionInfoSample& from, wire::leitstand_msgs::MissionInfo& to, Buffer&, Checks& checks);
 void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks);
 void toWire(const KeyScanSample& from, wire::leitstand_msgs::KeyScan& to, Buffer&, Checks& checks);
 void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks);
