@@ -76,7 +76,9 @@ TEST(Fold, TheNewestOfACandidateCountsAndMovesWithItsScan) {
     EXPECT_EQ(kept.first, 2U);
     EXPECT_EQ(kept.sequence, 3U);
     EXPECT_EQ(kept.candidate.confidence, 0.9);
-    EXPECT_NEAR(positionInMap(state, kept.candidate).x(), 6.0, 1e-9);
+    const Eigen::Vector3d expected = state.keyScans->at(3).pose.scanInMap * candidate.positionInScan;
+    EXPECT_NEAR((positionInMap(state, kept.candidate) - expected).norm(), 0.0, 1e-9);
+    EXPECT_GT(expected.x(), 5.0);
 }
 
 TEST(Fold, TheNewestInformationOfTheMissionCounts) {

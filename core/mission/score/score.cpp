@@ -1,0 +1,171 @@
+#include "core/mission/score/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace leitstand {
+namespace {
+
+constexpr double VictimReach = 0.6;  // of a robot's middle to a victim that it touches [m]
+
+bool told(const VictimSign& sign) {
+    return sign.state != VictimSign::State::Unknown;
+}
+
+bool told(const VictimSample& victim, ScoreItem item) {
+    switch (item) {
+        case ScoreItem::Map:
+        case ScoreItem::Location:
+            return victim.positionInMap.allFinite();
+        case ScoreItem::Form:
+            return told(victim.form);
+        case ScoreItem::Motion:
+            return told(victim.motion);
+        case ScoreItem::Heat:
+            return told(victim.heat);
+        case ScoreItem::Sound:
+            return told(victim.sound);
+        case ScoreItem::Co2:
+            return told(victim.co2);
+        case ScoreItem::Situation:
+            return !victim.situation.empty();
+        case ScoreItem::Tag:
+            return !victim.tag.empty();
+    }
+    return false;
+}
+
+double factorOf(const ScoreProfile& profile, Autonomy autonomy) {
+    if (autonomy == Autonomy::Full) return profile.autonomous;
+    return autonomy == Autonomy::Semi ? profile.semiAutonomous : 1.0;
+}
+
+double divisorOf(OperatorRule rule, std::uint32_t operators) {
+    const double count = std::max<std::uint32_t>(operators, 1);
+    if (rule == OperatorRule::Count) return count;
+    return rule == OperatorRule::SquaredOfMore ? (1.0 + count) * (1.0 + count) : 1.0;
+}
+
+/// People who drive: as the mission's data say, else as the station did when it began.
+std::uint32_t operatorsOf(const MissionState& state) {
+    if (state.info) return state.info->sample.operators;
+    return state.sessions->empty() ? 1 : state.sessions->back().session.operators;
+}
+
+double worth(const ScoreProfile& profile, VictimSample::Kind kind) {
+    if (kind == VictimSample::Kind::Hazard) return profile.hazard;
+    return kind == VictimSample::Kind::Code ? profile.code : profile.object;
+}
+
+ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const VictimSample& sample) {
+    ScoredFind find;
+    find.find = {sample.kind, sample.number};
+    find.name = nameOf(sample.kind, sample.number);
+    find.confirmed = sample.status == VictimSample::Status::Confirmed;
+    if (sample.kind == VictimSample::Kind::Victim) {
+        for (const auto& [item, points] : profile.points) {
+            find.items.push_back({item, told(sample, item) ? points : 0.0, points});
+            find.points += find.items.back().points;
+        }
+    } else {
+        find.points = worth(profile, sample.kind);
+    }
+    const std::string& area = sample.area.empty() && state.info ? state.info->sample.area : sample.area;
+    const auto weight = profile.areas.find(area);
+    if (weight != profile.areas.end()) find.weight = weight->second;
+    find.autonomy = autonomyOf(sample);
+    find.factor = factorOf(profile, find.autonomy);
+    find.total = find.confirmed ? find.points * find.weight * find.factor : 0.0;
+    return find;
+}
+
+/// Middles of confirmed victims in the map [m].
+std::vector<Eigen::Vector3d> victimPlaces(const MissionState& state) {
+    std::vector<Eigen::Vector3d> places;
+    for (const auto& [key, victim] : *state.victims) {
+        if (key.first == VictimSample::Kind::Victim &&
+            victim.victim.status == VictimSample::Status::Confirmed)
+            places.push_back(positionInMap(state, victim.victim));
+    }
+    return places;
+}
+
+bool touchesVictim(const Contact& contact, const std::optional<Pose>& odometryInMap,
+                   const std::vector<Eigen::Vector3d>& victims) {
+    if (!contact.baseInOdom || !odometryInMap) return false;
+    const Eigen::Vector3d robot = (*odometryInMap * *contact.baseInOdom).translation();
+    return std::any_of(victims.begin(), victims.end(), [&](const Eigen::Vector3d& victim) {
+        return (victim - robot).head<2>().norm() < VictimReach;
+    });
+}
+
+void countBumps(const MissionState& state, ScoreResult& result) {
+    const auto victims = victimPlaces(state);
+    for (const auto& [name, robot] : state.robots) {
+        for (const Contact& contact : robot->contacts) {
+            const bool victim =
+                !victims.empty() && touchesVictim(contact, odomInMap(state, name, contact.received), victims);
+            (victim ? result.victimBumps : result.areaBumps) += contact.hits;
+        }
+    }
+}
+
+std::vector<ScoreAdvice> advised(const ScoreResult& result) {
+    std::vector<ScoreAdvice> all;
+    for (const ScoredFind& find : result.finds) {
+        const double share = find.weight * find.factor / result.divisor;
+        if (!find.confirmed && find.points > 0.0) {
+            all.push_back({find.find, find.name, std::nullopt, find.points * share});
+        }
+        for (const ScoredItem& item : find.items) {
+            if (!find.confirmed || item.points >= item.possible) continue;
+            all.push_back({find.find, find.name, item.item, (item.possible - item.points) * share});
+        }
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const ScoreAdvice& a, const ScoreAdvice& b) { return a.gain > b.gain; });
+    return all;
+}
+
+}  // namespace
+
+Autonomy autonomyOf(const VictimSample& find) {
+    if (!find.autonomous) return Autonomy::Teleoperated;
+    const bool sighted = std::any_of(find.evidence.begin(), find.evidence.end(),
+                                     [](const VictimEvidence& one) { return one.kind == "sighting"; });
+    return sighted ? Autonomy::Full : Autonomy::Semi;
+}
+
+std::optional<Pose> odomInMap(const MissionState& state, const std::string& robot, Time moment) {
+    std::optional<Pose> place;
+    for (const auto& [id, scan] : *state.keyScans) {
+        if (scan.entry.robot != robot || !scan.entry.sensorInOdom || scan.pose.trust == ScanTrust::SetAside)
+            continue;
+        if (place && scan.entry.stamp > moment) break;
+        place = scan.pose.scanInMap * scan.entry.sensorInOdom->inverse();
+    }
+    if (place) return place;
+    const auto known = state.robots.find(robot);
+    if (known == state.robots.end() || !known->second->place) return std::nullopt;
+    return known->second->place->sample.odomInMap;
+}
+
+ScoreResult score(const ScoreProfile& profile, const MissionState& state) {
+    ScoreResult result;
+    result.operators = operatorsOf(state);
+    result.divisor = divisorOf(profile.operators, result.operators);
+    for (const auto& [key, victim] : *state.victims) {
+        if (victim.victim.status == VictimSample::Status::Discarded) continue;
+        result.finds.push_back(scored(profile, state, victim.victim));
+        result.sum += result.finds.back().total;
+    }
+    countBumps(state, result);
+    result.penalty = static_cast<double>(result.areaBumps) * profile.areaBump +
+                     static_cast<double>(result.victimBumps) * profile.victimBump;
+    result.score = (result.sum - result.penalty) / result.divisor;
+    result.advice = advised(result);
+    return result;
+}
+
+}  // namespace leitstand

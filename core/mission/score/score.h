@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/mission/mission_state.h"
+#include "core/mission/score/score_profile.h"
+
+namespace leitstand {
+
+/// How far a robot found something by itself. The rules of 2019 count what the station computes as half.
+enum class Autonomy : std::uint8_t {
+    Teleoperated,
+    Semi,  ///< the robot drove itself, but the station or the operator found it
+    Full,  ///< the robot drove itself and said so by itself
+};
+
+/// An item of a victim.
+struct ScoredItem {
+    ScoreItem item = ScoreItem::Map;
+    double points = 0.0;    ///< that it brings now
+    double possible = 0.0;  ///< that it would bring, told
+};
+
+/// What a find brings.
+struct ScoredFind {
+    FindKey find;
+    std::string name;               ///< "V1"
+    bool confirmed = false;         ///< others bring nothing yet
+    std::vector<ScoredItem> items;  ///< of victims only
+    double points = 0.0;            ///< unweighted
+    double weight = 1.0;            ///< of its area
+    Autonomy autonomy = Autonomy::Teleoperated;
+    double factor = 1.0;  ///< of its autonomy
+    double total = 0.0;   ///< points x weight x factor
+};
+
+/// What one more thing would bring.
+struct ScoreAdvice {
+    FindKey find;
+    std::string name;               ///< "V1"
+    std::optional<ScoreItem> item;  ///< to be told; empty: the find is to be confirmed
+    double gain = 0.0;              ///< of the score
+};
+
+/// An estimate of what the judges give.
+struct ScoreResult {
+    std::vector<ScoredFind> finds;  ///< by kind and number, without discarded ones
+    std::uint64_t areaBumps = 0, victimBumps = 0;
+    double penalty = 0.0;  ///< of the bumps, positive
+    std::uint32_t operators = 1;
+    double divisor = 1.0;
+    double sum = 0.0;                 ///< of the finds
+    double score = 0.0;               ///< (sum - penalty) / divisor
+    std::vector<ScoreAdvice> advice;  ///< largest gain first
+};
+
+/// Estimates the score of @p state by @p profile. The map counts as good: only judges can tell. A contact
+/// counts as one with a victim where the robot stood within 0.6 m of a confirmed one.
+[[nodiscard]] ScoreResult score(const ScoreProfile& profile, const MissionState& state);
+
+/// How far the robot found @p find by itself.
+[[nodiscard]] Autonomy autonomyOf(const VictimSample& find);
+
+/// Where the odometry of @p robot lies in the map at @p moment (station's clock), by its newest key scan that
+/// counts and is not of later, else by the place that was said of it; empty: nobody knows.
+[[nodiscard]] std::optional<Pose> odomInMap(const MissionState& state, const std::string& robot, Time moment);
+
+}  // namespace leitstand

@@ -1,0 +1,81 @@
+#include "core/io/settings/score_file.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::HasSubstr;
+
+const char* const Least = R"({"name": "x", "version": "2", "points": {"location": 10}})";
+
+TEST(ScoreFile, ReadsWhatItNamesAndKeepsTheRest) {
+    const auto profile = parseScoreProfile(
+        R"({"name": "x", "version": "2", "areas": {"red": 2.5}, "points": {"location": 10, "co2": 1},
+            "operators": "count", "unconfirmed": ["points"]})",
+        "x.json");
+    ASSERT_TRUE(profile) << profile.error().text;
+    EXPECT_EQ(profile->title, "x");
+    EXPECT_EQ(profile->areas.at("red"), 2.5);
+    EXPECT_EQ(profile->points.at(ScoreItem::Co2), 1.0);
+    EXPECT_FALSE(profile->points.contains(ScoreItem::Map));
+    EXPECT_EQ(profile->operators, OperatorRule::Count);
+    EXPECT_EQ(profile->autonomous, 1.0);
+    EXPECT_EQ(profile->unconfirmed, std::vector<std::string>{"points"});
+}
+
+TEST(ScoreFile, MistakesAreToldWithTheirPlace) {
+    const auto error = [](const std::string& text) {
+        const auto profile = parseScoreProfile(text, "x.json");
+        return profile ? std::string("none") : profile.error().text;
+    };
+    EXPECT_THAT(error("{}"), HasSubstr("name"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1",
+ "points": {"locatoin": 1}})"),
+                HasSubstr("x.json:2"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {"map": -1}})"), HasSubstr("map"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {"map": NaN}})"), HasSubstr("map"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {"map": 1e300}})"), HasSubstr("map"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {}, "operators": "some"})"),
+                HasSubstr("operators"));
+    EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {}, "unconfirmed": [{"a": 1}]})"),
+                HasSubstr("unconfirmed"));
+    EXPECT_NE(error(std::string(Least).substr(0, 30)), "none");
+    EXPECT_NE(error(std::string(1'000'000, '[')), "none");
+    EXPECT_NE(error(std::string("\0\x01\xff", 3)), "none");
+}
+
+TEST(ScoreFile, ShippedProfilesAreReadAndTellWhatIsUnconfirmed) {
+    const auto all = scoreProfilesIn({std::filesystem::path(LEITSTAND_SOURCE_DIR) / "resources/scoring"});
+    EXPECT_THAT(all.problems, testing::IsEmpty());
+    ASSERT_EQ(all.profiles.size(), 3U);
+    const ScoreProfile& old = *all.find("2005");
+    double most = 0.0;
+    for (const auto& [item, points] : old.points) most += points;
+    EXPECT_EQ(most, 50.0) << "of a victim, as the rules of 2005 are known";
+    EXPECT_EQ(old.areas.at("orange"), 0.75);
+    EXPECT_EQ(all.find("2019")->autonomous, 2.0);
+    EXPECT_EQ(all.find("none such")->name, "2019") << "the newest";
+    for (const ScoreProfile& profile : all.profiles) EXPECT_FALSE(profile.unconfirmed.empty());
+}
+
+TEST(ScoreFile, TheUsersProfileReplacesTheShippedAndABrokenOneIsTold) {
+    const TemporaryFolder shipped, own;
+    std::ofstream(shipped / "x.json") << Least;
+    std::ofstream(own / "mine.json") << R"({"name": "x", "version": "3", "points": {}})";
+    std::ofstream(own / "bad.json") << "{";
+    const auto all = scoreProfilesIn({shipped / ".", own / ".", own / "missing"});
+    ASSERT_EQ(all.profiles.size(), 1U);
+    EXPECT_EQ(all.profiles[0].version, "3");
+    ASSERT_EQ(all.problems.size(), 1U);
+    EXPECT_THAT(all.problems[0], HasSubstr("bad.json"));
+    EXPECT_FALSE(readScoreProfile(own / "missing.json"));
+}
+
+}  // namespace
+}  // namespace leitstand::test
