@@ -41,7 +41,7 @@ inline ScanPosesSample::Cause lastOf(ScanPosesSample::Cause) {
     return ScanPosesSample::Cause::Operator;
 }
 inline RobotPlaceSample::Cause lastOf(RobotPlaceSample::Cause) {
-    return RobotPlaceSample::Cause::FoundAgain;
+    return RobotPlaceSample::Cause::Seen;
 }
 
 template <class A>

@@ -58,6 +58,11 @@ std::string inWords(const MapCrop& crop) {
     return text;
 }
 
+bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin) {
+    if (body.footprint.empty()) return false;
+    return within(body.footprint, place) || nearTo(body.footprint, place, margin);
+}
+
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin) {
     if (body.footprint.empty()) return;
     Eigen::AlignedBox2d box;
@@ -71,7 +76,7 @@ void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, d
         if (inBase.z() < margin || inBase.z() > body.height + margin) continue;
         const Eigen::Vector2d place = inBase.head<2>();
         if (!box.contains(place)) continue;
-        if (within(body.footprint, place) || nearTo(body.footprint, place, margin)) point = NoEcho;
+        if (onFootprint(body, place, margin)) point = NoEcho;
     }
 }
 

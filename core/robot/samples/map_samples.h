@@ -71,6 +71,7 @@ struct RobotPlaceSample {
         Operator,    ///< put there
         Tracked,     ///< followed since
         FoundAgain,  ///< looked for and found away from where its odometry had it
+        Seen,        ///< looked for and found where another robot sees something of its size
     };
     Time stamp{};  ///< station's clock
     std::string station;

@@ -176,7 +176,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 sample = RobotPlaceSample{.stamp = at(1),
                                           .station = "s",
                                           .robot = robot,
-                                          .cause = static_cast<RobotPlaceSample::Cause>(below(4)),
+                                          .cause = static_cast<RobotPlaceSample::Cause>(below(5)),
                                           .measured = {},
                                           .baseInMap = shifted(x),
                                           .odomInMap = shifted(2.0 * x),

@@ -65,7 +65,7 @@ TEST(RobotPlaces, AreRigidAndOfARobot) {
     const auto error = [](auto change) { return errorAfter<lm::RobotPlace>(change); };
     EXPECT_EQ(error([](auto& m) { m.overlap = NaN; }), "none") << "not known";
     EXPECT_THAT(error([](auto& m) { m.robot.clear(); }), HasSubstr("robot"));
-    EXPECT_THAT(error([](auto& m) { m.cause = 4; }), HasSubstr("cause"));
+    EXPECT_THAT(error([](auto& m) { m.cause = 5; }), HasSubstr("cause"));
     EXPECT_THAT(error([](auto& m) { m.certainty = Infinity; }), HasSubstr("certainty"));
     EXPECT_THAT(error([](auto& m) { m.odom_in_map.orientation.w = 5; }), HasSubstr("odom_in_map"));
 }

@@ -121,7 +121,7 @@ RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const So
     return {checks.time("stamp", from.stamp),
             from.station,
             from.robot,
-            checks.enumerator<RobotPlaceSample::Cause>("cause", from.cause, 4),
+            checks.enumerator<RobotPlaceSample::Cause>("cause", from.cause, 5),
             checks.time("measured", from.measured),
             checks.pose("base_in_map", from.base_in_map),
             checks.pose("odom_in_map", from.odom_in_map),
