@@ -55,11 +55,11 @@ public:
     Result<void> reject(std::uint64_t scan);
     Result<void> retry(std::uint64_t scan, const RetrySettings& settings = {});
     Result<void> rewind(Time moment);  ///< station's clock
-    Result<void> undo();               ///< the newest decision of ours that is not undone
+    Result<void> undo();               ///< the newest decision of ours, or area, that is not undone
     Result<void> redo();               ///< what was undone last
 
-    /// What of the world enters the map, from the next scan on; noted in the log. Errors: another station has
-    /// the map.
+    /// What of the world enters the map, from the next scan on; in the log, undone as decisions are, and
+    /// there again when the station restarts. Errors: another station has the map.
     Result<void> setCrop(const MapCrop& crop);
     [[nodiscard]] MapCrop crop() const;
 

@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr double Near = 0.3;                 ///< of where it began [m]
+constexpr double Near = 0.5;                 ///< of where it began [m]
 constexpr std::chrono::seconds ToAndFro(5);  ///< of the Crawler, one way
 constexpr std::chrono::seconds WayBack(90);  ///< at most
 constexpr std::chrono::seconds Again(8);     ///< until it is asked again
