@@ -17,7 +17,6 @@
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
 #include "core/mission/station_topics.h"
-#include "core/mission/undo.h"
 
 namespace leitstand {
 namespace {
@@ -284,6 +283,14 @@ Result<void> StationMapping::undo() {
 
 Result<void> StationMapping::redo() {
     return m_state->takeBack(&redoOnMap, "nothing to be done again: nothing was taken back last");
+}
+
+std::optional<MapDecision> StationMapping::undoable() const {
+    return leitstand::undoable(*m_state->mission.state(), m_state->station);
+}
+
+std::optional<MapDecision> StationMapping::redoable() const {
+    return leitstand::redoable(*m_state->mission.state(), m_state->station);
 }
 
 Result<void> StationMapping::setCrop(const MapCrop& crop) {
