@@ -105,21 +105,25 @@ void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length
     const Pose home = placeOf(*station, "kurt3d");
     const auto away = [&] { return (placeOf(*station, "kurt3d").translation() - home.translation()).norm(); };
     station->focus("crawler");
-    if (const auto asked = station->setMode("kurt3d", "explore"); !asked)
-        throw std::runtime_error(asked.error().text);
     double farthest = 0.0;
+    auto asked = Clock::time_point{};
+    const auto isDue = [&] {  // what it sees on its way may be more important to it
+        const bool due = Clock::now() - asked > Again;
+        if (due) asked = Clock::now();
+        return due;
+    };
     rock(*station, Clock::now() + length / 2, [&] {
+        if (isDue()) (void)station->setMode("kurt3d", "explore");
         farthest = std::max(farthest, away());
         return false;
     });
-    if (farthest < 1.0) throw std::runtime_error("kurt3d did not explore");
+    if (farthest < 1.0) throw std::runtime_error("kurt3d did not explore; it does " + doing(*station));
     PoseSample goal;
     goal.header.frame = shippedRobot("kurt3d").odomFrame;
     goal.poseInFrame = home;
-    auto asked = Clock::time_point{};
+    asked = {};
     rock(*station, Clock::now() + WayBack, [&] {
-        if (Clock::now() - asked > Again) {  // what it sees on its way may be more important to it
-            asked = Clock::now();
+        if (isDue()) {
             (void)station->goTo("kurt3d", goal);
             (void)station->setMode("kurt3d", "explore");
         }
