@@ -26,10 +26,6 @@ struct MapCrop {
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
 };
 
-/// What of the world belongs into the map, for the log, in English: "map: within 4 corners (0.0 1.0, ...) and
-/// below 2.0 m".
-[[nodiscard]] std::string inWords(const MapCrop& crop);
-
 /// Whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p margin
 /// [m].
 [[nodiscard]] bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin);
