@@ -19,6 +19,7 @@
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
+#include "app/window/review/finds_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
 #include "app/window/review/timeline_feature.h"
@@ -41,6 +42,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     const ViewContext context{m_bridge, *m_selection, *m_commands, *m_panes, *this};
     // Each of these makes its panes and commands; the layouts come last, which place and bind them.
     m_timeline = new TimelineFeature(context, bridge);
+    m_finds = new FindsFeature(context, bridge);
     addCommands();
     m_robots = new RobotsFeature(context);
     m_review = new ReviewPanes(context, bridge);
@@ -54,6 +56,8 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
             [this] { m_bridge.watch(m_selection->name().toStdString()); });
     connect(m_cameras, &CameraFeature::told, this, &ReviewWindow::tell);
     connect(m_timeline, &TimelineFeature::told, this, &ReviewWindow::tell);
+    connect(m_finds, &FindsFeature::told, this, &ReviewWindow::tell);
+    connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
     connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
     connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
     m_layouts->use(QStringLiteral("review"));

@@ -11,6 +11,7 @@ namespace leitstand {
 
 class CameraFeature;
 class CommandTable;
+class FindsFeature;
 class LayoutFeature;
 class MapFeature;
 class MapView;
@@ -37,6 +38,7 @@ public:
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
+    [[nodiscard]] FindsFeature& finds() const { return *m_finds; }
     [[nodiscard]] QString newest() const;  ///< message
     /// What is not to be seen yet; empty: the mission is read through, and its map drawn where it has one.
     [[nodiscard]] QString missing() const;
@@ -64,6 +66,7 @@ private:
     CameraFeature* m_cameras = nullptr;
     MapFeature* m_map = nullptr;
     TimelineFeature* m_timeline = nullptr;
+    FindsFeature* m_finds = nullptr;
     LayoutFeature* m_layouts = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };

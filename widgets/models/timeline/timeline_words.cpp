@@ -128,7 +128,7 @@ std::vector<TimelineGlyph> glyphsOf(const std::vector<TimelineMark>& marks, cons
         glyph.shape = shapeOf(mark.kind);
         glyph.tone = toneOf(mark);
         if (mark.kind == Kind::Victim && mark.name.size() > 1)
-            glyph.letter = QString::fromStdString(mark.name.substr(1));
+            glyph.letter = QString::fromStdString(mark.name.front() == 'V' ? mark.name.substr(1) : mark.name);
         glyph.details = wallText(mark.at) + QStringLiteral(" · ") + markText(mark, faces);
         glyphs.push_back(std::move(glyph));
     }
