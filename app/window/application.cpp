@@ -8,6 +8,7 @@
 #include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
+#include "app/window/review/review_application.h"
 #include "app/window/screenshot.h"
 
 namespace leitstand {
@@ -75,6 +76,7 @@ int runStation(int argc, char** argv) {
     if (argc == 1) {
         if (const auto last = lastOptions()) return runLive(*last);
     }
+    if (wantsReview(options)) return runReview(options);
     return picture ? takeScreenshot(options) : showWindow(options);
 }
 

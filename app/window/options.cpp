@@ -33,6 +33,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     app.set_version_flag("--version", "leitstand " LEITSTAND_VERSION);
     app.add_option("SCANS", options.scans,
                    "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
+    app.add_flag("--register-again", options.registerAgain,
+                 "Register the scans of a mission anew, where it would be reviewed otherwise");
     const std::map<std::string, MapLook> looks = {
         {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
     const std::map<std::string, Theme> themes = {{"dark", Theme::Dark}, {"light", Theme::Light}};
@@ -71,7 +73,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
              nullptr)
         ->type_name("FOLDER");
     onRobots(app.add_option("--layout", options.layout,
-                            "How panes are arranged: drive, explore, map, link, or one of your own"),
+                            "How panes are arranged: drive, explore, map, review, link, or one of your own"),
              nullptr)
         ->type_name("NAME");
     onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)

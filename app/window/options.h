@@ -17,7 +17,8 @@ struct Options {
     std::string screenshot;  ///< file to write; empty: none is wanted
     std::optional<MapLook> look;
     std::optional<Theme> theme;
-    QSize size{1280, 800};  ///< of the window on a screenshot [px]
+    bool registerAgain = false;  ///< a mission is registered anew, not reviewed
+    QSize size{1280, 800};       ///< of the window on a screenshot [px]
     // The station on live robots:
     bool live = false;                    ///< in place of a window for scans
     bool demo = false;                    ///< with simulated robots of its own

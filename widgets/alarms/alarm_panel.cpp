@@ -72,6 +72,13 @@ void AlarmPanel::setSoundTrouble(const QString& trouble) {
     setToolTip(trouble);
 }
 
+void AlarmPanel::setReadOnly(bool on) {
+    m_acknowledge->setVisible(!on);
+    m_mute->setVisible(!on);
+    m_list->setAccessibleName(on ? tr("Alarms, newest first")
+                                 : tr("Alarms, newest first; Return acknowledges the chosen one"));
+}
+
 void AlarmPanel::refresh() {
     const int count = m_model.rowCount();
     bool waits = false;

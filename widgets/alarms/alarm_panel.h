@@ -22,6 +22,8 @@ public:
     using QWidget::show;
     /// What the operator has to know of the tones: "no sound device"; empty: they are heard.
     void setSoundTrouble(const QString& trouble);
+    /// Alarms of the past are only looked at.
+    void setReadOnly(bool on);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 160}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 90}; }

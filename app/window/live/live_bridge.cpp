@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/session/log/sequencer.h"
+#include "app/session/station/station_mapping.h"
 
 namespace leitstand {
 namespace {
@@ -20,6 +21,14 @@ LiveBridge::LiveBridge() {
 
 LiveBridge::~LiveBridge() = default;
 
+const std::vector<RobotDescription>& LiveBridge::robots() const {
+    return m_station->robots();
+}
+
+SteadyTime LiveBridge::arrivalOf(const ShownPicture& /*picture*/) const {
+    return std::chrono::steady_clock::now();
+}
+
 void LiveBridge::watch(const std::string& robot) {
     if (robot == m_watched) return;
     m_watched = robot;
@@ -32,6 +41,8 @@ void LiveBridge::tick() {
     m_moment.now = stationTime();
     m_moment.steady = std::chrono::steady_clock::now();
     m_moment.mission = m_station->mission();
+    m_moment.places = m_station->mapping().robots();
+    m_moment.scans = m_station->mapping().scans();
     m_moment.robots.clear();
     for (const RobotDescription& robot : m_station->robots())
         m_moment.robots[robot.name] = m_station->robot(robot.name);

@@ -4,19 +4,17 @@
 #include <optional>
 #include <string>
 
-#include <QObject>
-#include <QString>
 #include <QTimer>
 
 #include "app/session/station/picture_feed.h"
 #include "app/session/station/station.h"
-#include "app/window/live/live_moment.h"
+#include "app/window/live/moment_source.h"
 #include "core/base/result.h"
 
 namespace leitstand {
 
 /// The station as the GUI thread sees it: what its threads tell arrives here as signals.
-class LiveBridge final : public QObject {
+class LiveBridge final : public MomentSource {
     Q_OBJECT
 public:
     /// Errors as of Station::open().
@@ -24,18 +22,10 @@ public:
     ~LiveBridge() override;
 
     [[nodiscard]] Station& station() { return *m_station; }
-    [[nodiscard]] PictureFeed& pictures() { return *m_pictures; }
-    /// As of the newest tick.
-    [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
-    /// Whose surroundings are asked for, ten times a second.
-    void watch(const std::string& robot);
-
-signals:
-    void told(const QString& text);                        ///< for the operator, in English
-    void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
-    void mapChanged(const leitstand::MapPtr& map);
-    void scansChanged(const leitstand::LiveMapPtr& map);  ///< the same map: which scans count, and why not
-    void ticked(const leitstand::LiveMoment& moment);     ///< 30 times a second
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
+    [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
+    void watch(const std::string& robot) override;  ///< ten times a second
+    [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
 
 private:
     LiveBridge();
@@ -46,7 +36,6 @@ private:
     }
 
     QTimer m_tick;
-    LiveMoment m_moment;
     std::string m_watched;
     std::optional<VirtualScanView> m_around;
     int m_sinceAround = 0;  ///< ticks

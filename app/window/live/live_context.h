@@ -6,16 +6,25 @@ namespace leitstand {
 
 class CommandTable;
 class LiveBridge;
+class MomentSource;
 class PaneDocks;
 class Selection;
+class Station;
 
-/// What a feature of the live window works with; all of it outlives the feature.
-struct LiveContext {
-    LiveBridge& bridge;
+/// What a feature that shows robots works with, live ones or those of a mission's log; all of it outlives the
+/// feature.
+struct ViewContext {
+    MomentSource& source;
     Selection& selection;
     CommandTable& commands;
     PaneDocks& panes;
     QMainWindow& window;
+    Station* station = nullptr;  ///< null: there are no live robots, and nothing can be asked of them
+};
+
+/// What a feature that has to do with live robots works with.
+struct LiveContext : ViewContext {
+    LiveBridge& bridge;
 };
 
 }  // namespace leitstand

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/base/time.h"
+#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
 #include "core/mission/mission_state.h"
 #include "core/robot/robot_view.h"
 
@@ -15,6 +17,8 @@ struct LiveMoment {
     Time now = {};  ///< the station's clock
     std::chrono::steady_clock::time_point steady = {};
     MissionStatePtr mission;
+    RobotsInMapPtr places;                    ///< where robots are in the map
+    LiveMapPtr scans;                         ///< of the map
     std::map<std::string, RobotView> robots;  ///< by name; what is around is known of the watched one only
 
     [[nodiscard]] const RobotView& view(const std::string& robot) const;   ///< empty when unknown

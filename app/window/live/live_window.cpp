@@ -17,6 +17,7 @@
 #include "app/window/live/link/link_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_context.h"
+#include "app/window/live/map/map_actions.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/pad/pad_feature.h"
@@ -42,16 +43,19 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
     setWindowTitle(tr("Leitstand"));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
-    m_selection = new Selection(bridge.station(), this);
+    m_selection = new Selection(bridge.station().robots(), this);
     m_commands = new CommandTable(*this);
     m_panes = new PaneDocks(this);
-    const LiveContext context{m_bridge, *m_selection, *m_commands, *m_panes, *this};
+    const LiveContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this, &bridge.station()},
+                              m_bridge};
     // Each of these makes its panes and commands; the layouts come last, which place and bind them.
     m_mission = new MissionFeature(context, QString::fromStdString(bridge.station().folder()));
     m_robots = new RobotsFeature(context);
     m_drive = new DriveFeature(context);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
+    auto* mapActions = new MapActions(context, *m_map);
+    connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
     new ScanFeature(context);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);
@@ -108,7 +112,6 @@ void LiveWindow::connectFeatures() {
     connect(m_cameras, &CameraFeature::told, this, &LiveWindow::tell);
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
-    connect(m_map, &MapFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);

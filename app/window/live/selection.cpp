@@ -1,17 +1,13 @@
 #include "app/window/live/selection.h"
 
 #include <algorithm>
-
-#include "app/session/station/station.h"
+#include <utility>
 
 namespace leitstand {
 
-Selection::Selection(const Station& station, QObject* parent) : QObject(parent), m_station(station) {
-    if (!robots().empty()) m_name = QString::fromStdString(robots().front().name);
-}
-
-const std::vector<RobotDescription>& Selection::robots() const {
-    return m_station.robots();
+Selection::Selection(std::vector<RobotDescription> robots, QObject* parent)
+    : QObject(parent), m_robots(std::move(robots)) {
+    if (!m_robots.empty()) m_name = QString::fromStdString(m_robots.front().name);
 }
 
 const RobotDescription* Selection::find(const QString& name) const {

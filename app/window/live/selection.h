@@ -11,16 +11,14 @@
 
 namespace leitstand {
 
-class Station;
-
 /// Which robot the operator looks at and drives: the one place that says so.
 class Selection final : public QObject {
     Q_OBJECT
 public:
-    /// The first robot of @p station is selected.
-    explicit Selection(const Station& station, QObject* parent = nullptr);
+    /// The first of @p robots is selected.
+    explicit Selection(std::vector<RobotDescription> robots, QObject* parent = nullptr);
 
-    [[nodiscard]] const std::vector<RobotDescription>& robots() const;
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
     /// The selected one; null when the station has none.
     [[nodiscard]] const RobotDescription* robot() const { return find(m_name); }
     [[nodiscard]] const QString& name() const { return m_name; }
@@ -38,7 +36,7 @@ signals:
     void changed();
 
 private:
-    const Station& m_station;
+    const std::vector<RobotDescription> m_robots;
     QString m_name;
 };
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <variant>
 
-#include <fmt/format.h>
-
 namespace leitstand {
 namespace {
 
-std::string nameOf(VictimSample::Status status) {
+std::string wordOf(VictimSample::Status status) {
     switch (status) {
         case VictimSample::Status::Hypothesis:
             return "hypothesis";
@@ -51,13 +49,13 @@ void TimelineCollector::addSightings(const Event& event, const SightingSample& s
 void TimelineCollector::add(const Event& event) {
     using Kind = TimelineMark::Kind;
     if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
-        const std::string name = fmt::format("V{}", victim->number);
+        const std::string name = nameOf(victim->kind, victim->number);
         const auto [known, fresh] = m_victims.try_emplace(name, victim->status);
         // What is typed into a form is no moment to jump to; that it was filed, confirmed, discarded is.
         if (!fresh && known->second == victim->status) return;
         known->second = victim->status;
         put(event,
-            {.kind = Kind::Victim, .robot = victim->robot, .key = nameOf(victim->status), .name = name});
+            {.kind = Kind::Victim, .robot = victim->robot, .key = wordOf(victim->status), .name = name});
     } else if (const auto* alarm = std::get_if<AlarmSample>(&event.sample)) {
         if (alarm->state != AlarmSample::State::Raised) return;
         put(event, {.kind = Kind::Alarm,

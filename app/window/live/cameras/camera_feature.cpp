@@ -8,11 +8,12 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include "app/session/station/station.h"
 #include "app/session/station/station_cameras.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/cameras/camera_keys.h"
 #include "app/window/live/cameras/camera_overlays.h"
-#include "app/window/live/live_bridge.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/camera/camera_pane.h"
@@ -26,7 +27,7 @@ constexpr double Step = degrees(10);  ///< of a command that turns a camera [rad
 
 }  // namespace
 
-CameraFeature::CameraFeature(const LiveContext& context)
+CameraFeature::CameraFeature(const ViewContext& context)
     : QObject(&context.window),
       m_context(context),
       m_large(new CameraPane(&context.window)),
@@ -35,14 +36,15 @@ CameraFeature::CameraFeature(const LiveContext& context)
     m_small->setObjectName(QStringLiteral("rightPane"));
     context.panes.add(QStringLiteral("camera"), tr("Camera"), *m_large);
     context.panes.add(QStringLiteral("right"), tr("Second camera"), *m_small);
-    addTurning();
+    if (context.station != nullptr) addTurning();
     addLooks();
     addInfrared();
     connect(m_large, &CameraPane::pictureClicked, this, &CameraFeature::driveWanted);
     connect(m_large, &CameraPane::pictureDragged, this, &CameraFeature::drag);
     connect(&context.selection, &Selection::changed, this, &CameraFeature::choose);
-    connect(&context.bridge, &LiveBridge::pictured, this, &CameraFeature::showPicture);
-    connect(&context.bridge, &LiveBridge::ticked, this, &CameraFeature::show);
+    connect(&context.source, &MomentSource::pictured, this, &CameraFeature::showPicture);
+    connect(&context.source, &MomentSource::pictureGone, this, &CameraFeature::forget);
+    connect(&context.source, &MomentSource::ticked, this, &CameraFeature::show);
     applyLooks();
     choose();
 }
@@ -59,7 +61,7 @@ QAction& CameraFeature::add(const char* id, const QString& text, const QString& 
 
 void CameraFeature::addTurning() {
     auto* keys = new CameraKeys(m_context.window,
-                                [this] { return m_context.bridge.moment().view(robotName()).drive.focus; });
+                                [this] { return m_context.source.moment().view(robotName()).drive.focus; });
     connect(keys, &CameraKeys::rateWanted, this,
             [this](const PanTiltAngles& rate) { setRate(rate.pan, rate.tilt); });
     connect(keys, &CameraKeys::recentreWanted, this, &CameraFeature::recentre);
@@ -108,6 +110,7 @@ void CameraFeature::addLooks() {
         m_looks.setUnwrapped(on);
         applyLooks();
     });
+    if (m_context.station == nullptr) return m_context.commands.separate(CommandMenu::Cameras);
     connect(&add("camera.snapshot", tr("Keep a &snapshot"),
                  tr("The newest large picture, as it came, into the mission's folder snapshots"), Qt::Key_P),
             &QAction::triggered, this, [this] { keep(CameraPlace::Large); });
@@ -144,6 +147,10 @@ std::string CameraFeature::robotName() const {
     return m_context.selection.name().toStdString();
 }
 
+CameraTurning* CameraFeature::turning() const {
+    return m_context.station == nullptr ? nullptr : &m_context.station->cameras().turning();
+}
+
 CameraPane& CameraFeature::pane(CameraPlace place) const {
     return place == CameraPlace::Large ? *m_large : *m_small;
 }
@@ -152,7 +159,7 @@ void CameraFeature::applyLooks() {
     for (const RobotDescription& robot : m_context.selection.robots()) {
         for (const StreamDescription& stream : robot.streams) {
             if (stream.role == StreamRole::Picture || stream.role == StreamRole::Thermal)
-                m_context.bridge.pictures().setLook(robot.name, stream.sensor, m_looks.look());
+                m_context.source.pictures().setLook(robot.name, stream.sensor, m_looks.look());
         }
     }
 }
@@ -164,7 +171,8 @@ void CameraFeature::choose() {
 }
 
 void CameraFeature::showPanes() {
-    m_context.bridge.station().lookThrough(robotName(), m_views.sensor(CameraPlace::Large));
+    if (m_context.station != nullptr)
+        m_context.station->lookThrough(robotName(), m_views.sensor(CameraPlace::Large));
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         pane(place).setCamera(m_context.selection.face(), cameraTitle(m_views.stream(place)));
         pane(place).setVacant(m_views.stream(place) == nullptr);
@@ -178,11 +186,16 @@ void CameraFeature::showPanes() {
 }
 
 void CameraFeature::showPicture(const ShownPicturePtr& picture) {
-    m_views.took(picture, std::chrono::steady_clock::now());
+    m_views.took(picture, m_context.source.arrivalOf(*picture));
     if (picture->robot != robotName()) return;
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         if (picture->sensor == m_views.sensor(place)) showIn(pane(place), picture);
     }
+}
+
+void CameraFeature::forget(const std::string& robot, const std::string& sensor) {
+    m_views.forget(robot, sensor);
+    if (robot == robotName()) showPanes();
 }
 
 void CameraFeature::showIn(CameraPane& pane, const ShownPicturePtr& picture) {
@@ -199,15 +212,19 @@ void CameraFeature::showIn(CameraPane& pane, const ShownPicturePtr& picture) {
 }
 
 void CameraFeature::show(const LiveMoment& moment) {
-    CameraTurning& turning = m_context.bridge.station().cameras().turning();
-    if (const auto sent = turning.pulse(); !sent) emit told(QString::fromStdString(sent.error().text));
+    CameraTurning* const turns = turning();
+    if (turns != nullptr) {
+        if (const auto sent = turns->pulse(); !sent) emit told(QString::fromStdString(sent.error().text));
+    }
     const RobotDescription* const robot = m_views.robot();
     if (robot == nullptr) return;
     const QAction* const recentring = m_context.commands.find(QStringLiteral("camera.recentre"));
-    const CameraKeyNames keys{CameraKeys::names(), recentring->shortcut().toString(QKeySequence::NativeText)};
+    CameraKeyNames keys;
+    if (recentring != nullptr)
+        keys = {CameraKeys::names(), recentring->shortcut().toString(QKeySequence::NativeText)};
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         const bool large = place == CameraPlace::Large;
-        const auto turn = turning.view(robot->name, m_views.sensor(place));
+        const auto turn = turns == nullptr ? std::nullopt : turns->view(robot->name, m_views.sensor(place));
         const ShownPicturePtr picture = m_views.newest(place);
         CameraOverlay overlay =
             cameraOverlay(turn, picture.get(), m_looks.autoRange(), large ? keys : CameraKeyNames{});
@@ -220,31 +237,31 @@ void CameraFeature::show(const LiveMoment& moment) {
 }
 
 void CameraFeature::turnTo(double pan, double tilt) {
-    m_context.bridge.station().cameras().turning().turnTo(robotName(), m_views.sensor(CameraPlace::Large),
-                                                          {pan, tilt});
+    if (CameraTurning* const turns = turning())
+        turns->turnTo(robotName(), m_views.sensor(CameraPlace::Large), {pan, tilt});
 }
 
 void CameraFeature::turnBy(double pan, double tilt) {
-    m_context.bridge.station().cameras().turning().turnBy(robotName(), m_views.sensor(CameraPlace::Large),
-                                                          {pan, tilt});
+    if (CameraTurning* const turns = turning())
+        turns->turnBy(robotName(), m_views.sensor(CameraPlace::Large), {pan, tilt});
 }
 
 void CameraFeature::setRate(double pan, double tilt) {
-    if (m_views.robot() == nullptr) return;
-    m_context.bridge.station().cameras().turning().setRate(m_views.robot()->name,
-                                                           m_views.sensor(CameraPlace::Large), {pan, tilt});
+    CameraTurning* const turns = turning();
+    if (m_views.robot() == nullptr || turns == nullptr) return;
+    turns->setRate(m_views.robot()->name, m_views.sensor(CameraPlace::Large), {pan, tilt});
 }
 
 void CameraFeature::recentre() {
-    m_context.bridge.station().cameras().turning().recentre(robotName());
+    if (CameraTurning* const turns = turning()) turns->recentre(robotName());
 }
 
 void CameraFeature::drag(const QPointF& from, const QPointF& to, bool first) {
     const ShownPicturePtr picture = m_views.newest(CameraPlace::Large);
-    if (!picture) return;
+    CameraTurning* const turns = turning();
+    if (!picture || turns == nullptr) return;
     if (first) {
-        const auto turn = m_context.bridge.station().cameras().turning().view(
-            robotName(), m_views.sensor(CameraPlace::Large));
+        const auto turn = turns->view(robotName(), m_views.sensor(CameraPlace::Large));
         m_grabbedAt = turn ? turn->now.value_or(PanTiltAngles{}) : PanTiltAngles{};
         m_grabbed = directionAt(*picture, from);
     }
@@ -259,9 +276,9 @@ void CameraFeature::keep(CameraPlace place) {
         emit told(tr("There is no picture to keep yet"));
         return;
     }
-    StationCameras& cameras = m_context.bridge.station().cameras();
+    StationCameras& cameras = m_context.station->cameras();
     wish.camera = cameraTitle(m_views.stream(place)).toStdString();
-    const RobotState& said = m_context.bridge.moment().said(robotName());
+    const RobotState& said = m_context.source.moment().said(robotName());
     if (said.odometry) wish.baseInOdom = said.odometry->sample.baseInOdom;
     if (const auto turn = cameras.turning().view(robotName(), m_views.sensor(place))) wish.turned = turn->now;
     cameras.snapshots().take(wish);

@@ -16,6 +16,7 @@ class QAction;
 namespace leitstand {
 
 class CameraPane;
+class CameraTurning;
 struct LiveMoment;
 
 /// The selected robot's cameras: one large ("camera"), with what the driver has to know in it, another beside
@@ -23,7 +24,8 @@ struct LiveMoment;
 class CameraFeature final : public QObject {
     Q_OBJECT
 public:
-    explicit CameraFeature(const LiveContext& context);
+    /// Without a station cameras are only looked at.
+    explicit CameraFeature(const ViewContext& context);
 
     /// Cameras that are in a pane and have sent no picture yet.
     [[nodiscard]] QStringList missing() const;
@@ -50,14 +52,16 @@ private:
     void showPanes();  ///< what is known of their cameras
     void applyLooks();
     void showPicture(const ShownPicturePtr& picture);
+    void forget(const std::string& robot, const std::string& sensor);
     void showIn(CameraPane& pane, const ShownPicturePtr& picture);
     void show(const LiveMoment& moment);
     void drag(const QPointF& from, const QPointF& to, bool first);
     void keep(CameraPlace place);  ///< a snapshot
     [[nodiscard]] CameraPane& pane(CameraPlace place) const;
+    [[nodiscard]] CameraTurning* turning() const;  ///< null: nobody is there to be turned
     [[nodiscard]] std::string robotName() const;
 
-    LiveContext m_context;
+    ViewContext m_context;
     CameraViews m_views;
     PictureLooks m_looks;
     CameraPane *m_large, *m_small;

@@ -37,6 +37,10 @@ void CameraViews::took(const ShownPicturePtr& picture, SteadyTime now) {
     camera.newest = picture;
 }
 
+void CameraViews::forget(const std::string& robot, const std::string& sensor) {
+    m_cameras.erase({robot, sensor});
+}
+
 void CameraViews::next() {
     if (m_robot == nullptr || m_streams.size() < 2) return;
     Choice& choice = m_choices[m_robot->name];

@@ -21,6 +21,7 @@ public:
     /// large, its last (infrared, where it has one) small. Null: none.
     void select(const RobotDescription* robot);
     void took(const ShownPicturePtr& picture, SteadyTime now);
+    void forget(const std::string& robot, const std::string& sensor);  ///< what came of it
     /// Puts the next camera into the small pane, round and round, never the large one.
     void next();
     /// The cameras change panes.

@@ -41,7 +41,7 @@ std::string nameOf(const QString& title) {
 
 }  // namespace
 
-LayoutFeature::LayoutFeature(const LiveContext& context, LayoutBook book)
+LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book)
     : QObject(&context.window),
       m_context(context),
       m_book(std::move(book)),

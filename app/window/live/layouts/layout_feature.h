@@ -21,7 +21,7 @@ namespace leitstand {
 class LayoutFeature final : public QObject {
     Q_OBJECT
 public:
-    LayoutFeature(const LiveContext& context, LayoutBook book);
+    LayoutFeature(const ViewContext& context, LayoutBook book);
 
     /// The switch for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
@@ -45,7 +45,7 @@ private:
     void askForTitle();
     void forget();
 
-    LiveContext m_context;
+    ViewContext m_context;
     LayoutBook m_book;
     QWidget* m_bar;
     QHBoxLayout* m_row;

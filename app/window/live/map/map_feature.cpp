@@ -4,15 +4,11 @@
 #include <QApplication>
 #include <QMainWindow>
 
-#include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/view_commands.h"
-#include "app/window/live/live_bridge.h"
-#include "app/window/live/map/decisions_feature.h"
-#include "app/window/live/map/go_to.h"
 #include "app/window/live/map/map_gestures.h"
-#include "app/window/live/map/place_robot.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "app/window/map_pane.h"
@@ -22,7 +18,7 @@
 
 namespace leitstand {
 
-MapFeature::MapFeature(const LiveContext& context, const MapViewSettings& view)
+MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     : QObject(&context.window),
       m_context(context),
       m_view(view),
@@ -30,37 +26,24 @@ MapFeature::MapFeature(const LiveContext& context, const MapViewSettings& view)
     m_pane->setHelpVisible(false);
     context.panes.add(QStringLiteral("map"), tr("3D map"), *m_pane);
     addCommands();
-    connect(&context.bridge, &LiveBridge::mapChanged, this, [this](const MapPtr& map) {
+    connect(&context.source, &MomentSource::mapChanged, this, [this](const MapPtr& map) {
         m_seen = m_seen || !map->scans.empty();
         m_pane->view().setMap(map);
     });
-    connect(&context.bridge, &LiveBridge::ticked, this, &MapFeature::showSummary);
+    connect(&context.source, &MomentSource::ticked, this, &MapFeature::showSummary);
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
         if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
         m_pane->view().setSettings(settings);
     });
     m_pane->view().setSettings(m_view.settings());
-    addRobots();
-}
-
-void MapFeature::addRobots() {
-    auto* gestures = new MapGestures(m_pane->view(), this);
-    auto* robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *gestures, this);
-    auto* going = new GoTo(m_context, *gestures, *robots, this);
-    connect(going, &GoTo::told, this, &MapFeature::told);
-    connect(&m_pane->view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
-        going->go({place, std::nullopt});
-    });
-    auto* placing = new PlaceRobot(m_context, *gestures, *robots, this);
-    connect(placing, &PlaceRobot::told, this, &MapFeature::told);
-    auto* decisions = new DecisionsFeature(m_context, m_pane->view(), *gestures, *robots, this);
-    connect(decisions, &DecisionsFeature::told, this, &MapFeature::told);
+    m_gestures = new MapGestures(m_pane->view(), this);
+    m_robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *m_gestures, this);
 }
 
 void MapFeature::showSummary(const LiveMoment& moment) {
     const bool follows = m_view.settings().follow != MapFollow::Free;
-    m_pane->setSummary(liveSummaryOf(*m_context.bridge.station().mapping().scans(),
-                                     follows ? m_context.selection.face().letter : QString(), moment.now));
+    m_pane->setSummary(
+        liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now));
 }
 
 MapView& MapFeature::view() const {
@@ -73,7 +56,7 @@ void MapFeature::addCommands() {
     m_context.commands.adopt(CommandMenu::Map);
     looks->setScans(0);
     looks->before().setVisible(false);  // scans of a live map have one pose
-    connect(&m_context.bridge, &LiveBridge::mapChanged, looks,
+    connect(&m_context.source, &MomentSource::mapChanged, looks,
             [looks](const MapPtr& map) { looks->setScans(static_cast<int>(map->scans.size())); });
 }
 

@@ -8,32 +8,34 @@
 
 namespace leitstand {
 
+class MapGestures;
 class MapPane;
 class MapView;
+class RobotsOnMap;
 struct LiveMoment;
 
 /// The 3D map as it grows ("map"), and how it is looked at.
 class MapFeature final : public QObject {
     Q_OBJECT
 public:
-    MapFeature(const LiveContext& context, const MapViewSettings& view);
+    MapFeature(const ViewContext& context, const MapViewSettings& view);
 
     [[nodiscard]] MapView& view() const;
+    [[nodiscard]] MapGestures& gestures() const { return *m_gestures; }
+    [[nodiscard]] RobotsOnMap& robots() const { return *m_robots; }
     [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
     /// What is not to be seen of the map yet.
     [[nodiscard]] QStringList missing() const;
 
-signals:
-    void told(const QString& text);
-
 private:
     void addCommands();
     void showSummary(const LiveMoment& moment);
-    void addRobots();  ///< and what is done with them and their scans
 
-    LiveContext m_context;
+    ViewContext m_context;
     ViewState m_view;
     MapPane* m_pane;
+    MapGestures* m_gestures;
+    RobotsOnMap* m_robots;
     bool m_seen = false;
 };
 

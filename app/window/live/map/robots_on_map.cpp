@@ -8,10 +8,9 @@
 #include <QActionGroup>
 #include <QKeySequence>
 
-#include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_gestures.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/selection.h"
 #include "app/window/view_state.h"
 #include "widgets/map_view/map_view.h"
@@ -34,12 +33,12 @@ MapFollow after(MapFollow how) {
 
 }  // namespace
 
-RobotsOnMap::RobotsOnMap(const LiveContext& context, ViewState& state, MapView& view, MapGestures& gestures,
+RobotsOnMap::RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                          QObject* parent)
     : QObject(parent), m_context(context), m_state(state), m_view(view), m_gestures(gestures) {
     addCommands();
     connect(&view, &MapView::followEnded, this, [this] { follow(MapFollow::Free); });
-    connect(&context.bridge, &LiveBridge::ticked, this, &RobotsOnMap::show);
+    connect(&context.source, &MomentSource::ticked, this, &RobotsOnMap::show);
 }
 
 void RobotsOnMap::addCommands() {
@@ -102,7 +101,7 @@ void RobotsOnMap::setGoal(const std::string& robot, const std::optional<Pose>& g
 }
 
 void RobotsOnMap::show(const LiveMoment& moment) {
-    const RobotsInMapPtr places = m_context.bridge.station().mapping().robots();
+    const RobotsInMapPtr places = moment.places;
     const std::string selected = m_context.selection.name().toStdString();
     m_marks.clear();
     std::vector<RobotMark> marks;

@@ -23,7 +23,7 @@ struct LiveMoment;
 class RobotsOnMap final : public QObject {
     Q_OBJECT
 public:
-    RobotsOnMap(const LiveContext& context, ViewState& state, MapView& view, MapGestures& gestures,
+    RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                 QObject* parent);
 
     /// As drawn last; a robot that nobody knows the place of stands at the selected one's, or the origin.
@@ -39,7 +39,7 @@ private:
     void follow(MapFollow how);
     void show(const LiveMoment& moment);
 
-    LiveContext m_context;
+    ViewContext m_context;
     ViewState& m_state;
     MapView& m_view;
     MapGestures& m_gestures;

@@ -6,8 +6,9 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include "app/session/station/station.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/live_bridge.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/selection.h"
 #include "app/window/live/stop_key.h"
 #include "widgets/drive/stop_button.h"
@@ -18,21 +19,25 @@
 
 namespace leitstand {
 
-RobotsFeature::RobotsFeature(const LiveContext& context)
-    : QObject(&context.window),
-      m_context(context),
-      m_bar(new RobotBar(&context.window)),
-      m_stop(new StopButton(&context.window)) {
-    Station& station = context.bridge.station();
+RobotsFeature::RobotsFeature(const ViewContext& context)
+    : QObject(&context.window), m_context(context), m_bar(new RobotBar(&context.window)) {
     connect(m_bar, &RobotBar::robotSelected, &context.selection, &Selection::select);
+    addChoice();
+    if (context.station != nullptr) {
+        addStop(*context.station);
+        addCommands(*context.station);
+    }
+    connect(&context.source, &MomentSource::ticked, this, &RobotsFeature::show);
+}
+
+void RobotsFeature::addStop(Station& station) {
+    m_stop = new StopButton(&m_context.window);
     connect(m_stop, &StopButton::stopRequested, this, [&station] { station.stopAll(); });
     connect(m_stop, &StopButton::releaseRequested, this, [this, &station](const QString& robot) {
         if (const auto let = station.release(robot.toStdString()); !let)
             emit told(QString::fromStdString(let.error().text));
     });
-    connect(new StopKey(&context.window), &StopKey::pressed, this, [&station] { station.stopAll(); });
-    connect(&context.bridge, &LiveBridge::ticked, this, &RobotsFeature::show);
-    addCommands();
+    connect(new StopKey(&m_context.window), &StopKey::pressed, this, [&station] { station.stopAll(); });
 }
 
 QWidget* RobotsFeature::bar() const {
@@ -43,7 +48,7 @@ QWidget* RobotsFeature::stop() const {
     return m_stop;
 }
 
-void RobotsFeature::addCommands() {
+void RobotsFeature::addChoice() {
     CommandTable& commands = m_context.commands;
     for (int number = 1; number <= static_cast<int>(m_context.selection.robots().size()); ++number) {
         const RobotDescription& robot = m_context.selection.robots()[static_cast<std::size_t>(number - 1)];
@@ -56,12 +61,16 @@ void RobotsFeature::addCommands() {
         connect(&one, &QAction::triggered, this,
                 [this, number] { m_context.selection.selectNumber(number); });
     }
+}
+
+void RobotsFeature::addCommands(Station& station) {
+    CommandTable& commands = m_context.commands;
     commands.separate(CommandMenu::Robot);
     QAction& stop = commands.add({.id = "robot.stop",
                                   .menu = CommandMenu::Robot,
                                   .text = tr("&Stop all robots\tEsc"),
                                   .hint = tr("All robots stand until each is released")});
-    connect(&stop, &QAction::triggered, this, [this] { m_context.bridge.station().stopAll(); });
+    connect(&stop, &QAction::triggered, this, [&station] { station.stopAll(); });
     QMenu* modes = commands.menu(CommandMenu::Robot).addMenu(tr("&Mode"));
     connect(modes, &QMenu::aboutToShow, this, [this, modes] { fillModes(*modes); });
 }
@@ -69,7 +78,7 @@ void RobotsFeature::addCommands() {
 void RobotsFeature::fillModes(QMenu& modes) {
     modes.clear();
     const std::string robot = m_context.selection.name().toStdString();
-    const RobotState& said = m_context.bridge.moment().said(robot);
+    const RobotState& said = m_context.source.moment().said(robot);
     if (!said.mode) {
         modes.addAction(tr("The robot has told none yet"))->setEnabled(false);
         return;
@@ -80,8 +89,8 @@ void RobotsFeature::fillModes(QMenu& modes) {
         one->setCheckable(true);
         one->setChecked(mode == now.mode);
         connect(one, &QAction::triggered, this, [this, robot, mode] {
-            m_context.bridge.station().ask(robot);
-            if (const auto asked = m_context.bridge.station().setMode(robot, mode); !asked)
+            m_context.station->ask(robot);
+            if (const auto asked = m_context.station->setMode(robot, mode); !asked)
                 emit told(QString::fromStdString(asked.error().text));
         });
     }
@@ -97,7 +106,7 @@ void RobotsFeature::show(const LiveMoment& moment) {
         stops.push_back(stopLineOf(face, view));
     }
     m_bar->show(chips, m_context.selection.name());
-    m_stop->show(stops);
+    if (m_stop != nullptr) m_stop->show(stops);
 }
 
 }  // namespace leitstand

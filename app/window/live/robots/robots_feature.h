@@ -13,26 +13,28 @@ struct LiveMoment;
 class RobotBar;
 class StopButton;
 
-/// All robots: which one is selected, the modes asked of it, STOP and its release.
+/// All robots: which one is selected; of live ones the modes asked of it, STOP and its release.
 class RobotsFeature final : public QObject {
     Q_OBJECT
 public:
-    explicit RobotsFeature(const LiveContext& context);
+    explicit RobotsFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget* bar() const;   ///< for the top bar
-    [[nodiscard]] QWidget* stop() const;  ///< for its corner
+    [[nodiscard]] QWidget* stop() const;  ///< for its corner; null: there is nothing to be stopped
 
 signals:
     void told(const QString& text);
 
 private:
-    void addCommands();
+    void addChoice();
+    void addStop(Station& station);
+    void addCommands(Station& station);
     void fillModes(QMenu& modes);
     void show(const LiveMoment& moment);
 
-    LiveContext m_context;
+    ViewContext m_context;
     RobotBar* m_bar;
-    StopButton* m_stop;
+    StopButton* m_stop = nullptr;
 };
 
 }  // namespace leitstand

@@ -6,7 +6,7 @@
 
 #include <QMainWindow>
 
-#include "app/window/live/live_bridge.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
@@ -26,7 +26,7 @@ double scanAge(const RobotState& said, Time now) {
 
 }  // namespace
 
-ScanFeature::ScanFeature(const LiveContext& context)
+ScanFeature::ScanFeature(const ViewContext& context)
     : QObject(&context.window), m_context(context), m_pane(new VirtualScanPane(&context.window)) {
     context.panes.add(QStringLiteral("scan"), tr("Virtual scan"), *m_pane);
     const auto setRobot = [this] {
@@ -35,7 +35,7 @@ ScanFeature::ScanFeature(const LiveContext& context)
     };
     connect(&context.selection, &Selection::changed, this, setRobot);
     setRobot();
-    connect(&context.bridge, &LiveBridge::ticked, this, &ScanFeature::show);
+    connect(&context.source, &MomentSource::ticked, this, &ScanFeature::show);
 }
 
 void ScanFeature::show(const LiveMoment& moment) {

@@ -13,12 +13,12 @@ class VirtualScanPane;
 class ScanFeature final : public QObject {
     Q_OBJECT
 public:
-    explicit ScanFeature(const LiveContext& context);
+    explicit ScanFeature(const ViewContext& context);
 
 private:
     void show(const LiveMoment& moment);
 
-    LiveContext m_context;
+    ViewContext m_context;
     VirtualScanPane* m_pane;
 };
 

@@ -1,0 +1,119 @@
+#include "app/session/review/review_pen.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "app/session/log/live_mission.h"
+#include "app/session/log/sequencer.h"
+#include "core/mission/station_topics.h"
+
+namespace leitstand {
+namespace {
+
+/// The newest decision after @p sequence that is an undo of nothing and not undone; null: there is none.
+const Decision* newestAfter(const MissionState& state, std::uint64_t sequence) {
+    const std::vector<Decision>& all = *state.decisions;
+    for (auto one = all.rbegin(); one != all.rend() && one->sequence > sequence; ++one) {
+        if (!one->undone && !std::holds_alternative<UndoSample>(one->content)) return &*one;
+    }
+    return nullptr;
+}
+
+std::string textOf(const Decision& decision) {
+    if (const auto* victim = std::get_if<VictimSample>(&decision.content))
+        return fmt::format("{} as corrected in a review", nameOf(victim->kind, victim->number));
+    return "a note of a review";
+}
+
+}  // namespace
+
+ReviewPen::ReviewPen(std::filesystem::path mission, std::vector<RobotDescription> robots, std::string station,
+                     std::string version)
+    : m_folder(std::move(mission)),
+      m_robots(std::move(robots)),
+      m_station(std::move(station)),
+      m_version(std::move(version)) {}
+
+ReviewPen::~ReviewPen() = default;
+
+Result<void> ReviewPen::open() {
+    if (m_mission) return {};
+    LiveMissionSettings settings;
+    settings.folder = m_folder;
+    settings.robots = m_robots;
+    settings.station = m_station;
+    settings.title = "Review";
+    settings.version = m_version;
+    auto opened = LiveMission::open(settings);
+    if (!opened) return opened.error();
+    m_mission = std::move(opened).value();
+    m_before = m_mission->state()->sequence;
+    return {};
+}
+
+Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
+    if (auto opened = open(); !opened) return opened;
+    const std::size_t decisions = m_mission->state()->decisions->size();
+    if (auto said = m_mission->say(sample, topic); !said) return said;
+    // Who asks for the state next has it in it; the sequencer takes no longer than a moment.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (m_mission->state()->decisions->size() == decisions && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+    return {};
+}
+
+Result<void> ReviewPen::note(Time at, const std::string& robot, const std::string& text) {
+    if (text.empty()) return Error{"a note without words is none"};
+    return say(NoteSample{.stamp = at, .station = m_station, .robot = robot, .text = text},
+               station_topic::Notes);
+}
+
+Result<void> ReviewPen::correct(VictimSample victim) {
+    if (auto opened = open(); !opened) return opened;
+    if (!m_mission->state()->victims->contains({victim.kind, victim.number}))
+        return Error{
+            fmt::format("{}: the mission has no {}", m_folder.string(), nameOf(victim.kind, victim.number))};
+    victim.stamp = stationTime();
+    victim.station = m_station;
+    return say(victim, station_topic::Victims);
+}
+
+bool ReviewPen::canUndo() const {
+    return m_mission && newestAfter(*m_mission->state(), m_before) != nullptr;
+}
+
+Result<void> ReviewPen::undo() {
+    const MissionStatePtr now = state();
+    const Decision* const newest = now ? newestAfter(*now, m_before) : nullptr;
+    if (newest == nullptr) return Error{"nothing was written in this review that could be taken back"};
+    return say(
+        UndoSample{
+            .stamp = stationTime(), .station = m_station, .event = newest->sequence, .text = textOf(*newest)},
+        station_topic::Undo);
+}
+
+MissionStatePtr ReviewPen::state() const {
+    return m_mission ? m_mission->state() : nullptr;
+}
+
+std::vector<TimelineMark> ReviewPen::marks() const {
+    TimelineCollector collector;
+    const MissionStatePtr now = state();
+    if (!now) return {};
+    for (const Decision& decision : *now->decisions) {
+        const auto* const note = std::get_if<NoteSample>(&decision.content);
+        if (decision.sequence <= m_before || decision.undone || note == nullptr) continue;
+        Event event;
+        event.sequence = decision.sequence;
+        event.received = decision.received;
+        event.sample = *note;
+        collector.add(event);
+    }
+    return collector.marks();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mission/mission_state.h"
+#include "core/mission/timeline/timeline_marks.h"
+#include "core/robot/robot_description.h"
+#include "core/robot/samples/victim_sample.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// Writes down what somebody finds in a review: notes, and victims as they should have been filed. Each is a
+/// new event in a session of the mission that the pen opens with the first of them; what was recorded stays
+/// as it is. Any thread waits for the disk only to open.
+class ReviewPen {
+public:
+    /// @p station: who writes.
+    ReviewPen(std::filesystem::path mission, std::vector<RobotDescription> robots, std::string station,
+              std::string version);
+    ~ReviewPen();  ///< the mission is self-contained afterwards
+    ReviewPen(const ReviewPen&) = delete;
+    ReviewPen& operator=(const ReviewPen&) = delete;
+
+    // Errors, in words: the mission cannot be written, as while a station records into it.
+    /// About the moment @p at of the mission; @p robot may be empty.
+    Result<void> note(Time at, const std::string& robot, const std::string& text);
+    /// @p victim as it is to be from now on: of the number it has, which the mission has to know.
+    Result<void> correct(VictimSample victim);
+    /// Takes back the newest that this pen wrote and that is not taken back.
+    Result<void> undo();
+    [[nodiscard]] bool canUndo() const;
+
+    /// The mission's end with all that was written; null while nothing was.
+    [[nodiscard]] MissionStatePtr state() const;
+    /// What was written and is not taken back, to be marked on the timeline.
+    [[nodiscard]] std::vector<TimelineMark> marks() const;
+
+private:
+    Result<void> open();
+    Result<void> say(const Sample& sample, std::string_view topic);
+
+    const std::filesystem::path m_folder;
+    const std::vector<RobotDescription> m_robots;
+    const std::string m_station, m_version;
+    std::unique_ptr<LiveMission> m_mission;  ///< null while nothing was written
+    std::uint64_t m_before = 0;              ///< last sequence before this pen's
+};
+
+}  // namespace leitstand

@@ -1,0 +1,25 @@
+#include "app/window/live/map/map_actions.h"
+
+#include <optional>
+
+#include "app/window/live/map/decisions_feature.h"
+#include "app/window/live/map/go_to.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/map/place_robot.h"
+#include "widgets/map_view/map_view.h"
+
+namespace leitstand {
+
+MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&map) {
+    auto* going = new GoTo(context, map.gestures(), map.robots(), this);
+    connect(going, &GoTo::told, this, &MapActions::told);
+    connect(&map.view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
+        going->go({place, std::nullopt});
+    });
+    auto* placing = new PlaceRobot(context, map.gestures(), map.robots(), this);
+    connect(placing, &PlaceRobot::told, this, &MapActions::told);
+    auto* decisions = new DecisionsFeature(context, map.view(), map.gestures(), map.robots(), this);
+    connect(decisions, &DecisionsFeature::told, this, &MapActions::told);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+
+namespace leitstand {
+
+class MapFeature;
+
+/// What the operator does on the map with live robots and their scans: sends them, places them, decides.
+class MapActions final : public QObject {
+    Q_OBJECT
+public:
+    MapActions(const LiveContext& context, MapFeature& map);
+
+signals:
+    void told(const QString& text);
+};
+
+}  // namespace leitstand

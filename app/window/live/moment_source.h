@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "app/session/station/picture_feed.h"
+#include "app/window/live/live_moment.h"
+#include "core/mapping/live/live_map.h"
+#include "core/mapping/map.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Where panes have what they show from: the station on live robots, or a mission's log.
+class MomentSource : public QObject {
+    Q_OBJECT
+public:
+    [[nodiscard]] virtual const std::vector<RobotDescription>& robots() const = 0;
+    [[nodiscard]] virtual PictureFeed& pictures() = 0;
+    /// Whose surroundings are asked for.
+    virtual void watch(const std::string& robot) = 0;
+    /// When @p picture came, on the clock of LiveMoment::steady.
+    [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
+    /// As of the newest tick.
+    [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
+
+signals:
+    void told(const QString& text);                        ///< for the operator, in English
+    void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
+    /// A camera has no picture any more: a review went back to before its first.
+    void pictureGone(const std::string& robot, const std::string& sensor);
+    void mapChanged(const leitstand::MapPtr& map);
+    void scansChanged(const leitstand::LiveMapPtr& map);  ///< the same map: which scans count, and why not
+    void ticked(const leitstand::LiveMoment& moment);     ///< up to 30 times a second
+
+protected:
+    using QObject::QObject;
+    LiveMoment m_moment;
+};
+
+}  // namespace leitstand

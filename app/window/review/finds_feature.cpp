@@ -1,0 +1,122 @@
+#include "app/window/review/finds_feature.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMainWindow>
+#include <QSysInfo>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "app/window/review/review_bridge.h"
+#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/review/find_form.h"
+#include "widgets/review/finds_panel.h"
+
+namespace leitstand {
+
+FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
+    : QObject(&context.window),
+      m_context(context),
+      m_bridge(bridge),
+      m_pen(std::make_unique<ReviewPen>(bridge.player().folder(), bridge.robots(),
+                                        "review-" + QSysInfo::machineHostName().toStdString(),
+                                        LEITSTAND_VERSION)),
+      m_panel(new FindsPanel(&context.window)) {
+    context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
+    addCommands();
+    connect(m_panel, &FindsPanel::sought, this, [this](Time at) { m_bridge.player().seek(at); });
+    connect(m_panel, &FindsPanel::confirmed, this,
+            [this](const FindKey& find) { judge(find, VictimSample::Status::Confirmed); });
+    connect(m_panel, &FindsPanel::discarded, this,
+            [this](const FindKey& find) { judge(find, VictimSample::Status::Discarded); });
+    connect(m_panel, &FindsPanel::formWanted, this, &FindsFeature::openForm);
+    connect(m_panel, &FindsPanel::noteWanted, this, &FindsFeature::askForNote);
+    connect(m_panel, &FindsPanel::undone, this, [this] { wrote(m_pen->undo(), tr("Taken back")); });
+    connect(&bridge, &MomentSource::ticked, this, &FindsFeature::show);
+}
+
+FindsFeature::~FindsFeature() = default;
+
+void FindsFeature::addCommands() {
+    QAction& note = m_context.commands.add({.id = QStringLiteral("review.note"),
+                                            .menu = CommandMenu::Mission,
+                                            .text = tr("Write a n&ote…"),
+                                            .hint = tr("About the moment that is shown"),
+                                            .keys = QKeySequence(Qt::CTRL | Qt::Key_N)});
+    connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
+    QAction& undo = m_context.commands.add({.id = QStringLiteral("review.undo"),
+                                            .menu = CommandMenu::Mission,
+                                            .text = tr("&Undo what was written"),
+                                            .hint = tr("Takes back what was written last in this review"),
+                                            .keys = QKeySequence::Undo});
+    connect(&undo, &QAction::triggered, this, [this] { wrote(m_pen->undo(), tr("Taken back")); });
+}
+
+const MissionState& FindsFeature::state() const {
+    // What was written counts as finished: then is then.
+    const bool finished = m_bridge.player().map() == ReviewMap::Finished;
+    if (!finished) return *m_bridge.reviewed()->mission;
+    const MissionStatePtr written = m_pen->state();
+    return written ? *written : *m_bridge.index()->finished;
+}
+
+const VictimSample* FindsFeature::newest(const FindKey& find) const {
+    const MissionStatePtr written = m_pen->state();
+    const MissionState& now = written ? *written : *m_bridge.index()->finished;
+    const auto found = now.victims->find(find);
+    return found == now.victims->end() ? nullptr : &found->second.victim;
+}
+
+void FindsFeature::show() {
+    if (!m_bridge.reviewed()) return;
+    m_panel->show(findRowsOf(state()));
+    m_panel->setUndoable(m_pen->canUndo());
+}
+
+void FindsFeature::wrote(const Result<void>& done, const QString& what) {
+    emit told(done ? what : QString::fromStdString(done.error().text));
+    if (done) emit marksChanged(m_pen->marks());
+    show();
+}
+
+void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
+    const VictimSample* const known = newest(find);
+    if (known == nullptr) return emit told(tr("The mission took this find back later"));
+    VictimSample judged = *known;
+    judged.status = status;
+    if (status != VictimSample::Status::Discarded) judged.mergedInto = 0;
+    const QString name = QString::fromStdString(nameOf(judged.kind, judged.number));
+    wrote(m_pen->correct(judged), tr("%1: %2 (as finished)").arg(name, statusText(judged)));
+}
+
+void FindsFeature::openForm(const FindKey& find) {
+    const VictimSample* const known = newest(find);
+    if (known == nullptr) return emit told(tr("The mission took this find back later"));
+    auto* form = new FindForm(*known, &m_context.window);
+    connect(form, &FindForm::corrected, this, [this](const VictimSample& corrected) {
+        const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
+        wrote(m_pen->correct(corrected), tr("%1 corrected (as finished)").arg(name));
+    });
+    form->show();
+}
+
+void FindsFeature::askForNote() {
+    const Time at = m_bridge.player().position();
+    auto* question = new QInputDialog(&m_context.window);
+    question->setObjectName(QStringLiteral("reviewNote"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setWindowTitle(tr("Note"));
+    question->setLabelText(tr("About %1").arg(wallText(at)));
+    connect(question, &QInputDialog::textValueSelected, this,
+            [this, at](const QString& text) { note(at, text.trimmed()); });
+    question->show();
+}
+
+void FindsFeature::note(Time at, const QString& text) {
+    if (text.isEmpty()) return;
+    wrote(m_pen->note(at, m_context.selection.name().toStdString(), text.toStdString()),
+          tr("Noted at %1").arg(wallText(at)));
+}
+
+}  // namespace leitstand

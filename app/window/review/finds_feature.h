@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+
+#include "app/session/review/review_pen.h"
+#include "app/window/live/live_context.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+class FindsPanel;
+class ReviewBridge;
+
+/// What was found ("finds"), as then or as the mission has it now: corrections and notes of the review.
+class FindsFeature final : public QObject {
+    Q_OBJECT
+public:
+    FindsFeature(const ViewContext& context, ReviewBridge& bridge);
+    ~FindsFeature() override;
+
+    [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
+
+public slots:
+    void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
+
+signals:
+    void told(const QString& text);
+    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< of what the pen wrote
+
+private:
+    void addCommands();
+    void show();
+    void judge(const FindKey& find, VictimSample::Status status);
+    void openForm(const FindKey& find);
+    void note(Time at, const QString& text);
+    void wrote(const Result<void>& done, const QString& what);
+    [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
+    [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
+
+    ViewContext m_context;
+    ReviewBridge& m_bridge;
+    std::unique_ptr<ReviewPen> m_pen;
+    FindsPanel* m_panel;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,108 @@
+#include "app/window/review/review_application.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include <QApplication>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QTimer>
+
+#include "app/session/review/review_log.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/main_window.h"
+#include "app/window/review/review_bridge.h"
+#include "app/window/review/review_window.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
+
+void complain(const std::string& text) {
+    std::fprintf(stderr, "leitstand: %s\n", text.c_str());
+}
+
+/// Waits until all is to be seen; false after the patience is over.
+bool waitUntilShown(const ReviewWindow& window) {
+    QEventLoop loop;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (window.missing().isEmpty()) loop.quit();
+    });
+    look.start(100);
+    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
+    loop.exec();
+    return window.missing().isEmpty();
+}
+
+int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
+    window.resize(options.size);
+    window.show();
+    // The end shows most of a mission: all of its map.
+    bridge.player().seek(bridge.player().last());
+    if (!waitUntilShown(window)) {
+        complain("no picture after 60 s: " + window.missing().toStdString());
+        return 1;
+    }
+    // The end's own map and pictures, which the player's thread may still be at.
+    QObject::connect(&bridge, &MomentSource::ticked, &window, [] {});
+    QEventLoop loop;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (bridge.reviewed() && bridge.reviewed()->now == bridge.player().last() &&
+            window.missing().isEmpty())
+            loop.quit();
+    });
+    look.start(100);
+    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
+    loop.exec();
+    QApplication::processEvents();
+    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+        complain(options.screenshot + ": the picture could not be written");
+        return 1;
+    }
+    return 0;
+}
+
+/// Opens the mission's scans in a window of their own, which registers them with the settings of its panel.
+void registerAgain(const std::filesystem::path& mission) {
+    auto* window = new MainWindow(loadWindowState());
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->show();
+    window->open({mission});
+}
+
+}  // namespace
+
+bool wantsReview(const Options& options) {
+    return !options.registerAgain && options.scans.size() == 1 && isReviewable(options.scans.front());
+}
+
+int runReview(const Options& options) {
+    auto bridge = ReviewBridge::open(options.scans.front());
+    if (!bridge) return complain(bridge.error().text), 1;
+    const bool picture = !options.screenshot.empty();
+    WindowState remembered = picture ? WindowState{} : loadWindowState();
+    if (options.look) remembered.view.look = *options.look;
+    if (options.theme) remembered.view.theme = *options.theme;
+    remembered.view.follow = MapFollow::Free;
+    ReviewWindow window(**bridge, remembered.view);
+    if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
+        return complain("--layout " + window.newest().toStdString()), 2;
+    if (picture) return takePicture(**bridge, window, options);
+    QObject::connect(&window, &ReviewWindow::registerAgainWanted, &window,
+                     [&] { registerAgain((*bridge)->player().folder()); });
+    window.resize(remembered.firstSize);
+    if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
+    QObject::connect(&window, &ReviewWindow::closing, &window, [&] {
+        remembered.liveGeometry = window.saveGeometry();
+        remembered.view = window.view();
+        saveWindowState(remembered);
+    });
+    window.show();
+    return QApplication::exec();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,98 @@
+#include "app/window/review/review_bridge.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/session/review/reviewed_robot.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::milliseconds Tick(33);
+
+}  // namespace
+
+ReviewBridge::ReviewBridge() {
+    m_tick.setInterval(Tick);
+    connect(&m_tick, &QTimer::timeout, this, &ReviewBridge::tick);
+}
+
+ReviewBridge::~ReviewBridge() = default;
+
+Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::path& mission) {
+    std::unique_ptr<ReviewBridge> bridge(new ReviewBridge);
+    ReviewBridge* const raw = bridge.get();
+    const auto tell = [raw](const std::string& text) {
+        raw->hop([raw, text = QString::fromStdString(text)] { emit raw->told(text); });
+    };
+    ReviewListener listener;
+    listener.onOpening = [raw, told = 0.0](double fraction) mutable {
+        if (fraction < told + 0.01) return;  // not a call for every event
+        told = fraction;
+        raw->hop([raw, fraction] {
+            if (!raw->m_index) emit raw->opening(fraction);
+        });
+    };
+    listener.onIndex = [raw](const ReviewIndexPtr& index) {
+        raw->hop([raw, index] {
+            raw->m_index = index;
+            emit raw->opened(index);
+        });
+    };
+    listener.onMessage = tell;
+    auto player = ReviewPlayer::open(mission, std::move(listener));
+    if (!player) return player.error();
+    bridge->m_player = std::move(player).value();
+    bridge->m_pictures = std::make_unique<PictureFeed>(
+        bridge->robots(),
+        PictureFeed::Listener{
+            [raw](const ShownPicturePtr& one) { raw->hop([raw, one] { emit raw->pictured(one); }); }, tell});
+    if (!bridge->robots().empty()) bridge->m_watched = bridge->robots().front().name;
+    bridge->m_tick.start();
+    return bridge;
+}
+
+void ReviewBridge::watch(const std::string& robot) {
+    m_watched = robot;
+    m_player->watch(robot);
+}
+
+SteadyTime ReviewBridge::arrivalOf(const ShownPicture& picture) const {
+    return steadyOf(picture.received);
+}
+
+void ReviewBridge::showPictures(const ReviewMoment& moment) {
+    for (const Event& event : moment.pictures) {
+        const auto [fed, fresh] = m_fed.try_emplace(event.topic, event.sequence);
+        if (!fresh && std::exchange(fed->second, event.sequence) == event.sequence) continue;
+        m_pictures->take(event);
+    }
+    for (const RobotDescription& robot : robots()) {
+        if (robot.name != m_watched) continue;
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.role != StreamRole::Picture && stream.role != StreamRole::Thermal) continue;
+            const bool there = std::any_of(moment.pictures.begin(), moment.pictures.end(),
+                                           [&](const Event& one) { return one.topic == stream.topic; });
+            if (!there && m_fed.erase(stream.topic) > 0) emit pictureGone(robot.name, stream.sensor);
+        }
+    }
+}
+
+void ReviewBridge::tick() {
+    const ReviewMomentPtr moment = m_player->moment();
+    if (!m_index || !moment || moment == m_shown) return;
+    const ReviewMomentPtr before = std::exchange(m_shown, moment);
+    m_moment.now = moment->now;
+    m_moment.steady = steadyOf(moment->now);
+    m_moment.mission = moment->mission;
+    m_moment.robots = moment->robots;
+    m_moment.places = moment->places;
+    m_moment.scans = moment->scans;
+    showPictures(*moment);
+    if (!before || before->map != moment->map) emit mapChanged(moment->map);
+    if (!before || before->scans != moment->scans) emit scansChanged(moment->scans);
+    emit ticked(m_moment);
+}
+
+}  // namespace leitstand

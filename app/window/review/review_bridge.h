@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <QTimer>
+
+#include "app/session/review/review_player.h"
+#include "app/window/live/moment_source.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// A mission's log as the GUI thread sees it: its moments arrive here as signals.
+class ReviewBridge final : public MomentSource {
+    Q_OBJECT
+public:
+    /// Errors as of ReviewPlayer::open().
+    [[nodiscard]] static Result<std::unique_ptr<ReviewBridge>> open(const std::filesystem::path& mission);
+    ~ReviewBridge() override;
+
+    [[nodiscard]] ReviewPlayer& player() { return *m_player; }
+    [[nodiscard]] const ReviewIndexPtr& index() const { return m_index; }      ///< null: still read through
+    [[nodiscard]] const ReviewMomentPtr& reviewed() const { return m_shown; }  ///< null before the first
+
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_player->robots(); }
+    [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
+    void watch(const std::string& robot) override;
+    [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+
+signals:
+    void opening(double fraction);                        ///< how far the mission is read through
+    void opened(const leitstand::ReviewIndexPtr& index);  ///< it is
+
+private:
+    ReviewBridge();
+    void tick();
+    void showPictures(const ReviewMoment& moment);
+    template <class Call>
+    void hop(Call call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    }
+
+    QTimer m_tick;
+    ReviewIndexPtr m_index;
+    ReviewMomentPtr m_shown;
+    std::string m_watched;
+    std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
+    std::unique_ptr<PictureFeed> m_pictures;
+    std::unique_ptr<ReviewPlayer> m_player;  ///< last: its thread ends first
+};
+
+}  // namespace leitstand

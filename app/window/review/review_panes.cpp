@@ -1,0 +1,64 @@
+#include "app/window/review/review_panes.h"
+
+#include <vector>
+
+#include <QMainWindow>
+
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "app/window/review/review_bridge.h"
+#include "core/mission/mission_clock.h"
+#include "widgets/alarms/alarm_panel.h"
+#include "widgets/drive/drive_strip.h"
+#include "widgets/mission/clock_face.h"
+#include "widgets/models/live/alarm_words.h"
+#include "widgets/models/live/clock_text.h"
+#include "widgets/models/live/drive_state.h"
+
+namespace leitstand {
+
+ReviewPanes::ReviewPanes(const ViewContext& context, ReviewBridge& bridge)
+    : QObject(&context.window),
+      m_context(context),
+      m_bridge(bridge),
+      m_strip(new DriveStrip(&context.window)),
+      m_alarms(new AlarmPanel(&context.window)),
+      m_clock(new ClockFace(&context.window)) {
+    m_alarms->setReadOnly(true);
+    context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
+    context.panes.add(QStringLiteral("alarms"), tr("Alarms"), *m_alarms);
+    connect(&context.source, &MomentSource::ticked, this, &ReviewPanes::show);
+}
+
+QWidget* ReviewPanes::clock() const {
+    return m_clock;
+}
+
+void ReviewPanes::showStrip(const LiveMoment& moment) {
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        const RobotState& said = moment.said(robot.name);
+        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
+    }
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr) return;
+    DriveState state = driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
+                                    moment.said(robot->name), m_gas[robot->name], moment.now);
+    state.grant.choice = GrantFigures::Choice::None;  // nobody can be asked for it any more
+    m_strip->show(state);
+}
+
+void ReviewPanes::show(const LiveMoment& moment) {
+    showStrip(moment);
+    m_clock->show(clockText(clockAt(
+        moment.mission->clock ? std::optional(moment.mission->clock->sample) : std::nullopt, moment.now)));
+    std::vector<RobotFace> faces;
+    for (const RobotDescription& robot : m_context.selection.robots())
+        faces.push_back(m_context.selection.faceOfRobot(robot));
+    std::vector<AlarmLine> lines = alarmLinesOf(m_bridge.reviewed()->alarms, faces, moment.now);
+    // The log has what they said, with its numbers.
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i].text = QString::fromStdString(m_bridge.reviewed()->alarms[i].cause.text);
+    m_alarms->show(lines, {});
+}
+
+}  // namespace leitstand

@@ -1,0 +1,158 @@
+#include "app/window/review/review_window.h"
+
+#include <utility>
+
+#include <QAction>
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QVBoxLayout>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/commands/help_commands.h"
+#include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/live_context.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/robots/robots_feature.h"
+#include "app/window/live/scan/scan_feature.h"
+#include "app/window/live/selection.h"
+#include "app/window/review/finds_feature.h"
+#include "app/window/review/review_bridge.h"
+#include "app/window/review/review_panes.h"
+#include "app/window/review/timeline_feature.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/theme.h"
+#include "widgets/timeline/timeline_bar.h"
+
+namespace leitstand {
+
+ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, LayoutBook layouts,
+                           QWidget* parent)
+    : QMainWindow(parent), m_bridge(bridge) {
+    applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
+    setWindowTitle(tr("%1 – review – Leitstand")
+                       .arg(QString::fromStdString(bridge.player().folder().filename().string())));
+    setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
+    m_selection = new Selection(bridge.robots(), this);
+    m_commands = new CommandTable(*this);
+    m_panes = new PaneDocks(this);
+    const ViewContext context{m_bridge, *m_selection, *m_commands, *m_panes, *this};
+    // Each of these makes its panes and commands; the layouts come last, which place and bind them.
+    m_timeline = new TimelineFeature(context, bridge);
+    m_finds = new FindsFeature(context, bridge);
+    addCommands();
+    m_robots = new RobotsFeature(context);
+    m_review = new ReviewPanes(context, bridge);
+    m_cameras = new CameraFeature(context);
+    m_map = new MapFeature(context, view);
+    new ScanFeature(context);
+    m_layouts = new LayoutFeature(context, std::move(layouts));
+    (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
+    build();
+    connect(m_selection, &Selection::changed, this,
+            [this] { m_bridge.watch(m_selection->name().toStdString()); });
+    connect(m_cameras, &CameraFeature::told, this, &ReviewWindow::tell);
+    connect(m_timeline, &TimelineFeature::told, this, &ReviewWindow::tell);
+    connect(m_finds, &FindsFeature::told, this, &ReviewWindow::tell);
+    connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
+    connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
+    connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
+    m_layouts->use(QStringLiteral("review"));
+}
+
+ReviewWindow::~ReviewWindow() {
+    // What its parts still say while they go has nobody to hear it.
+    for (QObject* part : children()) part->disconnect(this);
+}
+
+void ReviewWindow::addCommands() {
+    m_commands->separate(CommandMenu::Mission);
+    QAction& again =
+        m_commands->add({.id = "review.registerAgain",
+                         .menu = CommandMenu::Mission,
+                         .text = tr("&Register again…"),
+                         .hint = tr("Registers the mission's scans anew, in a window of its own, "
+                                    "with settings of your own; the mission stays as it is")});
+    connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
+}
+
+void ReviewWindow::build() {
+    m_word = new QLabel(this);
+    m_word->setObjectName(QStringLiteral("word"));
+    m_word->setAccessibleName(tr("Newest message"));
+    m_word->setProperty("muted", true);
+    m_word->setContentsMargins(8, 7, 12, 0);
+    menuBar()->setCornerWidget(m_word);
+
+    auto* top = new QWidget(this);
+    top->setAttribute(Qt::WA_StyledBackground);
+    auto* bar = new QHBoxLayout(top);
+    bar->setContentsMargins(8, 6, 8, 6);
+    bar->setSpacing(12);
+    bar->addWidget(m_robots->bar());
+    bar->addWidget(m_layouts->bar());
+    bar->addWidget(m_review->clock());
+    bar->addStretch(1);
+    auto* name = new QLabel(
+        tr("REVIEW · %1").arg(QString::fromStdString(m_bridge.player().folder().filename().string())), top);
+    name->setObjectName(QStringLiteral("reviewName"));
+    name->setToolTip(QString::fromStdString(m_bridge.player().folder().string()));
+    name->setProperty("muted", true);
+    bar->addWidget(name);
+
+    auto* whole = new QWidget(this);
+    auto* rows = new QVBoxLayout(whole);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(top);
+    rows->addWidget(m_panes, 1);
+    rows->addWidget(m_timeline->widget());
+    setCentralWidget(whole);
+    m_timeline->bar().setFocus();
+    for (QMenu* menu : menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+        menu->menuAction()->setVisible(!menu->isEmpty());
+}
+
+MapView& ReviewWindow::mapView() const {
+    return m_map->view();
+}
+
+const MapViewSettings& ReviewWindow::view() const {
+    return m_map->settings();
+}
+
+void ReviewWindow::tell(const QString& text) {
+    // The menus need the other half.
+    m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, width() / 2));
+    m_word->setToolTip(text);
+    menuBar()->setCornerWidget(m_word);  // lays it out anew
+    m_word->show();
+}
+
+QString ReviewWindow::newest() const {
+    return m_word->toolTip();
+}
+
+QString ReviewWindow::missing() const {
+    if (!m_bridge.reviewed()) return tr("the mission is still read through");
+    const bool map = !m_bridge.reviewed()->map->scans.empty();
+    if (map && !m_map->missing().isEmpty()) return m_map->missing().join(QStringLiteral(", "));
+    for (const Event& event : m_bridge.reviewed()->pictures) {
+        if (std::holds_alternative<PictureSample>(event.sample)) {
+            // Cameras that sent pictures by then show them.
+            const QStringList cameras = m_cameras->missing();
+            if (cameras.size() == 2) return cameras.join(QStringLiteral(", "));
+        }
+    }
+    return {};
+}
+
+void ReviewWindow::closeEvent(QCloseEvent* event) {
+    emit closing();
+    QMainWindow::closeEvent(event);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "app/session/layouts/layout_book.h"
+#include "widgets/map_view/map_view_settings.h"
+
+class QLabel;
+
+namespace leitstand {
+
+class CameraFeature;
+class CommandTable;
+class FindsFeature;
+class LayoutFeature;
+class MapFeature;
+class MapView;
+class PaneDocks;
+class ReviewBridge;
+class ReviewPanes;
+class RobotsFeature;
+class Selection;
+class TimelineFeature;
+
+/// The window on a recorded mission (design, section 7): the live window's panes, and below them the
+/// timeline, which they follow. Puts features together; what they do is theirs.
+class ReviewWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, LayoutBook layouts = {},
+                 QWidget* parent = nullptr);
+    ~ReviewWindow() override;
+
+    [[nodiscard]] MapView& mapView() const;
+    [[nodiscard]] const MapViewSettings& view() const;  ///< how the map is looked at now
+    [[nodiscard]] Selection& selection() const { return *m_selection; }
+    [[nodiscard]] CommandTable& commands() const { return *m_commands; }
+    [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
+    [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
+    [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
+    [[nodiscard]] FindsFeature& finds() const { return *m_finds; }
+    [[nodiscard]] QString newest() const;  ///< message
+    /// What is not to be seen yet; empty: the mission is read through, and its map drawn where it has one.
+    [[nodiscard]] QString missing() const;
+
+signals:
+    void closing();
+    void registerAgainWanted();  ///< the mission's scans, anew
+
+public slots:
+    void tell(const QString& text);  ///< shows it as the newest message
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void build();
+    void addCommands();
+
+    ReviewBridge& m_bridge;
+    Selection* m_selection;
+    CommandTable* m_commands;
+    PaneDocks* m_panes;
+    RobotsFeature* m_robots = nullptr;
+    ReviewPanes* m_review = nullptr;
+    CameraFeature* m_cameras = nullptr;
+    MapFeature* m_map = nullptr;
+    TimelineFeature* m_timeline = nullptr;
+    FindsFeature* m_finds = nullptr;
+    LayoutFeature* m_layouts = nullptr;
+    QLabel* m_word = nullptr;  ///< newest message
+};
+
+}  // namespace leitstand

@@ -1,0 +1,97 @@
+#include "app/session/review/review_pen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/review/review_index.h"
+#include "app/session/review/review_log.h"
+#include "core/io/bag/bag_reader.h"
+#include "tests/app/review/written_mission.h"
+#include "tests/io/bag/sample_bags.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+using Mission = WrittenMission;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+class ReviewPenTest : public testing::Test {
+protected:
+    void SetUp() override {
+        WrittenMission mission(m_mission);
+        writeMinute(mission);
+    }
+    [[nodiscard]] std::unique_ptr<ReviewPen> pen() const {
+        return std::make_unique<ReviewPen>(m_mission, std::vector{Mission::robot()}, "reviewer", "test");
+    }
+    const TemporaryFolder m_folder;
+    const std::filesystem::path m_mission = m_folder / "mission";
+};
+
+TEST_F(ReviewPenTest, WhatWasRecordedStaysAsItIs) {
+    const auto before = opened(m_mission);
+    const std::string file = before->sessions().front().file.string();
+    const auto size = std::filesystem::file_size(file);
+    const auto written = std::filesystem::last_write_time(file);
+    {
+        const auto writes = pen();
+        EXPECT_EQ(writes->state(), nullptr) << "no session before there is something to write";
+        EXPECT_THAT(opened(m_mission)->sessions(), SizeIs(1));
+        ASSERT_TRUE(writes->note(Mission::at(33.0), "kurt3d", "the door was open").ok());
+    }
+    EXPECT_EQ(std::filesystem::file_size(file), size);
+    EXPECT_EQ(std::filesystem::last_write_time(file), written);
+    EXPECT_THAT(opened(m_mission)->sessions(), SizeIs(2));
+}
+
+TEST_F(ReviewPenTest, ANoteStandsAtTheMomentThatItIsAbout) {
+    {
+        const auto writes = pen();
+        ASSERT_TRUE(writes->note(Mission::at(33.0), "kurt3d", "the door was open").ok());
+        ASSERT_THAT(writes->marks(), SizeIs(1));
+        EXPECT_EQ(writes->marks().front().at, Mission::at(33.0));
+        EXPECT_FALSE(writes->note(Mission::at(33.0), "", "").ok());
+    }
+    const auto log = ReviewLog::open(m_mission).value();
+    const ReviewIndexPtr index = indexOf(*log);
+    EXPECT_THAT(index->stretches, SizeIs(2)) << "the review is a session of its own, later";
+    const TimelineMark* const mark = markAfter(index->marks, Mission::at(32.9));
+    ASSERT_NE(mark, nullptr);
+    EXPECT_EQ(mark->text, "the door was open");
+    EXPECT_EQ(mark->at, Mission::at(33.0));
+}
+
+TEST_F(ReviewPenTest, AVictimIsCorrectedAndTheCorrectionTakenBack) {
+    const auto writes = pen();
+    VictimSample victim =
+        ReviewLog::open(m_mission).value()->stateAt(Mission::at(60.0)).victims->begin()->second.victim;
+    ASSERT_EQ(victim.status, VictimSample::Status::Confirmed);
+    victim.status = VictimSample::Status::Discarded;
+    victim.text = "a heap of rags";
+    ASSERT_TRUE(writes->correct(victim).ok());
+    const auto now = [&] { return writes->state()->victims->begin()->second.victim; };
+    EXPECT_EQ(now().status, VictimSample::Status::Discarded);
+    EXPECT_EQ(now().station, "reviewer");
+    EXPECT_TRUE(writes->canUndo());
+    ASSERT_TRUE(writes->undo().ok());
+    EXPECT_EQ(now().status, VictimSample::Status::Confirmed);
+    EXPECT_FALSE(writes->canUndo()) << "the mission's own decisions are not this pen's";
+    EXPECT_FALSE(writes->undo().ok());
+    victim.number = 77;
+    const auto unknown = writes->correct(victim);
+    ASSERT_FALSE(unknown.ok());
+    EXPECT_THAT(unknown.error().text, HasSubstr("V77"));
+}
+
+TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {
+    const auto one = pen(), other = pen();
+    ASSERT_TRUE(one->note(Mission::at(1.0), "", "first").ok());
+    const auto second = other->note(Mission::at(2.0), "", "second");
+    ASSERT_FALSE(second.ok());
+    EXPECT_THAT(second.error().text, HasSubstr("mission"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

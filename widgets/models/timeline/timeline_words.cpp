@@ -1,0 +1,177 @@
+#include "widgets/models/timeline/timeline_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QStringList>
+
+#include "widgets/models/live/mode_label.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct TimelineTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::Timeline)
+};
+
+using Kind = TimelineMark::Kind;
+
+QString words(const std::string& key) {
+    return QString::fromStdString(key).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+QString victimText(const TimelineMark& mark) {
+    const QString name = QString::fromStdString(mark.name);
+    if (mark.key == "confirmed") return TimelineTexts::tr("%1 confirmed").arg(name);
+    if (mark.key == "discarded") return TimelineTexts::tr("%1 discarded").arg(name);
+    return TimelineTexts::tr("%1 filed").arg(name);
+}
+
+QString sightingText(const TimelineMark& mark) {
+    const QString what = mark.key == "victim"   ? TimelineTexts::tr("a victim")
+                         : mark.key == "heat"   ? TimelineTexts::tr("heat")
+                         : mark.key == "motion" ? TimelineTexts::tr("motion")
+                         : mark.key == "sound"  ? TimelineTexts::tr("sound")
+                         : mark.key == "co2"    ? TimelineTexts::tr("CO₂")
+                         : mark.key == "code"   ? TimelineTexts::tr("a code")
+                         : mark.key == "hazard" ? TimelineTexts::tr("a hazard sign")
+                                                : words(mark.key);
+    return mark.text.empty()
+               ? TimelineTexts::tr("the robot saw %1").arg(what)
+               : TimelineTexts::tr("the robot saw %1: %2").arg(what, QString::fromStdString(mark.text));
+}
+
+QString contentOf(const TimelineMark& mark) {
+    const QString text = QString::fromStdString(mark.text);
+    switch (mark.kind) {
+        case Kind::Victim:
+            return victimText(mark);
+        case Kind::Alarm:
+            return TimelineTexts::tr("alarm: %1").arg(text.isEmpty() ? words(mark.key) : text);
+        case Kind::Note:
+            return TimelineTexts::tr("note: %1").arg(text);
+        case Kind::Decision:
+            if (mark.key == "undo")
+                return text.isEmpty() ? TimelineTexts::tr("undone")
+                                      : TimelineTexts::tr("undone: %1").arg(text);
+            return TimelineTexts::tr("decision on scans");
+        case Kind::Mode:
+            return text.isEmpty() ? TimelineTexts::tr("mode: %1").arg(modeName(mark.key))
+                                  : TimelineTexts::tr("mode: %1 (%2)").arg(modeName(mark.key), text);
+        case Kind::Bump:
+            return TimelineTexts::tr("bumped: %1").arg(words(mark.key));
+        case Kind::Sighting:
+            return sightingText(mark);
+        case Kind::Session:
+            break;
+    }
+    return mark.key == "end" ? TimelineTexts::tr("recording ended (%1)").arg(text)
+                             : TimelineTexts::tr("recording began (%1)").arg(text);
+}
+
+MarkShape shapeOf(Kind kind) {
+    switch (kind) {
+        case Kind::Victim:
+            return MarkShape::Disc;
+        case Kind::Alarm:
+            return MarkShape::Triangle;
+        case Kind::Note:
+            return MarkShape::Square;
+        case Kind::Decision:
+            return MarkShape::Diamond;
+        case Kind::Mode:
+            return MarkShape::Bar;
+        case Kind::Bump:
+            return MarkShape::Cross;
+        case Kind::Sighting:
+            return MarkShape::Ring;
+        case Kind::Session:
+            break;
+    }
+    return MarkShape::Flag;
+}
+
+Tone toneOf(const TimelineMark& mark) {
+    if (mark.kind == Kind::Alarm) return mark.act ? Tone::Act : Tone::Attention;
+    if (mark.kind == Kind::Bump) return Tone::Attention;
+    const bool aside = mark.kind == Kind::Session || mark.kind == Kind::Mode || mark.key == "discarded";
+    return aside ? Tone::Muted : Tone::Normal;
+}
+
+}  // namespace
+
+QString markText(const TimelineMark& mark, const std::vector<RobotFace>& faces) {
+    QStringList parts;
+    const auto face = std::find_if(faces.begin(), faces.end(), [&mark](const RobotFace& one) {
+        return one.name.toStdString() == mark.robot;
+    });
+    if (face != faces.end()) {
+        parts += face->letter;
+    } else if (!mark.robot.empty()) {
+        parts += QString::fromStdString(mark.robot);
+    }
+    parts += contentOf(mark);
+    return parts.join(QStringLiteral(" · "));
+}
+
+std::vector<TimelineGlyph> glyphsOf(const std::vector<TimelineMark>& marks, const TimelineAxis& axis,
+                                    const std::vector<RobotFace>& faces) {
+    std::vector<TimelineGlyph> glyphs;
+    for (const TimelineMark& mark : marks) {
+        TimelineGlyph glyph;
+        glyph.mark = mark;
+        glyph.place = axis.placeOf(mark.at);
+        glyph.shape = shapeOf(mark.kind);
+        glyph.tone = toneOf(mark);
+        if (mark.kind == Kind::Victim && mark.name.size() > 1)
+            glyph.letter = QString::fromStdString(mark.name.front() == 'V' ? mark.name.substr(1) : mark.name);
+        glyph.details = wallText(mark.at) + QStringLiteral(" · ") + markText(mark, faces);
+        glyphs.push_back(std::move(glyph));
+    }
+    return glyphs;
+}
+
+QString wallText(Time at, bool tenths) {
+    const auto milliseconds =
+        std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count();
+    const QDateTime moment = QDateTime::fromMSecsSinceEpoch(milliseconds);
+    const QString text = moment.toString(QStringLiteral("HH:mm:ss"));
+    return tenths ? text + QStringLiteral(".%1").arg(moment.time().msec() / 100) : text;
+}
+
+QString recordedText(std::chrono::nanoseconds time) {
+    const std::int64_t tenths = std::max<std::int64_t>(0, time.count() / 100'000'000);
+    const std::int64_t hours = tenths / 36'000, minutes = tenths / 600 % 60;
+    const QString seconds =
+        QStringLiteral("%1.%2").arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
+    if (hours == 0) return QStringLiteral("%1:%2").arg(minutes).arg(seconds);
+    return QStringLiteral("%1:%2:%3").arg(hours).arg(minutes, 2, 10, QLatin1Char('0')).arg(seconds);
+}
+
+QString rateText(double rate) {
+    if (rate == 0.0) return TimelineTexts::tr("stands");
+    const double size = std::abs(rate);
+    const int decimals = size >= 1.0 ? 0 : size * 10.0 == std::round(size * 10.0) ? 1 : 2;
+    const QString text = numberText(size, decimals) + QChar(0xd7);
+    return rate < 0.0 ? TimelineTexts::tr("backwards %1").arg(text) : text;
+}
+
+double nextRate(double rate, bool faster) {
+    static constexpr std::array Rates = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0};
+    const double size = rate == 0.0 ? 1.0 : std::abs(rate);
+    double next = size;
+    if (faster) {
+        const auto found = std::upper_bound(Rates.begin(), Rates.end(), size);
+        next = found == Rates.end() ? Rates.back() : *found;
+    } else {
+        const auto found = std::lower_bound(Rates.begin(), Rates.end(), size);
+        next = found == Rates.begin() ? Rates.front() : *std::prev(found);
+    }
+    return rate < 0.0 ? -next : next;
+}
+
+}  // namespace leitstand

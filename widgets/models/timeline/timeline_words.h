@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include <QString>
+
+#include "core/mission/timeline/timeline_marks.h"
+#include "widgets/models/live/robot_face.h"
+#include "widgets/models/timeline/timeline_axis.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// The shapes in which marks stand on a timeline: each kind has its own.
+enum class MarkShape {
+    Disc,      ///< victim
+    Triangle,  ///< alarm
+    Square,    ///< note
+    Diamond,   ///< decision
+    Bar,       ///< mode
+    Cross,     ///< bump
+    Ring,      ///< sighting
+    Flag,      ///< session
+};
+
+/// A mark as it is drawn and told.
+struct TimelineGlyph {
+    TimelineMark mark;
+    double place = 0.0;  ///< on the axis, 0 to 1
+    MarkShape shape = MarkShape::Square;
+    Tone tone = Tone::Normal;
+    QString letter;   ///< within the shape: "1" of V1; may be empty
+    QString details;  ///< "12:04:31 · K · alarm: link lost, silent for 4 s"
+};
+
+/// @p marks on @p axis, by time. @p faces: of the robots.
+[[nodiscard]] std::vector<TimelineGlyph> glyphsOf(const std::vector<TimelineMark>& marks,
+                                                  const TimelineAxis& axis,
+                                                  const std::vector<RobotFace>& faces);
+/// What a mark says, without its time: "K · victim V1: confirmed".
+[[nodiscard]] QString markText(const TimelineMark& mark, const std::vector<RobotFace>& faces);
+
+/// A moment as a wall clock shows it in local time: "12:04:31"; with tenths: "12:04:31.5".
+[[nodiscard]] QString wallText(Time at, bool tenths = false);
+/// Recorded time: "4:31.5", "1:04:31.5".
+[[nodiscard]] QString recordedText(std::chrono::nanoseconds time);
+/// "4×", "0.5×", "backwards 2×", "stands".
+[[nodiscard]] QString rateText(double rate);
+/// The next of the rates 0.1 0.25 0.5 1 2 4 8 16 32, faster or slower; the direction stays. Of one that
+/// stands, as of 1.
+[[nodiscard]] double nextRate(double rate, bool faster);
+
+}  // namespace leitstand

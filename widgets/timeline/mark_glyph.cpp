@@ -1,0 +1,66 @@
+#include "widgets/timeline/mark_glyph.h"
+
+#include "widgets/pane_paint.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Half = 6.5;  ///< of a shape's width [px]
+
+QPolygonF polygon(const QPointF& middle, std::initializer_list<QPointF> corners) {
+    QPolygonF shape;
+    for (const QPointF& corner : corners) shape << middle + Half * corner;
+    return shape;
+}
+
+}  // namespace
+
+void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& middle, const QFont& font) {
+    const ThemeColours& colours = coloursOf(presentTheme());
+    const bool discarded = glyph.mark.key == "discarded";
+    const QColor ink =
+        glyph.shape == MarkShape::Disc && !discarded ? colours.select : toneColour(glyph.tone, colours);
+    const QRectF box(middle.x() - Half, middle.y() - Half, 2 * Half, 2 * Half);
+    painter.setPen(QPen(colours.strip, 1.5));  // parts marks that overlap
+    painter.setBrush(ink);
+    switch (glyph.shape) {
+        case MarkShape::Disc:
+            painter.drawEllipse(box.adjusted(-2, -2, 2, 2));
+            painter.setFont(sized(font, 11, true));
+            painter.setPen(colours.window);
+            painter.drawText(box.adjusted(-2, -2, 2, 2), Qt::AlignCenter, glyph.letter);
+            break;
+        case MarkShape::Triangle:
+            painter.drawPolygon(polygon(middle, {{0, -1}, {1.1, 0.9}, {-1.1, 0.9}}));
+            break;
+        case MarkShape::Square:
+            painter.drawRect(box.adjusted(1, 1, -1, -1));
+            break;
+        case MarkShape::Diamond:
+            painter.drawPolygon(polygon(middle, {{0, -1.1}, {1.1, 0}, {0, 1.1}, {-1.1, 0}}));
+            break;
+        case MarkShape::Bar:
+            painter.drawRect(QRectF(middle.x() - 2.0, middle.y() - Half, 4.0, 2 * Half));
+            break;
+        case MarkShape::Cross:
+            painter.setPen(QPen(ink, 2.5));
+            painter.drawLine(box.topLeft() + QPointF(2, 2), box.bottomRight() - QPointF(2, 2));
+            painter.drawLine(box.bottomLeft() + QPointF(2, -2), box.topRight() + QPointF(-2, 2));
+            break;
+        case MarkShape::Ring:
+            painter.setBrush(colours.strip);
+            painter.setPen(QPen(ink, 2.0));
+            painter.drawEllipse(box.adjusted(1.5, 1.5, -1.5, -1.5));
+            break;
+        case MarkShape::Flag:
+            painter.setPen(QPen(ink, 1.5));
+            painter.drawLine(QPointF(middle.x(), box.top()), QPointF(middle.x(), box.bottom() + 6));
+            painter.setPen(Qt::NoPen);
+            painter.drawPolygon(
+                QPolygonF({QPointF(middle.x(), box.top()), QPointF(middle.x() + 8, box.top() + 4),
+                           QPointF(middle.x(), box.top() + 8)}));
+            break;
+    }
+}
+
+}  // namespace leitstand
