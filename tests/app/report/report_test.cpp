@@ -1,6 +1,8 @@
-#include <algorithm>
-#include <fstream>
+#include <cstdio>
+#include <memory>
 #include <regex>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +11,6 @@
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
-#include "core/io/scan_source.h"
 #include "core/io/tum.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/process.h"
@@ -66,7 +67,7 @@ TEST_F(Report, HasAllFilesAndHasReadThemAgain) {
     EXPECT_EQ(json["victims"], 1);
     EXPECT_EQ(json["finds"], 5) << "one is discarded";
     EXPECT_EQ(json["scans"], 3);
-    for (const auto& one : json["files"]) EXPECT_TRUE(one["whole"]) << one;
+    for (const auto& one : json["files"]) EXPECT_TRUE(one["whole"].get<bool>()) << one;
     for (const char* ending :
          {".tif", "_upper.tif", "_victims.csv", "_qr.csv", "_pois.csv", ".bt", ".ply", "_kurt3d.tum", ".pdf"})
         EXPECT_TRUE(fs::exists(file(ending))) << ending;
