@@ -12,7 +12,7 @@ namespace leitstand {
 namespace {
 
 /// What stations say that means something in every log.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> StationTopics = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> StationTopics = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim"},
     {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
