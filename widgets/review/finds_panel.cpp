@@ -47,7 +47,7 @@ FindsPanel::FindsPanel(QWidget* parent)
     onChosen(m_discard, &FindsPanel::discarded);
     connect(note, &QToolButton::clicked, this, &FindsPanel::noteWanted);
     connect(m_undo, &QToolButton::clicked, this, &FindsPanel::undone);
-    connect(m_list, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+    connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         emit sought(m_rows[static_cast<std::size_t>(m_list->indexOfTopLevelItem(item))].found);
     });
     connect(m_list, &QTreeWidget::currentItemChanged, this, [this] { refresh(); });

@@ -63,6 +63,7 @@ void Indexing::take(const Event& event) {
     if (stretches.empty() || event.received > stretches.back().to + Silence)
         stretches.push_back({event.received, event.received});
     stretches.back().to = std::max(stretches.back().to, event.received);
+    if (!event.robot.empty()) index.lastHeard = event.received;
     marks.add(event);
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         follow(event, *odometry);

@@ -29,6 +29,7 @@ struct ReviewIndex {
     std::map<std::string, std::vector<TrackPoint>> tracks;  ///< by robot, some 10 cm or 10 degrees apart
     std::map<std::string, std::vector<RobotPlaceSample>> places;  ///< by robot, as they came
     std::vector<Event> fixed;                                     ///< of what never changes: tf_static
+    Time lastHeard{};                                             ///< when a robot said something last
     MissionStatePtr finished;                                     ///< the state at the end; never null
 };
 using ReviewIndexPtr = std::shared_ptr<const ReviewIndex>;

@@ -200,7 +200,7 @@ bool isReviewable(const fs::path& mission) {
     if (!bag || !(*bag)->ours() || (*bag)->lastSequence() == 0) return false;
     const auto& topics = (*bag)->topics();
     return std::any_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
-        return topic.info.name == station_topic::KeyScans || topic.info.name == station_topic::Sessions;
+        return topic.info.name == station_topic::KeyScans && topic.messages != 0U;
     });
 }
 

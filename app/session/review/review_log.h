@@ -71,8 +71,8 @@ private:
         m_before;  ///< newest before a segment
 };
 
-/// Whether @p mission holds a review's matter: the events of a station of ours on robots, and not only their
-/// scans.
+/// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove. Others
+/// have to be mapped first (readMissionScans()).
 [[nodiscard]] bool isReviewable(const std::filesystem::path& mission);
 
 }  // namespace leitstand

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QInputDialog>
+#include <QKeySequence>
 #include <QMainWindow>
 #include <QSysInfo>
 

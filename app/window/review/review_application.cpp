@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <QApplication>
 #include <QEventLoop>
@@ -24,40 +26,35 @@ void complain(const std::string& text) {
     std::fprintf(stderr, "leitstand: %s\n", text.c_str());
 }
 
-/// Waits until all is to be seen; false after the patience is over.
-bool waitUntilShown(const ReviewWindow& window) {
+template <class Holds>
+bool waitUntil(Holds holds) {
     QEventLoop loop;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-        if (window.missing().isEmpty()) loop.quit();
+        if (holds()) loop.quit();
     });
     look.start(100);
     QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
     loop.exec();
-    return window.missing().isEmpty();
+    return holds();
 }
 
 int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
     window.resize(options.size);
     window.show();
-    // The end shows most of a mission: all of its map.
-    bridge.player().seek(bridge.player().last());
-    if (!waitUntilShown(window)) {
+    // The last moment with robots shows most of a mission: all of its map.
+    std::optional<Time> wanted;
+    const bool shown = waitUntil([&] {
+        if (bridge.index() && !wanted) {
+            wanted = bridge.index()->lastHeard;
+            bridge.player().seek(*wanted);
+        }
+        return bridge.reviewed() && wanted && bridge.reviewed()->now >= *wanted && window.missing().isEmpty();
+    });
+    if (!shown) {
         complain("no picture after 60 s: " + window.missing().toStdString());
         return 1;
     }
-    // The end's own map and pictures, which the player's thread may still be at.
-    QObject::connect(&bridge, &MomentSource::ticked, &window, [] {});
-    QEventLoop loop;
-    QTimer look;
-    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-        if (bridge.reviewed() && bridge.reviewed()->now == bridge.player().last() &&
-            window.missing().isEmpty())
-            loop.quit();
-    });
-    look.start(100);
-    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
-    loop.exec();
     QApplication::processEvents();
     if (!window.grab().save(QString::fromStdString(options.screenshot))) {
         complain(options.screenshot + ": the picture could not be written");

@@ -45,9 +45,13 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     if (!player) return player.error();
     bridge->m_player = std::move(player).value();
     bridge->m_pictures = std::make_unique<PictureFeed>(
-        bridge->robots(),
-        PictureFeed::Listener{
-            [raw](const ShownPicturePtr& one) { raw->hop([raw, one] { emit raw->pictured(one); }); }, tell});
+        bridge->robots(), PictureFeed::Listener{[raw](const ShownPicturePtr& one) {
+                                                    raw->hop([raw, one] {
+                                                        raw->m_again = true;
+                                                        emit raw->pictured(one);
+                                                    });
+                                                },
+                                                tell});
     if (!bridge->robots().empty()) bridge->m_watched = bridge->robots().front().name;
     bridge->m_tick.start();
     return bridge;
@@ -81,7 +85,8 @@ void ReviewBridge::showPictures(const ReviewMoment& moment) {
 
 void ReviewBridge::tick() {
     const ReviewMomentPtr moment = m_player->moment();
-    if (!m_index || !moment || moment == m_shown) return;
+    const bool again = std::exchange(m_again, false);
+    if (!m_index || !moment || (moment == m_shown && !again)) return;
     const ReviewMomentPtr before = std::exchange(m_shown, moment);
     m_moment.now = moment->now;
     m_moment.steady = steadyOf(moment->now);

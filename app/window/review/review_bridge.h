@@ -47,6 +47,7 @@ private:
     QTimer m_tick;
     ReviewIndexPtr m_index;
     ReviewMomentPtr m_shown;
+    bool m_again = false;  ///< a picture came after its moment was shown
     std::string m_watched;
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;

@@ -1,5 +1,6 @@
 #include "app/window/review/review_panes.h"
 
+#include <optional>
 #include <vector>
 
 #include <QMainWindow>

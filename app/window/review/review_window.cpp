@@ -1,6 +1,7 @@
 #include "app/window/review/review_window.h"
 
 #include <utility>
+#include <variant>
 
 #include <QAction>
 #include <QApplication>

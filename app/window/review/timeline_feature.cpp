@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <QAction>
@@ -90,9 +91,8 @@ void TimelineFeature::addCommands() {
     QAction& finished = add("review.finished", tr("&Map as finished"),
                             tr("The map as the mission ended, with all corrections; else as it was then"),
                             Qt::Key_M, nullptr, true);
-    on(finished, [this, &finished] {
-        m_bridge.player().show(finished.isChecked() ? ReviewMap::Finished : ReviewMap::AsThen);
-    });
+    on(finished,
+       [this](bool checked) { m_bridge.player().show(checked ? ReviewMap::Finished : ReviewMap::AsThen); });
 }
 
 void TimelineFeature::toggle(double direction) {
@@ -157,7 +157,7 @@ void TimelineFeature::showMoment() {
     m_back->setChecked(rate < 0.0);
     const Time at = m_bridge.reviewed() ? m_bridge.reviewed()->now : m_bridge.player().position();
     m_bar->setPosition(at);
-    m_transport->show(m_axis, at, rate == 0.0 ? 0.0 : rate);
+    m_transport->show(m_axis, at, rate);
 }
 
 }  // namespace leitstand

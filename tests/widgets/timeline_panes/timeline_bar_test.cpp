@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "tests/widgets/panes/shown.h"
 #include "widgets/timeline/transport_bar.h"
@@ -15,7 +16,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using Kind = TimelineMark::Kind;
-using testing::SizeIs;
 
 Time at(double seconds) {
     return Time(1'750'000'000s) + std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
@@ -53,7 +53,7 @@ protected:
 TEST_F(TimelineBarTest, ShowsMarksGapsAndTheMoment) {
     const QImage picture = test::pictureOf(m_bar, {1280, 62}, QStringLiteral("timeline"));
     EXPECT_GT(test::colouredPixels(picture), 500);
-    EXPECT_THAT(test::textFaults(m_bar), SizeIs(0)) << test::textFaults(m_bar).join('\n').toStdString();
+    EXPECT_TRUE(test::textFaults(m_bar).isEmpty()) << test::textFaults(m_bar).join('\n').toStdString();
     m_bar.setOpening(0.4);
     const QImage opening = test::pictureOf(m_bar, {1280, 62}, QStringLiteral("timeline-opening"));
     EXPECT_NE(picture, opening);
@@ -76,7 +76,8 @@ TEST_F(TimelineBarTest, TheMouseGoesToMomentsAndMarks) {
     QTest::mouseClick(&m_bar, Qt::LeftButton, {}, QPoint(trackAt(203).x(), 14));
     EXPECT_EQ(sought.last().first().value<Time>(), at(200)) << "the victim's own moment";
     ASSERT_NE(m_bar.glyphAt(QPointF(trackAt(560).x(), 14)), nullptr);
-    EXPECT_TRUE(m_bar.glyphAt(QPointF(trackAt(560).x(), 14))->details.endsWith("V12 confirmed"));
+    EXPECT_TRUE(
+        m_bar.glyphAt(QPointF(trackAt(560).x(), 14))->details.endsWith(QStringLiteral("V12 confirmed")));
 }
 
 TEST_F(TimelineBarTest, TheKeysStepAndGoToTheEnds) {
@@ -97,11 +98,14 @@ TEST_F(TimelineBarTest, TheTransportTellsMomentAndRate) {
     TransportBar transport;
     QAction play(QStringLiteral("Play"));
     transport.addCommand(play);
-    transport.show(TimelineAxis({{at(0), at(700)}}), at(271.5), -4.0);
+    transport.show(TimelineAxis({TimelineStretch{at(0), at(700)}}), at(271.5), -4.0);
     const QImage picture = test::pictureOf(transport, {1280, 36}, QStringLiteral("transport"));
-    EXPECT_EQ(transport.findChild<QLabel*>("reviewRate")->text(), "backwards 4×");
-    EXPECT_TRUE(transport.findChild<QLabel*>("reviewTime")->text().endsWith("4:31.5 of 11:40.0"));
-    EXPECT_THAT(test::textFaults(transport), SizeIs(0));
+    EXPECT_EQ(transport.findChild<QLabel*>(QStringLiteral("reviewRate"))->text(),
+              QStringLiteral("backwards 4×"));
+    EXPECT_TRUE(transport.findChild<QLabel*>(QStringLiteral("reviewTime"))
+                    ->text()
+                    .endsWith(QStringLiteral("4:31.5 of 11:40.0")));
+    EXPECT_TRUE(test::textFaults(transport).isEmpty());
 }
 
 }  // namespace
