@@ -33,9 +33,11 @@ Station::State::~State() {
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
+    if (victims) victims->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
+    victims.reset();
     cameras.reset();
     alarms.reset();
     lines.clear();
@@ -107,6 +109,22 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
                             std::move(earlier)},
         std::move(listening));
     grants->ask(MapGrant);
+}
+
+void Station::State::search() {
+    VictimWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    setup.maySearch = [this] { return grants->mayAct(MapGrant); };
+    setup.poses = [this] { return posesOf(*mission->state()); };
+    setup.places = [this] { return mapping->robots(); };
+    setup.earlierPoses = setup.poses();
+    const MissionStatePtr now = mission->state();
+    for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
+    setup.onCandidate = [this](const CandidateSample& found) {
+        if (const auto kept = mission->say(found, station_topic::Candidates); !kept) say(kept.error().text);
+    };
+    victims = std::make_unique<VictimWatch>(std::move(setup));
 }
 
 void Station::State::watch() {
@@ -202,6 +220,7 @@ Result<void> Station::State::start() {
         brakes->take(event);
         alarms->take(event);
         mapping->take(event);
+        victims->take(event);
         cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
@@ -223,6 +242,7 @@ Result<void> Station::State::start() {
         [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
         [this](const std::string& text) { say(text); });
     map(std::move(earlier));
+    search();
     watch();
     clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {

@@ -17,6 +17,7 @@
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
+#include "app/session/victims/victim_watch.h"
 #include "core/io/station_file.h"
 #include "transport/dds/node.h"
 
@@ -36,6 +37,7 @@ struct Station::State {
     std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
+    std::unique_ptr<VictimWatch> victims;
     std::unique_ptr<StationClock> clock;
     std::unique_ptr<StationAlarms> alarms;
     std::unique_ptr<MissionFeed> feed;
@@ -50,6 +52,7 @@ struct Station::State {
     void watchStreams();
     void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
+    void search();
     void watch();
     void listen();
     [[nodiscard]] RobotView view(const std::string& robot) const;
