@@ -37,6 +37,22 @@ std::optional<Eigen::Vector3d> pixelDirection(const CameraInfoSample& camera, co
     return Eigen::Vector3d(point.x(), point.y(), 1.0).normalized();
 }
 
+std::optional<Eigen::Vector2d> pixelOf(const CameraInfoSample& camera, const Eigen::Vector3d& direction,
+                                       int width, int height) {
+    const double fx = camera.intrinsics[0], fy = camera.intrinsics[4];
+    if (!(fx > 0.0) || !(fy > 0.0) || width <= 0 || height <= 0 || !(direction.z() > 0.0))
+        return std::nullopt;
+    const std::string& model = camera.distortionModel;
+    if (!model.empty() && model != "plumb_bob" && model != "rational_polynomial") return std::nullopt;
+    const double scaleX = camera.width > 0 ? static_cast<double>(camera.width) / width : 1.0;
+    const double scaleY = camera.height > 0 ? static_cast<double>(camera.height) / height : 1.0;
+    const Eigen::Vector2d seen = distorted(direction.head<2>() / direction.z(), camera.distortion);
+    const Eigen::Vector2d pixel((seen.x() * fx + camera.intrinsics[2] + 0.5) / scaleX,
+                                (seen.y() * fy + camera.intrinsics[5] + 0.5) / scaleY);
+    if (!pixel.allFinite()) return std::nullopt;
+    return pixel;
+}
+
 Ray rayFrom(const Pose& opticalInBase, const Eigen::Vector3d& direction) {
     return {opticalInBase.translation(), (opticalInBase.linear() * direction).normalized()};
 }

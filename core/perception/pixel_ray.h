@@ -23,6 +23,11 @@ struct Ray {
                                                             const Eigen::Vector2d& pixel, int width,
                                                             int height);
 
+/// The other way round: where @p direction (optical frame) is seen; may lie outside the picture. Empty behind
+/// the camera, and as above.
+[[nodiscard]] std::optional<Eigen::Vector2d> pixelOf(const CameraInfoSample& camera,
+                                                     const Eigen::Vector3d& direction, int width, int height);
+
 /// @p direction of a camera's optical frame at @p opticalInBase as a ray in base_link.
 [[nodiscard]] Ray rayFrom(const Pose& opticalInBase, const Eigen::Vector3d& direction);
 

@@ -37,7 +37,7 @@ std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
 FindDesk::FindDesk(FindDeskSetup setup)
     : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
 
-FindDesk::~FindDesk() {
+void FindDesk::finish() {
     std::promise<void> done;
     m_queue.submit([&done](const std::stop_token&) { done.set_value(); }, /*cancellable=*/false);
     done.get_future().wait();

@@ -45,11 +45,12 @@ struct FindDeskSetup {
 class FindDesk {
 public:
     explicit FindDesk(FindDeskSetup setup);
-    ~FindDesk();  ///< what is being frozen is filed first
+    ~FindDesk() { finish(); }
     FindDesk(const FindDesk&) = delete;
     FindDesk& operator=(const FindDesk&) = delete;
 
     void take(const Event& event) { m_recent.take(event); }
+    void finish();  ///< waits until all that was frozen is filed
 
     /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else at the
     /// hot spot or where the camera @p looksThrough looks. A find that is there already is joined.

@@ -29,13 +29,17 @@ Station::State::~State() {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
     if (cameras) cameras->snapshots().finish();  // they are told in the log
+    if (finds) finds->finish();                  // what the operator saw is in the log
     if (alarms) alarms->end();
     if (feed) feed->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
+    if (victims) victims->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
+    victims.reset();
+    finds.reset();
     cameras.reset();
     alarms.reset();
     lines.clear();
@@ -107,31 +111,6 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
                             std::move(earlier)},
         std::move(listening));
     grants->ask(MapGrant);
-}
-
-void Station::State::file() {
-    FindDeskSetup setup;
-    setup.robots = settings.mission.robots;
-    setup.station = memory->identity().id;
-    setup.mission = [this] { return mission->state(); };
-    setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
-    setup.undo = [this](const UndoSample& undo) { return mission->say(undo, station_topic::Undo); };
-    setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
-        victims->locate({*chosen.picture, chosen.pixel, chosen.width, chosen.height, chosen.halfAngle},
-                        [answer = std::move(answer)](const std::optional<PlacedCue>& cue) {
-                            if (!cue) return answer(std::nullopt);
-                            answer(PlacedFind{cue->scan, cue->inMap, std::sqrt(cue->covariance.trace() / 3.0)});
-                        });
-    };
-    setup.robotInMap = [this](const std::string& robot) -> std::optional<Pose> {
-        for (const RobotInMap& one : *mapping->robots()) {
-            if (one.robot == robot && one.placed) return one.baseInMap;
-        }
-        return std::nullopt;
-    };
-    setup.tell = [this](const std::string& text) { say(text); };
-    setup.now = [] { return stationTime(); };
-    finds = std::make_unique<FindDesk>(std::move(setup));
 }
 
 void Station::State::watch() {
@@ -227,6 +206,8 @@ Result<void> Station::State::start() {
         brakes->take(event);
         alarms->take(event);
         mapping->take(event);
+        victims->take(event);
+        finds->take(event);
         cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
@@ -248,6 +229,8 @@ Result<void> Station::State::start() {
         [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
         [this](const std::string& text) { say(text); });
     map(std::move(earlier));
+    search();
+    file();
     watch();
     clock = std::make_unique<StationClock>(*mission, memory->identity().id);
     {

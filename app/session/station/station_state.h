@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "app/session/finds/find_desk.h"
 #include "app/session/log/mission_feed.h"
 #include "app/session/station/robot_lines.h"
 #include "app/session/station/station.h"
 #include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
 #include "app/session/station/station_cameras.h"
-#include "app/session/finds/find_desk.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
+#include "app/session/victims/victim_watch.h"
 #include "core/io/station_file.h"
 #include "transport/dds/node.h"
 
@@ -37,6 +38,7 @@ struct Station::State {
     std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
+    std::unique_ptr<VictimWatch> victims;
     std::unique_ptr<StationClock> clock;
     std::unique_ptr<FindDesk> finds;
     std::unique_ptr<StationAlarms> alarms;
@@ -52,6 +54,7 @@ struct Station::State {
     void watchStreams();
     void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
+    void search();
     void watch();
     void file();
     void listen();

@@ -31,6 +31,15 @@ double angleOf(const CameraInfoSample& camera, double pixels, int width) {
     return camera.intrinsics[0] > 0.0 ? pixels * scale / camera.intrinsics[0] : 0.05;
 }
 
+/// Whether @p pixel of @p picture is in the box of @p blob and as warm as it.
+bool isWarm(const ThermalPicture& picture, const Eigen::Vector2d& pixel, const HeatBlob& blob) {
+    const double x = std::floor(pixel.x()), y = std::floor(pixel.y());
+    if (x < blob.left || x > blob.right || y < blob.top || y > blob.bottom) return false;
+    const auto place =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+    return static_cast<double>(picture.celsius[place]) >= HeatSettings{}.coolest;
+}
+
 Time stampOf(const Event& event, const SampleHeader& header) {
     return header.stamp == Time{} ? event.received : header.stamp;
 }
@@ -46,6 +55,18 @@ CueFinder::CueFinder(const RobotDescription& robot, const CueSettings& settings)
 
 std::vector<PlacedCue> CueFinder::found() {
     return std::exchange(m_found, {});
+}
+
+void CueFinder::correct(const MapFix& fix) {
+    m_fix = fix;
+    follow();
+}
+
+void CueFinder::follow() {
+    // A guessed motion would turn the robot in the map until the next fix.
+    if (!m_fix || !m_tracker.motion().covers(m_fix->stamp)) return;
+    m_tracker.correct(*m_fix);
+    m_fix.reset();
 }
 
 Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
@@ -65,6 +86,7 @@ void CueFinder::take(const Event& event) {
         m_tracker.add(*odometry, event.received);
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);
+        follow();
         look(event.received);
     } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
         const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
@@ -173,8 +195,8 @@ void CueFinder::look(const Event& event) {
 }
 
 std::optional<RayHit> CueFinder::meet(const View& view, const Eigen::Vector3d& direction, double halfAngle,
-                                      double farthest) const {
-    return m_seen.meet(rayFrom(view.opticalInOdom, direction), halfAngle, farthest);
+                                      double farthest, const SeenPoints::Shows& shows) const {
+    return m_seen.meet(rayFrom(view.opticalInOdom, direction), halfAngle, farthest, shows);
 }
 
 void CueFinder::keep(PlacedCue cue, const View& view) {
@@ -196,6 +218,27 @@ bool CueFinder::place(PlacedCue cue, const Camera& camera, const View& view, con
     return true;
 }
 
+std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
+    constexpr double Farthest = 9.0;  // [m]
+    const auto* sample = std::get_if<PictureSample>(&looked.picture.sample);
+    const auto camera = m_cameras.find(looked.picture.sensor);
+    if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return std::nullopt;
+    const auto direction = pixelDirection(*camera->second.info, looked.pixel, looked.width, looked.height);
+    const Time stamp = stampOf(looked.picture, sample->header);
+    const auto inBase = m_frames.inBase(looked.picture.sensor, sample->header.frame, stamp);
+    const auto motion = m_tracker.motion().at(stamp);
+    const auto baseInMap = m_tracker.baseInMap(stamp);
+    if (!direction || !inBase || !motion || !baseInMap) return std::nullopt;
+    const auto hit =
+        m_seen.meet(rayFrom(motion->baseInOdom * *inBase, *direction), looked.halfAngle, Farthest);
+    if (!hit) return std::nullopt;
+    PlacedCue cue;
+    cue.cue = cueOf(looked.picture, "operator", stamp);
+    placeByRay(cue, rayFrom(*baseInMap * *inBase, *direction), *hit, looked.halfAngle,
+               m_tracker.now().certain);
+    return cue;
+}
+
 void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View& view) {
     const StreamDescription* stream = m_robot.stream(StreamRole::Thermal, event.sensor);
     if (stream == nullptr || !stream->thermal.measured) return;
@@ -208,8 +251,14 @@ void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View
         if (blob.kind != HeatBlob::Kind::Body) break;  // bodies come first
         const auto direction = pixelDirection(*camera.info, blob.centre, thermal->width, thermal->height);
         if (!direction) continue;
-        const double spread = std::max(degrees(1.8), 0.4 * std::min(blob.width, blob.height));
-        const auto hit = meet(view, *direction, spread, m_settings.farthestHeat);
+        // The points that count are those on warm pixels: beside a head is a wall.
+        const Eigen::Matrix3d odomInOptical = view.opticalInOdom.linear().transpose();
+        const auto shows = [&](const Eigen::Vector3d& inOdom) {
+            const auto pixel = pixelOf(*camera.info, odomInOptical * inOdom, thermal->width, thermal->height);
+            return pixel && isWarm(*thermal, *pixel, blob);
+        };
+        const double spread = std::max(degrees(2.5), 0.5 * std::max(blob.width, blob.height));
+        const auto hit = meet(view, *direction, spread, m_settings.farthestHeat, shows);
         if (!hit) continue;
         const BodyHeat body = judgeBody(*thermal, blob, hit->range);
         PlacedCue cue;

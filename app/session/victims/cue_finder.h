@@ -33,6 +33,14 @@ struct CueSettings {
     double farthest = 5.0;      ///< of motion, codes and placards [m]
 };
 
+/// Something in a picture that somebody asks the place of.
+struct LookedAt {
+    Event picture;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
+    int width = 0, height = 0;                        ///< of the picture [px]
+    double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
+};
+
 /// Finds cues in what one robot says and places them in the map. The caller tells where the robot is. Without
 /// thread; one at a time.
 class CueFinder {
@@ -45,10 +53,12 @@ public:
     /// others are passed by.
     void take(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
-    void correct(const MapFix& fix) { m_tracker.correct(fix); }
+    void correct(const MapFix& fix);
     /// What was found since the last call, without the key scan.
     [[nodiscard]] std::vector<PlacedCue> found();
     [[nodiscard]] const RobotInMap& now() const { return m_tracker.now(); }
+    /// Where @p looked lies, in the map; empty where the picture is too old or nothing was scanned there.
+    [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
 
 private:
     /// Where a camera was when it took a picture.
@@ -65,6 +75,7 @@ private:
         std::optional<Pose> before;  ///< in base
         Time beforeAt{};
     };
+    void follow();  ///< the fix, once there is odometry of its time
     void look(Time now);
     void look(const Event& event);
     void lookForHeat(const Event& event, const Camera& camera, const View& view);
@@ -79,7 +90,8 @@ private:
     bool place(PlacedCue cue, const Camera& camera, const View& view, const Eigen::Vector2d& pixel, int width,
                int height, double halfAngle, double farthest);
     [[nodiscard]] std::optional<RayHit> meet(const View& view, const Eigen::Vector3d& direction,
-                                             double halfAngle, double farthest) const;
+                                             double halfAngle, double farthest,
+                                             const SeenPoints::Shows& shows = {}) const;
     void keep(PlacedCue cue, const View& view);
 
     const RobotDescription m_robot;
@@ -91,6 +103,7 @@ private:
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
+    std::optional<MapFix> m_fix;                  ///< that waits for odometry
     std::deque<Event> m_waiting;                  ///< pictures, for odometry
     std::deque<std::pair<Event, Pose>> m_slices;  ///< scans, likewise, and how their sensor sat
     Time m_movedAt{};                             ///< last, robot's clock

@@ -23,6 +23,16 @@ void VictimSearch::correct(const Scan& scan, double certainty) {
                             scan.counts ? "its scan fits the map" : "its scan does not fit"});
 }
 
+void VictimSearch::correct(const std::string& robot, const MapFix& fix) {
+    const auto finder = m_finders.find(robot);
+    if (finder != m_finders.end()) finder->second.correct(fix);
+}
+
+const RobotInMap* VictimSearch::place(const std::string& robot) const {
+    const auto finder = m_finders.find(robot);
+    return finder == m_finders.end() ? nullptr : &finder->second.now();
+}
+
 void VictimSearch::take(const KeyScanSample& sample) {
     if (!sample.scan) return;
     const Scan scan{sample.scan->robot, sample.scan->end, sample.sensorInBase, sample.scanInMap, true};
@@ -70,6 +80,14 @@ bool VictimSearch::isRobot(const PlacedCue& cue) const {
         if (off.head<2>().norm() < AboutARobot) return true;
     }
     return false;
+}
+
+std::optional<PlacedCue> VictimSearch::locate(const LookedAt& looked) {
+    const auto finder = m_finders.find(looked.picture.robot);
+    if (finder == m_finders.end()) return std::nullopt;
+    auto cue = finder->second.locate(looked);
+    if (cue) cue->scan = scanFor(*cue);
+    return cue;
 }
 
 void VictimSearch::take(const Event& event, bool search) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -26,8 +27,15 @@ public:
     void take(const Event& event, bool search = true);
     /// Where key scans are: of earlier sessions, or after an undo.
     void follow(std::span<const ScanPose> poses);
+    /// Where @p robot was, by every scan that fits: live, more than the key scans tell. Of a robot that is
+    /// none of the search's: nothing.
+    void correct(const std::string& robot, const MapFix& fix);
+    /// Where it takes @p robot to be; null when it is none of its own.
+    [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
     /// What was told of a candidate in an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
+    /// Where something is that a robot's picture shows; empty: nobody can tell.
+    [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
     /// Candidates that are new or changed.
     [[nodiscard]] std::vector<CandidateSample> due(Time now) { return m_book.due(now); }
 

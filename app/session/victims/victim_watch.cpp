@@ -62,6 +62,11 @@ std::chrono::nanoseconds VictimWatch::worked() const {
     return m_worked;
 }
 
+std::size_t VictimWatch::waiting() const {
+    const std::lock_guard lock(m_mutex);
+    return m_waiting.size() + m_atWork;
+}
+
 void VictimWatch::take(const Event& event) {
     if (!isWanted(event)) return;
     {
@@ -79,15 +84,38 @@ void VictimWatch::take(const Event& event) {
     m_came.notify_all();
 }
 
+void VictimWatch::locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_questions.push_back({std::move(looked), std::move(answer)});
+    }
+    m_came.notify_all();
+}
+
+void VictimWatch::followRobots() {
+    const RobotsInMapPtr places = m_setup.places ? m_setup.places() : nullptr;
+    if (!places || places == m_places) return;
+    m_places = places;
+    for (const RobotInMap& one : *places) {
+        if (one.placed)
+            m_search.correct(one.robot, {one.stamp, one.baseInMap, one.certainty, one.certain, one.how});
+    }
+}
+
 void VictimWatch::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         std::deque<Event> taken;
+        std::vector<Question> questions;
         {
             std::unique_lock lock(m_mutex);
             m_worked = threadTime();
-            m_came.wait_for(lock, stop, LongestSilence, [this] { return !m_waiting.empty(); });
+            m_atWork = 0;
+            m_came.wait_for(lock, stop, LongestSilence,
+                            [this] { return !m_waiting.empty() || !m_questions.empty(); });
             taken.swap(m_waiting);
+            questions.swap(m_questions);
             m_pictures = 0;
+            m_atWork = taken.size();
         }
         const bool may = !m_setup.maySearch || m_setup.maySearch();
         for (const Event& event : taken) {
@@ -98,6 +126,8 @@ void VictimWatch::run(const std::stop_token& stop) {
             }
             m_search.take(event, may);
         }
+        followRobots();
+        for (const Question& one : questions) one.answer(m_search.locate(one.looked));
         if (!may || !m_setup.onCandidate) continue;
         for (const CandidateSample& candidate : m_search.due(stationTime())) m_setup.onCandidate(candidate);
     }

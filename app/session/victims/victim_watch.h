@@ -22,6 +22,7 @@ struct VictimWatchSetup {
     std::string station;                                      ///< persistent identity
     std::function<bool()> maySearch;                          ///< whether the station has the map's grant
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
+    std::function<RobotsInMapPtr()> places;  ///< where the robots are now; without it, key scans alone tell
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; after an undo
     std::vector<ScanPose> earlierPoses;            ///< of the mission's earlier sessions
     std::vector<CandidateSample> earlier;          ///< likewise
@@ -37,20 +38,32 @@ public:
     VictimWatch& operator=(const VictimWatch&) = delete;
 
     void take(const Event& event);  ///< all events of the mission, in order
-    void end();                     ///< what waits is left; nobody is told anything any more
+    /// Tells @p answer where what a picture shows is, on the watch's thread, after what waits; empty: nobody
+    /// can tell. Not answered when the watch ends before.
+    void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
+    void end();  ///< what waits is left; nobody is told anything any more
     [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
+    [[nodiscard]] std::size_t waiting() const;              ///< events, with those it works on
 
 private:
     using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    struct Question {
+        LookedAt looked;
+        std::function<void(const std::optional<PlacedCue>&)> answer;
+    };
     void run(const std::stop_token& stop);
+    void followRobots();
 
     const VictimWatchSetup m_setup;
-    VictimSearch m_search;  ///< of the thread
+    VictimSearch m_search;    ///< of the thread
+    RobotsInMapPtr m_places;  ///< likewise: as followed last
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     std::deque<Event> m_waiting;
+    std::vector<Question> m_questions;
     std::map<Camera, Time> m_taken;  ///< newest picture, station's clock
     std::size_t m_pictures = 0;      ///< that wait
+    std::size_t m_atWork = 0;        ///< events that were taken and are not done yet
     std::chrono::nanoseconds m_worked{};
     std::jthread m_thread;  ///< last: joined first
 };

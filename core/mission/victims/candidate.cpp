@@ -1,6 +1,7 @@
 #include "core/mission/victims/candidate.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -8,6 +9,7 @@
 namespace leitstand {
 namespace {
 
+constexpr std::chrono::milliseconds Moment(450);
 constexpr double Correlated = 4.0;  // so many cues of one look tell more than one; then no more
 constexpr int Rounds = 4;           // of weighing out looks that do not fit
 constexpr double Doubt = 4.0;       // squared deviations from which a look counts half
@@ -24,7 +26,7 @@ double sureness(const Cue& cue, double unknown) {
 
 struct Evidence {
     double sum = 0.0;
-    int cues = 0;
+    int cues = 0, moments = 0;
     [[nodiscard]] double mean() const { return cues > 0 ? sum / cues : 0.0; }
 };
 
@@ -49,6 +51,10 @@ void CandidateThing::add(const PlacedCue& cue, const ScanPlaces& scans) {
         look.strongest = sure;
     }
     ++look.cues;
+    if (look.moments > 0 && cue.cue.stamp < look.moment + Moment && cue.cue.stamp + Moment > look.moment)
+        return;
+    ++look.moments;
+    look.moment = cue.cue.stamp;
 }
 
 void CandidateThing::settle(const ScanPlaces& scans, const CandidateSettings& settings) {
@@ -104,12 +110,13 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
         Evidence& kind = kinds[std::get<0>(key)];
         kind.sum += look.evidence;
         kind.cues += look.cues;
+        kind.moments += look.moments;
     }
     const auto counted = [&](const std::string& kind) {
         const auto found = kinds.find(kind);
         if (found == kinds.end()) return 0.0;
         return found->second.mean() *
-               std::min(1.0, static_cast<double>(found->second.cues) / settings.pictures);
+               std::min(1.0, static_cast<double>(found->second.moments) / settings.moments);
     };
     if (thing.what == VictimSample::Kind::Code) return kinds.contains("code") ? 0.95 : 0.0;
     if (thing.what != VictimSample::Kind::Victim) return 0.9 * counted("hazard");

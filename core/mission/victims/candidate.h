@@ -23,7 +23,9 @@ struct CandidateLook {
     double evidence = 0.0;                                     ///< sum of confidence
     double strongest = 0.0;                                    ///< confidence
     int cues = 0;
-    Cue best;  ///< the surest, with the stamp and sequence of that one
+    int moments = 0;  ///< in which they came: those of one half second are one
+    Time moment{};    ///< newest
+    Cue best;         ///< the surest, with the stamp and sequence of that one
 };
 
 /// One thing that was seen.

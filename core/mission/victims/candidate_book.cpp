@@ -203,7 +203,10 @@ void CandidateBook::take(const CandidateSample& sample) {
         const double deviation = std::isfinite(sample.deviation) ? sample.deviation : 0.3;
         placed.covariance = std::max(1e-4, deviation * deviation) * Eigen::Matrix3d::Identity();
         // As sure as it was then.
-        for (int i = 0; i < state.settings.pictures; ++i) thing.add(placed, state.scans);
+        for (int i = 0; i < state.settings.moments; ++i) {
+            thing.add(placed, state.scans);
+            placed.cue.stamp += std::chrono::seconds(1);
+        }
     }
     if (thing.looks.empty() || !sample.positionInMap.allFinite()) return;
     thing.inMap = sample.positionInMap;
@@ -238,7 +241,9 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
         thing.id = ++newest;
         return true;
     }
-    if (thing.dismissed) return false;
+    // Once more, if what we said last crossed the operator's word.
+    if (thing.victim != thing.last.victim) return true;
+    if (thing.dismissed) return !thing.last.dismissed;
     const bool before = thing.withdrawn;
     if (thing.victim == 0 && thing.confidence < settings.drop) thing.withdrawn = true;
     if (thing.confidence >= settings.tell) thing.withdrawn = false;

@@ -26,7 +26,7 @@ struct PlacingSettings {
     double heading = 0.012;  ///< of the robot's heading, and its camera's mounting [rad]
     double pose = 0.03;      ///< of the robot's place while its scans fit [m]
     double doubted = 0.15;   ///< ... while they do not [m]
-    double surface = 0.06;   ///< of a range: how deep what is meant lies behind what the laser sees [m]
+    double surface = 0.2;    ///< of a range: how deep what is meant lies behind what the laser sees; foil [m]
 };
 
 /// Where @p ray (in the map) meets @p hit, with its covariance. @p spread: half angle of what is seen [rad].

@@ -10,7 +10,9 @@ namespace {
 constexpr double BodyMargin = 0.06;  // points so near to the robot are its own [m]
 constexpr double Nearest = 0.15;     // of what a camera shows [m]
 constexpr double Split = 0.25;       // between surfaces along a ray [m]
-constexpr double Enough = 2.5;       // points, weighted, for a surface
+constexpr double Enough = 0.9;       // points, weighted, for a surface
+constexpr std::size_t Fewest = 2;    // ... and points at all
+constexpr double Front = 0.35;       // of the weight of the heaviest one
 constexpr int Widenings = 3;
 constexpr double Widening = 1.45;
 
@@ -24,17 +26,21 @@ struct Surface {
     double weight = 0.0;
 };
 
-/// The surface that most of @p met (by rising ranges) is on.
-Surface mainSurface(const std::vector<Met>& met) {
-    Surface best, now;
+/// The nearest surface that many of @p met (by rising ranges) are on: it hides what is behind, though a
+/// scanner that sits higher than the camera sees that too.
+Surface frontSurface(const std::vector<Met>& met) {
+    std::vector<Surface> surfaces;
+    double most = 0.0;
     for (std::size_t i = 0; i < met.size(); ++i) {
-        if (i > 0 && met[i].range - met[i - 1].range > Split) now = {i, i, 0.0};
-        now.end = i + 1;
-        now.weight += met[i].weight;
-        // What is nearer hides what is behind: at equal weight it counts.
-        if (now.weight > 1.2 * best.weight || now.begin == best.begin) best = now;
+        if (i == 0 || met[i].range - met[i - 1].range > Split) surfaces.push_back({i, i, 0.0});
+        surfaces.back().end = i + 1;
+        surfaces.back().weight += met[i].weight;
+        most = std::max(most, surfaces.back().weight);
     }
-    return best;
+    for (const Surface& one : surfaces) {
+        if (one.weight >= Front * most && one.weight >= Enough && one.end - one.begin >= Fewest) return one;
+    }
+    return {};
 }
 
 RayHit hitOf(const std::vector<Met>& met, const Surface& surface) {
@@ -109,7 +115,8 @@ void SeenPoints::add(const RangesSample& turn, const Pose& sensorInBase, const P
     keep(turn.header.stamp, std::move(points));
 }
 
-std::optional<RayHit> SeenPoints::meet(const Ray& ray, double halfAngle, double farthest) const {
+std::optional<RayHit> SeenPoints::meet(const Ray& ray, double halfAngle, double farthest,
+                                       const Shows& shows) const {
     if (!ray.direction.allFinite() || !ray.origin.allFinite() || !(halfAngle > 0.0)) return std::nullopt;
     double widest = halfAngle * std::pow(Widening, Widenings);
     const double cosine = std::cos(std::min(widest, 1.5));
@@ -122,6 +129,7 @@ std::optional<RayHit> SeenPoints::meet(const Ray& ray, double halfAngle, double 
             const Eigen::Vector3d away = point.cast<double>() - ray.origin;
             const double range = away.norm(), along = away.dot(ray.direction);
             if (along < cosine * range || range < Nearest || range > farthest) continue;
+            if (shows && !shows(away / range)) continue;
             near.push_back({range, std::acos(std::min(1.0, along / range))});
         }
     }
@@ -133,8 +141,8 @@ std::optional<RayHit> SeenPoints::meet(const Ray& ray, double halfAngle, double 
             met.push_back({one.range, std::exp(-2.0 * std::pow(one.angle / halfAngle, 2))});
         }
         if (met.empty()) continue;
-        const Surface surface = mainSurface(met);
-        if (surface.weight >= Enough * 0.4 && surface.end - surface.begin >= 3) return hitOf(met, surface);
+        const Surface surface = frontSurface(met);
+        if (surface.end > surface.begin) return hitOf(met, surface);
     }
     return std::nullopt;
 }

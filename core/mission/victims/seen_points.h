@@ -37,10 +37,15 @@ public:
     void add(const RangesSample& turn, const Pose& sensorInBase, const PoseAt& baseInOdom);
     void clear() { m_chunks.clear(); }
 
-    /// Where @p ray (odometry's frame) meets a surface: of the points within @p halfAngle [rad] about it,
-    /// those of the surface that most of them are on, the middle ones first. The cone is widened up to twice
-    /// where it holds too few. Empty where nothing was seen nearer than @p farthest [m].
-    [[nodiscard]] std::optional<RayHit> meet(const Ray& ray, double halfAngle, double farthest = 9.0) const;
+    /// Whether the picture shows what was looked for in a direction (odometry's frame, of unit length).
+    using Shows = std::function<bool(const Eigen::Vector3d&)>;
+
+    /// Where @p ray (odometry's frame) meets a surface: the nearest of those that many of the points within
+    /// @p halfAngle [rad] about it are on. @p shows: points in other directions do not count; may be empty.
+    /// The cone is widened some times where it holds too few. Empty where nothing was seen nearer than
+    /// @p farthest [m].
+    [[nodiscard]] std::optional<RayHit> meet(const Ray& ray, double halfAngle, double farthest = 9.0,
+                                             const Shows& shows = {}) const;
 
 private:
     struct Chunk {

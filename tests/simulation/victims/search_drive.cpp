@@ -70,6 +70,7 @@ Event SearchDrive::eventOf(const HardwareSample& sample) {
 }
 
 void SearchDrive::give(const Event& event) {
+    if (onEvent) onEvent(event);
     const auto begin = threadTime();
     search->take(event);
     if (event.received >= m_due) {
@@ -85,8 +86,8 @@ void SearchDrive::give(const Event& event) {
 void SearchDrive::hear(const HardwareSample& sample) {
     const Event event = eventOf(sample);
     m_frames.add(event);
-    map(event);
     give(event);
+    map(event);
     look(event);
 }
 
@@ -102,6 +103,9 @@ void SearchDrive::map(const Event& event) {
     }
     for (const LiveScan& scan : m_cutter.take(now)) {
         const MapUpdate update = m_mapper.add(scan, now);
+        const Localisation& here = update.localisation;
+        search->correct(m_robot.name,
+                        {here.stamp, here.baseInMap, 1.0, here.trust == ScanTrust::Certain, ""});
         Event told;
         told.received = now;
         if (update.keyScan) {

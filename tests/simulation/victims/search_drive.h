@@ -33,8 +33,9 @@ public:
     std::unique_ptr<VictimSearch> search;
     std::map<std::uint32_t, CandidateSample> candidates;  ///< newest by id
     std::vector<VictimTruth> victims;
-    int updates = 0;                    ///< of candidates
-    std::chrono::nanoseconds worked{};  ///< time of searching
+    std::function<void(const Event&)> onEvent;  ///< told of all that the search is given; may be empty
+    int updates = 0;                            ///< of candidates
+    std::chrono::nanoseconds worked{};          ///< time of searching
 
     /// Where the map lies in the arena, by its first scan.
     [[nodiscard]] const Pose& mapInArena() const { return m_mapInArena; }

@@ -1,0 +1,55 @@
+// How a station searches for victims and files what is found.
+
+#include <cmath>
+#include <utility>
+
+#include "app/session/log/sequencer.h"
+#include "app/session/station/mission_map.h"
+#include "app/session/station/station_state.h"
+#include "core/mission/station_topics.h"
+
+namespace leitstand {
+
+void Station::State::file() {
+    FindDeskSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    setup.mission = [this] { return mission->state(); };
+    setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
+    setup.undo = [this](const UndoSample& undo) { return mission->say(undo, station_topic::Undo); };
+    setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
+        victims->locate(
+            {*chosen.picture, chosen.pixel, chosen.width, chosen.height, chosen.halfAngle},
+            [answer = std::move(answer)](const std::optional<PlacedCue>& cue) {
+                if (!cue) return answer(std::nullopt);
+                answer(PlacedFind{cue->scan, cue->inMap, std::sqrt(cue->covariance.trace() / 3.0)});
+            });
+    };
+    setup.robotInMap = [this](const std::string& robot) -> std::optional<Pose> {
+        for (const RobotInMap& one : *mapping->robots()) {
+            if (one.robot == robot && one.placed) return one.baseInMap;
+        }
+        return std::nullopt;
+    };
+    setup.tell = [this](const std::string& text) { say(text); };
+    setup.now = [] { return stationTime(); };
+    finds = std::make_unique<FindDesk>(std::move(setup));
+}
+
+void Station::State::search() {
+    VictimWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    setup.maySearch = [this] { return grants->mayAct(MapGrant); };
+    setup.poses = [this] { return posesOf(*mission->state()); };
+    setup.places = [this] { return mapping->robots(); };
+    setup.earlierPoses = setup.poses();
+    const MissionStatePtr now = mission->state();
+    for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
+    setup.onCandidate = [this](const CandidateSample& found) {
+        if (const auto kept = mission->say(found, station_topic::Candidates); !kept) say(kept.error().text);
+    };
+    victims = std::make_unique<VictimWatch>(std::move(setup));
+}
+
+}  // namespace leitstand
