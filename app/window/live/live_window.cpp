@@ -109,6 +109,7 @@ void LiveWindow::connectFeatures() {
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
     connect(m_map, &MapFeature::told, this, &LiveWindow::tell);
+    connect(&m_drive->input(), &DriveInput::halted, m_map, &MapFeature::halt);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);

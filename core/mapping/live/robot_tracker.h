@@ -39,11 +39,11 @@ public:
     void lose();
 
     [[nodiscard]] const MotionBuffer& motion() const { return m_motion; }
-    [[nodiscard]] bool placed() const { return m_odomInMap.has_value(); }
+    [[nodiscard]] bool placed() const { return m_now.odomInMap.has_value(); }
     /// base_link in the map at @p stamp; empty where nobody knows.
     [[nodiscard]] std::optional<Pose> baseInMap(Time stamp) const;
     /// Where the odometry's frame lies in the map; empty where nobody knows.
-    [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_odomInMap; }
+    [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_now.odomInMap; }
     [[nodiscard]] const RobotInMap& now() const { return m_now; }
 
 private:
@@ -51,10 +51,9 @@ private:
     void leaveTrail();
 
     MotionBuffer m_motion;
-    std::optional<Time> m_newest;  ///< odometry
-    std::optional<Pose> m_odomInMap;
+    std::optional<Time> m_newest;   ///< odometry
     std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
-    int m_frame = 0;                ///< of the odometry that m_odomInMap is of
+    int m_frame = 0;                ///< of the odometry that odomInMap is of
     std::vector<Eigen::Vector3f> m_trail;
     double m_spacing;  ///< of the trail [m]
     RobotInMap m_now;

@@ -46,15 +46,19 @@ MapFeature::MapFeature(const LiveContext& context, const MapViewSettings& view)
 void MapFeature::addRobots() {
     auto* gestures = new MapGestures(m_pane->view(), this);
     auto* robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *gestures, this);
-    auto* going = new GoTo(m_context, *gestures, *robots, this);
-    connect(going, &GoTo::told, this, &MapFeature::told);
-    connect(&m_pane->view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
-        going->go({place, std::nullopt});
+    m_going = new GoTo(m_context, *gestures, *robots, this);
+    connect(m_going, &GoTo::told, this, &MapFeature::told);
+    connect(&m_pane->view(), &MapView::groundActivated, m_going, [this](const Eigen::Vector3d& place) {
+        m_going->go({place, std::nullopt});
     });
     auto* placing = new PlaceRobot(m_context, *gestures, *robots, this);
     connect(placing, &PlaceRobot::told, this, &MapFeature::told);
     auto* decisions = new DecisionsFeature(m_context, m_pane->view(), *gestures, *robots, this);
     connect(decisions, &DecisionsFeature::told, this, &MapFeature::told);
+}
+
+void MapFeature::halt() {
+    m_going->takeBack();
 }
 
 void MapFeature::showSummary(const LiveMoment& moment) {

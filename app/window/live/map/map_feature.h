@@ -8,6 +8,7 @@
 
 namespace leitstand {
 
+class GoTo;
 class MapPane;
 class MapView;
 struct LiveMoment;
@@ -23,6 +24,9 @@ public:
     /// What is not to be seen of the map yet.
     [[nodiscard]] QStringList missing() const;
 
+    /// A robot that was not yet sent to a place stays.
+    void halt();
+
 signals:
     void told(const QString& text);
 
@@ -34,6 +38,7 @@ private:
     LiveContext m_context;
     ViewState m_view;
     MapPane* m_pane;
+    GoTo* m_going = nullptr;
     bool m_seen = false;
 };
 

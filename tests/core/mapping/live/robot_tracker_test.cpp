@@ -45,6 +45,26 @@ TEST(RobotTracker, CarriesAFixOnByTheOdometryAndLeavesATrail) {
     EXPECT_FALSE(here.placed);
 }
 
+TEST(RobotTracker, APlaceAndItsOdometryAreOfOneMoment) {
+    Drive drive;
+    drive.pass(1.0);
+    EXPECT_FALSE(drive.tracker.now().odomInMap);
+    drive.tracker.correct({drive.now - 500ms, poseFrom({3, 2, 0}, 0, 0, degrees(90)), 0.8, true, "fits"});
+    drive.pass(1.0);
+    const RobotInMap here = drive.tracker.now();
+    ASSERT_TRUE(here.odomInMap);
+    const Pose inOdom = here.odomInMap->inverse() * here.baseInMap;
+    EXPECT_LT((inOdom.translation() - Eigen::Vector3d(drive.way, 0, 0)).norm(), 1e-6);
+    // Where it is does not depend on how far it went since.
+    drive.pass(2.0);
+    EXPECT_TRUE(drive.tracker.now().odomInMap->isApprox(*here.odomInMap, 1e-9));
+    drive.way = 30.0;
+    drive.pass(0.1, 0.0);
+    EXPECT_TRUE(drive.tracker.now().placed);
+    drive.tracker.lose();
+    EXPECT_FALSE(drive.tracker.now().odomInMap);
+}
+
 TEST(RobotTracker, AFixFromBeforeTheOdometryHoldsUntilTheRobotMoves) {
     Drive drive;
     const Pose fix = poseFrom({3, 2, 0}, 0, 0, degrees(90));
