@@ -132,7 +132,9 @@ void LiveMapping::work(const Event& event) {
 void LiveMapping::work(const Task& task) {
     task(m_mapper);
     followFixes();
+    const LiveMapPtr before = m_map;
     tellMap();
+    if (scansMoved(before, *m_map)) layTrails();
 }
 
 void LiveMapping::registerDone(Time now) {

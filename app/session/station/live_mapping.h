@@ -75,6 +75,7 @@ private:
     void work(const Task& task);
     void registerDone(Time now);
     void followFixes();          ///< robots stand where the mapper says
+    void layTrails();            ///< where decisions moved the scans
     void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
     void placeBeside(const std::string& name, Robot& robot, Time now);
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
@@ -100,6 +101,10 @@ private:
     RobotsInMapPtr m_places;     ///< likewise
     std::jthread m_thread;       ///< last: joined first
 };
+
+/// Whether scans of @p before, which may be null, stand elsewhere in @p after, or are set aside there or no
+/// more.
+[[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
 
 /// @p map as the map view takes it: scans that were not set aside.
 [[nodiscard]] MapPtr shownMap(const LiveMap& map);

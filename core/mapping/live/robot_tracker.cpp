@@ -89,15 +89,35 @@ void RobotTracker::refresh() {
 
 void RobotTracker::leaveTrail() {
     if (!m_now.odomInMap) return;
-    const Eigen::Vector3f here = m_now.baseInMap.translation().cast<float>();
-    if (!m_trail.empty() && (here - m_trail.back()).norm() < static_cast<float>(m_spacing)) return;
-    m_trail.push_back(here);
+    const Eigen::Vector3d here = m_now.baseInMap.translation();
+    if (!m_trail.empty() &&
+        (here.cast<float>() - m_trail.back().inMap).norm() < static_cast<float>(m_spacing))
+        return;
+    m_trail.push_back({here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame});
     if (m_trail.size() > LongestTrail) {
         for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) m_trail[i] = m_trail[2 * i];
-        m_trail.resize((m_trail.size() + 1) / 2);
+        m_trail.erase(m_trail.begin() + static_cast<std::ptrdiff_t>((m_trail.size() + 1) / 2), m_trail.end());
         m_spacing *= 2.0;
     }
-    m_now.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(m_trail);
+    tellTrail();
+}
+
+void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
+    for (Footstep& step : m_trail) {
+        const TrailAnchor* newest = nullptr;
+        for (const TrailAnchor& anchor : anchors) {
+            const bool before = anchor.frame == step.frame && anchor.since <= step.stamp;
+            if (before && (newest == nullptr || anchor.since > newest->since)) newest = &anchor;
+        }
+        if (newest != nullptr) step.inMap = (newest->odomInMap * step.inOdom).cast<float>();
+    }
+    if (!m_trail.empty()) tellTrail();
+}
+
+void RobotTracker::tellTrail() {
+    auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
+    for (const Footstep& step : m_trail) trail->push_back(step.inMap);
+    m_now.trail = std::move(trail);
 }
 
 }  // namespace leitstand

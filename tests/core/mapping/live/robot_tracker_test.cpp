@@ -90,6 +90,31 @@ TEST(RobotTracker, OdometryThatBeginsAnewGoesOnFromWhereTheRobotWasButIsDoubted)
     EXPECT_NEAR(distanceBetween(drive.tracker.now().baseInMap, before), 0.5, 0.05);
 }
 
+TEST(RobotTracker, TheTrailMovesWithTheScansThatItIsKnownBy) {
+    Drive drive;
+    drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
+    drive.pass(4.0);
+    const Time half = Begin + 2s;
+    const RobotInMap& here = drive.tracker.now();
+    const std::size_t points = here.trail->size();
+    const auto before = here.trail;
+    drive.tracker.layTrail({});
+    EXPECT_EQ(*here.trail, *before) << "nothing is known of it";
+    // The second half was shifted by a metre, and a scan of other odometry says nothing.
+    const std::vector<TrailAnchor> anchors = {{half, 0, poseFrom({0, 1, 0}, 0, 0, 0)},
+                                              {Begin, 0, Pose::Identity()},
+                                              {Begin, 1, poseFrom({0, 7, 0}, 0, 0, 0)}};
+    drive.tracker.layTrail(anchors);
+    ASSERT_EQ(here.trail->size(), points);
+    for (const Eigen::Vector3f& point : *here.trail) {
+        if (std::abs(point.x() - 1.0F) < 0.1F) continue;
+        EXPECT_NEAR(point.y(), point.x() > 1.0F ? 1.0F : 0.0F, 1e-5F) << point.x();
+    }
+    const std::vector<TrailAnchor> undone = {{Begin, 0, Pose::Identity()}};
+    drive.tracker.layTrail(undone);
+    for (std::size_t i = 0; i < points; ++i) EXPECT_LT(((*here.trail)[i] - (*before)[i]).norm(), 1e-5F);
+}
+
 TEST(RobotTracker, ALongTrailIsThinned) {
     Drive drive;
     drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
