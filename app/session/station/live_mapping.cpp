@@ -9,6 +9,7 @@
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
+
 MapPtr shownMap(const LiveMap& live) {
     auto map = std::make_shared<Map>();
     for (const LiveKeyScan& one : live.scans) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "app/session/log/sequencer.h"
 #include "app/session/station/live_mapping.h"

@@ -94,7 +94,8 @@ TEST_F(LiveMapOnScreen, SpaceTakesBackAGoalThatWasNotSentYet) {
     // Some scans later it still was not.
     const Time heard = place("kurt3d").stamp;
     EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > heard + std::chrono::seconds(2); }));
-    const auto& streams = station().mission()->robots.at("kurt3d")->streams;
+    const MissionStatePtr said = station().mission();
+    const auto& streams = said->robots.at("kurt3d")->streams;
     const auto goals = streams.find("/kurt3d/goal_pose");
     EXPECT_TRUE(goals == streams.end() || goals->second.events == 0);
 }
