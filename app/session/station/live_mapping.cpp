@@ -9,6 +9,7 @@
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
+
 MapPtr shownMap(const LiveMap& live) {
     auto map = std::make_shared<Map>();
     for (const LiveKeyScan& one : live.scans) {
@@ -75,7 +76,9 @@ void LiveMapping::take(const Event& event) {
                         std::holds_alternative<CloudSample>(event.sample) ||
                         std::holds_alternative<RangesSample>(event.sample) ||
                         event.role == StreamRole::StaticTransforms;
-    if (!wanted || !m_robots.contains(event.robot)) return;
+    const auto* clock = std::get_if<ClockOffsetSample>(&event.sample);
+    if (clock == nullptr && !wanted) return;
+    if (!m_robots.contains(clock != nullptr ? clock->robot : event.robot)) return;
     {
         const std::lock_guard lock(m_mutex);
         m_waiting.emplace_back(event);
@@ -101,6 +104,10 @@ ScanCutter& LiveMapping::cutterOf(Robot& robot, const Event& event) {
 }
 
 void LiveMapping::work(const Event& event) {
+    if (const auto* clock = std::get_if<ClockOffsetSample>(&event.sample)) {
+        m_robots.at(clock->robot).ahead = clock->ahead;
+        return;
+    }
     Robot& robot = m_robots.at(event.robot);
     if (event.role == StreamRole::StaticTransforms) {
         robot.poses.add(event);
@@ -126,7 +133,9 @@ void LiveMapping::work(const Event& event) {
 void LiveMapping::work(const Task& task) {
     task(m_mapper);
     followFixes();
+    const LiveMapPtr before = m_map;
     tellMap();
+    if (scansMoved(before, *m_map)) layTrails();
 }
 
 void LiveMapping::registerDone(Time now) {
@@ -135,7 +144,7 @@ void LiveMapping::registerDone(Time now) {
             for (const LiveScan& scan : cutter.take(now)) {
                 place(robot, scan, now);
                 const LiveMapPtr before = m_map;
-                const MapUpdate update = m_mapper.add(scan, now);
+                const MapUpdate update = m_mapper.add(scan, now, bodiesIn(scan));
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -48,7 +49,8 @@ public:
     LiveMapping& operator=(const LiveMapping&) = delete;
 
     void end();  ///< what waits is left; nobody is told anything any more
-    /// Odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser; others are passed by.
+    /// Odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, how far robots' clocks are
+    /// ahead; others are passed by.
     void take(const Event& event);
     /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
     void post(std::function<void(LiveMapper&)> task);
@@ -63,7 +65,8 @@ private:
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
         RobotTracker tracker;
-        LaserRobot laser;  ///< corrects the tracker while no 3D scan of its own does
+        LaserRobot laser;                  ///< corrects the tracker while no 3D scan of its own does
+        std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;
@@ -72,12 +75,14 @@ private:
     void work(const Task& task);
     void registerDone(Time now);
     void followFixes();          ///< robots stand where the mapper says
+    void layTrails();            ///< where decisions moved the scans
     void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
     void placeBeside(const std::string& name, Robot& robot, Time now);
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
     void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
+    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const LiveScan& scan) const;
     [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
     void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();
@@ -96,6 +101,10 @@ private:
     RobotsInMapPtr m_places;     ///< likewise
     std::jthread m_thread;       ///< last: joined first
 };
+
+/// Whether scans of @p before, which may be null, stand elsewhere in @p after, or are set aside there or no
+/// more.
+[[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
 
 /// @p map as the map view takes it: scans that were not set aside.
 [[nodiscard]] MapPtr shownMap(const LiveMap& map);

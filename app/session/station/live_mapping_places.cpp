@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "app/session/log/sequencer.h"
 #include "app/session/station/live_mapping.h"
+#include "core/mapping/sighting/other_bodies.h"
 #include "core/mapping/sighting/seen_bodies.h"
 
 namespace leitstand {
@@ -24,6 +26,19 @@ std::vector<Disc> LiveMapping::othersThan(const Robot& robot, bool certain) cons
         others.push_back(disc);
     }
     return others;
+}
+
+std::vector<PlacedBody> LiveMapping::bodiesIn(const LiveScan& scan) const {
+    std::vector<PlacedBody> bodies;
+    const Robot& seeing = m_robots.at(scan.scan->robot);
+    for (const RobotDescription& description : m_descriptions) {
+        const Robot& other = m_robots.at(description.name);
+        if (&other == &seeing) continue;
+        const auto later = other.ahead - seeing.ahead;
+        addBodies(bodies, other.tracker, {description.footprint, description.height},
+                  scan.scan->start + later, scan.scan->end + later);
+    }
+    return bodies;
 }
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {

@@ -105,9 +105,10 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     const char* what =
         place.cause == Cause::Tracked
             ? (place.certain ? "its laser fits the map again" : "its place in the map is doubted")
-        : place.certain              ? "found in the map"
-        : place.cause == Cause::Slot ? "not found beside the other robot: put it to where it stands, or let the other one see it"
-                                     : "not found there";
+        : place.certain ? "found in the map"
+        : place.cause == Cause::Slot
+            ? "not found beside the other robot: put it to where it stands, or let the other one see it"
+            : "not found there";
     tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
 }
 
@@ -130,6 +131,7 @@ void StationMapping::State::settle(LiveMapper& mapper) {
 }
 
 void StationMapping::State::hear(const Event& event) {
+    if (std::holds_alternative<ClockOffsetSample>(event.sample)) return mapping->take(event);
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
     const auto* undo = std::get_if<UndoSample>(&event.sample);
     const auto* area = std::get_if<MapCropSample>(&event.sample);

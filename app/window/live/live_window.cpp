@@ -57,6 +57,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_map = new MapFeature(context, view);
     auto* mapActions = new MapActions(context, *m_map);
     connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
+    connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
     new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));

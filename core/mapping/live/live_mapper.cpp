@@ -76,7 +76,7 @@ void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {
     m_state->robots[robot].placedInMap = baseInMap;
 }
 
-MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
+MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const PlacedBody> others) {
     const auto start = std::chrono::steady_clock::now();
     State& state = *m_state;
     const Scan& scan = *live.scan;
@@ -94,7 +94,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
         here.doubts = static_cast<std::uint8_t>(ScanDoubt::Odometry);
         return update;
     }
-    ReadyScan ready = readyScan(live, robot.body, guess, state.settings);
+    ReadyScan ready = readyScan(live, robot.body, guess, state.settings, others);
     Match match;
     match.scanInMap = guess;
     double fresh = 1.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,11 @@ struct RobotInMap {
     bool placed = false;  ///< whether the map's frame means anything to it: else no more is said
     Pose baseInMap = Pose::Identity();  ///< base_link, level by the inertial unit
     Time stamp{};                       ///< of its newest odometry, robot's clock
-    double certainty = 0.0;             ///< 0 to 1
-    bool certain = false;               ///< its newest scan fits; else its odometry alone carries it on
-    std::string how;                    ///< it came there, or why that is doubted, in words, in English
+    /// Where its odometry's poses lie in the map: of the moment of baseInMap too; empty while nobody knows.
+    std::optional<Pose> odomInMap = {};
+    double certainty = 0.0;  ///< 0 to 1
+    bool certain = false;    ///< its newest scan fits; else its odometry alone carries it on
+    std::string how;         ///< it came there, or why that is doubted, in words, in English
     /// base_link where it was, oldest first, some 10 cm apart [m]; never null.
     std::shared_ptr<const std::vector<Eigen::Vector3f>> trail =
         std::make_shared<const std::vector<Eigen::Vector3f>>();

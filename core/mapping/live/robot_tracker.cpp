@@ -26,7 +26,7 @@ void RobotTracker::add(const OdometrySample& odometry, Time now) {
     if (m_waiting) {
         m_frame = m_motion.frameAt(*m_newest);
         if (const auto motion = m_motion.at(*m_newest))
-            m_odomInMap = *std::exchange(m_waiting, std::nullopt) * motion->baseInOdom.inverse();
+            m_now.odomInMap = *std::exchange(m_waiting, std::nullopt) * motion->baseInOdom.inverse();
     }
     refresh();
     leaveTrail();
@@ -43,10 +43,10 @@ void RobotTracker::correct(const MapFix& fix) {
     const auto motion = m_motion.at(fix.stamp);
     const int frame = m_motion.frameAt(fix.stamp);
     if (motion && m_newest) {
-        m_odomInMap = fix.baseInMap * motion->baseInOdom.inverse();
+        m_now.odomInMap = fix.baseInMap * motion->baseInOdom.inverse();
         m_frame = frame;
     } else {
-        m_odomInMap.reset();
+        m_now.odomInMap.reset();
         m_waiting = m_now.baseInMap = fix.baseInMap;
     }
     m_now.placed = true;
@@ -57,7 +57,7 @@ void RobotTracker::correct(const MapFix& fix) {
 }
 
 void RobotTracker::lose() {
-    m_odomInMap.reset();
+    m_now.odomInMap.reset();
     m_waiting.reset();
     m_now.placed = m_now.certain = false;
     m_now.certainty = 0.0;
@@ -65,20 +65,20 @@ void RobotTracker::lose() {
 }
 
 std::optional<Pose> RobotTracker::baseInMap(Time stamp) const {
-    if (!m_odomInMap || m_motion.frameAt(stamp) != m_frame) return std::nullopt;
+    if (!m_now.odomInMap || m_motion.frameAt(stamp) != m_frame) return std::nullopt;
     const auto motion = m_motion.at(stamp);
     if (!motion) return std::nullopt;
-    return *m_odomInMap * motion->baseInOdom;
+    return *m_now.odomInMap * motion->baseInOdom;
 }
 
 void RobotTracker::refresh() {
     if (!m_newest) return;
     m_now.stamp = *m_newest;
-    if (!m_odomInMap) return;
+    if (!m_now.odomInMap) return;
     if (m_motion.frameAt(*m_newest) != m_frame) {
         // It stands where it was seen last, and goes on from there by the odometry that began anew.
         m_waiting = m_now.baseInMap;
-        m_odomInMap.reset();
+        m_now.odomInMap.reset();
         m_now.certain = false;
         m_now.certainty = 0.0;
         m_now.how = "its odometry began anew";
@@ -88,16 +88,36 @@ void RobotTracker::refresh() {
 }
 
 void RobotTracker::leaveTrail() {
-    if (!m_odomInMap) return;
-    const Eigen::Vector3f here = m_now.baseInMap.translation().cast<float>();
-    if (!m_trail.empty() && (here - m_trail.back()).norm() < static_cast<float>(m_spacing)) return;
-    m_trail.push_back(here);
+    if (!m_now.odomInMap) return;
+    const Eigen::Vector3d here = m_now.baseInMap.translation();
+    if (!m_trail.empty() &&
+        (here.cast<float>() - m_trail.back().inMap).norm() < static_cast<float>(m_spacing))
+        return;
+    m_trail.push_back({here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame});
     if (m_trail.size() > LongestTrail) {
         for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) m_trail[i] = m_trail[2 * i];
-        m_trail.resize((m_trail.size() + 1) / 2);
+        m_trail.erase(m_trail.begin() + static_cast<std::ptrdiff_t>((m_trail.size() + 1) / 2), m_trail.end());
         m_spacing *= 2.0;
     }
-    m_now.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(m_trail);
+    tellTrail();
+}
+
+void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
+    for (Footstep& step : m_trail) {
+        const TrailAnchor* newest = nullptr;
+        for (const TrailAnchor& anchor : anchors) {
+            const bool before = anchor.frame == step.frame && anchor.since <= step.stamp;
+            if (before && (newest == nullptr || anchor.since > newest->since)) newest = &anchor;
+        }
+        if (newest != nullptr) step.inMap = (newest->odomInMap * step.inOdom).cast<float>();
+    }
+    if (!m_trail.empty()) tellTrail();
+}
+
+void RobotTracker::tellTrail() {
+    auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
+    for (const Footstep& step : m_trail) trail->push_back(step.inMap);
+    m_now.trail = std::move(trail);
 }
 
 }  // namespace leitstand

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct MapFix {
     std::string how;  ///< in words
 };
 
+/// What a stretch of a robot's way is known by: a scan of its own that is in the map.
+struct TrailAnchor {
+    Time since{};                       ///< robot's clock
+    int frame = 0;                      ///< of its odometry
+    Pose odomInMap = Pose::Identity();  ///< as the scan tells
+};
+
 /// Carries a robot's place in the map on by its odometry, and keeps its trail. One thread at a time.
 class RobotTracker {
 public:
@@ -35,27 +43,37 @@ public:
     /// The robot was there then. Where the odometry does not know that moment, it stands there until it
     /// moves.
     void correct(const MapFix& fix);
+    /// Scans moved in the map: each place of the trail moves with the newest of @p anchors before it; what
+    /// none tells stays.
+    void layTrail(std::span<const TrailAnchor> anchors);
     /// Nobody knows where the robot is any more.
     void lose();
 
     [[nodiscard]] const MotionBuffer& motion() const { return m_motion; }
-    [[nodiscard]] bool placed() const { return m_odomInMap.has_value(); }
+    [[nodiscard]] bool placed() const { return m_now.odomInMap.has_value(); }
     /// base_link in the map at @p stamp; empty where nobody knows.
     [[nodiscard]] std::optional<Pose> baseInMap(Time stamp) const;
     /// Where the odometry's frame lies in the map; empty where nobody knows.
-    [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_odomInMap; }
+    [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_now.odomInMap; }
     [[nodiscard]] const RobotInMap& now() const { return m_now; }
 
 private:
+    /// A place of the trail.
+    struct Footstep {
+        Eigen::Vector3f inMap;  ///< [m]
+        Eigen::Vector3d inOdom;
+        Time stamp;
+        int frame;  ///< of the odometry
+    };
     void refresh();
     void leaveTrail();
+    void tellTrail();
 
     MotionBuffer m_motion;
-    std::optional<Time> m_newest;  ///< odometry
-    std::optional<Pose> m_odomInMap;
+    std::optional<Time> m_newest;   ///< odometry
     std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
-    int m_frame = 0;                ///< of the odometry that m_odomInMap is of
-    std::vector<Eigen::Vector3f> m_trail;
+    int m_frame = 0;                ///< of the odometry that odomInMap is of
+    std::vector<Footstep> m_trail;
     double m_spacing;  ///< of the trail [m]
     RobotInMap m_now;
 };

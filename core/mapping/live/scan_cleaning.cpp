@@ -10,6 +10,9 @@ namespace {
 
 const Eigen::Vector3f NoEcho = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
 
+constexpr double Ground = 0.05;      ///< what is lower belongs to the world [m]
+constexpr double OtherMargin = 0.1;  ///< other robots' places are known so well [m]
+
 /// Whether @p point is within the polygon @p corners (crossings of a ray along x).
 bool within(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
     bool inside = false;
@@ -56,12 +59,16 @@ void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, d
     for (Eigen::Vector3f& point : scan.points) {
         if (!point.allFinite()) continue;
         const Eigen::Vector3d inBase = sensorInBase * point.cast<double>();
-        // The ground below belongs to the world, the robot begins above it.
-        if (inBase.z() < margin || inBase.z() > body.height + margin) continue;
+        if (inBase.z() < Ground || inBase.z() > body.height + margin) continue;
         const Eigen::Vector2d place = inBase.head<2>();
         if (!box.contains(place)) continue;
         if (onFootprint(body, place, margin)) point = NoEcho;
     }
+}
+
+void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap) {
+    for (const PlacedBody& other : others)
+        leaveOutBody(scan, other.body, other.baseInMap.inverse() * scanInMap, OtherMargin);
 }
 
 void leaveOutCropped(Scan& scan, const MapCrop& crop, const Pose& scanInMap) {

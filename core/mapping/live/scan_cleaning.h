@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct RobotBody {
     double height = 0.0;                     ///< [m]
 };
 
+/// Another robot that stands in the map.
+struct PlacedBody {
+    RobotBody body;
+    Pose baseInMap = Pose::Identity();
+};
+
 /// What of the world belongs into the map: spectators stand around it.
 struct MapCrop {
     std::vector<Eigen::Vector2d> polygon;                      ///< map frame [m]; empty: everything
@@ -29,8 +36,11 @@ struct MapCrop {
 /// Whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p margin
 /// [m].
 [[nodiscard]] bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin);
-/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo.
+/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo; not those of the
+/// ground that it stands on.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
+/// Turns points of @p scan, taken at @p scanInMap, on or within other robots into no echo.
+void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap);
 /// Turns points of @p scan outside @p crop into no echo.
 void leaveOutCropped(Scan& scan, const MapCrop& crop, const Pose& scanInMap);
 

@@ -39,9 +39,10 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
 }  // namespace
 
 ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
-                    const LiveSettings& settings) {
+                    const LiveSettings& settings, std::span<const PlacedBody> others) {
     Scan scan = *live.scan;
     leaveOutBody(scan, body, live.sensorInBase);
+    leaveOutBodies(scan, others, scanInMap);
     leaveOutCropped(scan, settings.crop, scanInMap);
     scan = withoutMixedPixels(std::move(scan));
     LabelSettings labels;

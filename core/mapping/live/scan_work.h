@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/base/pose.h"
 #include "core/mapping/live/live_scan.h"
@@ -19,10 +20,10 @@ struct ReadyScan {
     PointCloud reduced;  ///< for matching, with normals
 };
 
-/// Cleans @p live of @p body, of mixed pixels and of what @p settings crop, seen from @p scanInMap; labels
-/// and reduces it.
+/// Cleans @p live of @p body and @p others, of mixed pixels and of what @p settings crop, seen from
+/// @p scanInMap; labels and reduces it.
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
-                                  const LiveSettings& settings);
+                                  const LiveSettings& settings, std::span<const PlacedBody> others = {});
 
 /// What readyScan() made of a key scan, from its points as the log has them.
 [[nodiscard]] PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings);

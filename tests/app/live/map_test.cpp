@@ -76,6 +76,30 @@ TEST_F(LiveMapOnScreen, GoesToAPlaceThatWasClicked) {
     lookAt("map_went");
 }
 
+TEST_F(LiveMapOnScreen, SpaceTakesBackAGoalThatWasNotSentYet) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    trigger("map.followAbove");
+    const Eigen::Vector3d goal = place("kurt3d").baseInMap * Eigen::Vector3d(0.9, 0, 0);
+    ASSERT_TRUE(soon([&] {
+        const auto at = map().project(goal);
+        return at && map().rect().contains(at->toPoint()) && map().settled();
+    }));
+    m_window->setDriving(true);
+    trigger("map.goTo");
+    // Before the window's next tick, which would send it.
+    QTest::mouseClick(&map(), Qt::LeftButton, {}, map().project(goal)->toPoint());
+    press(Qt::Key_Space);
+    const auto word = [&] { return m_window->findChild<QLabel*>("word")->text(); };
+    EXPECT_TRUE(soon([&] { return word().contains("not sent"); })) << word().toStdString();
+    // Some scans later it still was not.
+    const Time heard = place("kurt3d").stamp;
+    EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > heard + std::chrono::seconds(2); }));
+    const MissionStatePtr said = station().mission();
+    const auto& streams = said->robots.at("kurt3d")->streams;
+    const auto goals = streams.find("/kurt3d/goal_pose");
+    EXPECT_TRUE(goals == streams.end() || goals->second.events == 0);
+}
+
 TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
     station().ask("kurt3d");
     ASSERT_TRUE(soon([&] { return robot().grant.mine; }));

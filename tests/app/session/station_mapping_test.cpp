@@ -182,6 +182,34 @@ TEST_F(StationMappingTest, AScanThatDoesNotFitIsTriedAgain) {
     EXPECT_TRUE(waitUntil([&] { return m_mapping->robots()->front().certain; }));
 }
 
+TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {
+    begin();
+    for (std::size_t i = 1; i <= 2; ++i) {
+        scan();
+        ASSERT_TRUE(scans(i)) << words();
+    }
+    scan(poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25)));
+    ASSERT_TRUE(scans(3)) << words();
+    for (int i = 0; i < 10; ++i) {
+        m_time += 50ms;
+        odometry(basePose(m_way + 0.03 * (i + 1)) * m_slip);
+    }
+    const auto tip = [&] { return m_mapping->robots()->front().trail->back(); };
+    const auto here = [&] { return m_mapping->robots()->front(); };
+    ASSERT_TRUE(waitUntil([&] { return here().stamp == m_time; }, 60s));
+    const Eigen::Vector3f wrong = tip();
+    EXPECT_LT((wrong - here().baseInMap.translation().cast<float>()).norm(), 0.11F);
+    RetrySettings settings;
+    const LiveKeyScan& first = m_mapping->scans()->scans.front();
+    settings.guessInMap = first.pose.scanInMap * poseFrom({0.7, 0.1, 0}, 0, 0, 0);
+    ASSERT_TRUE(m_mapping->retry(3, settings).ok());
+    ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
+    EXPECT_TRUE(waitUntil([&] {
+        return (tip() - here().baseInMap.translation().cast<float>()).norm() < 0.11F;
+    })) << "its end goes along with the robot";
+    EXPECT_GT((tip() - wrong).norm(), 0.3F);
+}
+
 TEST_F(StationMappingTest, OnlyTheHolderOfTheGrantDecidesAndScansWaitForIt) {
     m_granted = false;
     begin();

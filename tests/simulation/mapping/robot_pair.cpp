@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mapping/sighting/other_bodies.h"
 #include "robots/simulation/arena/arena_generator.h"
 
 namespace leitstand::simulation::test {
@@ -66,6 +67,17 @@ std::vector<Disc> RobotPair::kurtOnMap() const {
     return {{kurtInMap.translation().head<2>(), 0.45}};
 }
 
+int RobotPair::onCrawler(const KeyScanSample& key) const {
+    const Pose scanInArena = m_world->baseInArena(m_kurt->number(), key.scan->end) * key.sensorInBase;
+    Scan left = *key.scan;
+    const RobotBody body{m_crawler->description().footprint, m_crawler->description().height};
+    for (Time stamp = key.scan->start; stamp <= key.scan->end; stamp += std::chrono::milliseconds(100))
+        leaveOutBody(left, body, m_world->baseInArena(m_crawler->number(), stamp).inverse() * scanInArena,
+                     0.02);
+    return static_cast<int>(std::count_if(left.points.begin(), left.points.end(),
+                                          [](const Eigen::Vector3f& point) { return !point.allFinite(); }));
+}
+
 RobotPlaceSample RobotPair::place(const Pose& baseInMap) {
     places.push_back(m_laser->place(baseInMap, m_map, m_world->now()));
     return places.back();
@@ -116,7 +128,11 @@ void RobotPair::hear() {
     m_kurt->forget();
     for (const LiveScan& scan : m_cutter.take(now)) {
         const LiveMapPtr before = m_map;
-        const MapUpdate update = m_mapper.add(scan, now);
+        const RobotBody crawlersBody{m_crawler->description().footprint, m_crawler->description().height};
+        std::vector<PlacedBody> others;
+        if (leavesOut) addBodies(others, m_tracker, crawlersBody, scan.scan->start, scan.scan->end);
+        const MapUpdate update = m_mapper.add(scan, now, others);
+        if (update.keyScan && m_tracker.now().certain) bodyPoints += onCrawler(*update.keyScan);
         if (update.keyScan) m_map = m_mapper.map();
         if (!m_mapInArena) {
             m_mapInArena = m_world->baseInArena(m_kurt->number(), scan.scan->end) * scan.sensorInBase *
@@ -126,11 +142,10 @@ void RobotPair::hear() {
         if (const auto placed = m_laser->placeBeside(m_kurtBegan, m_map, now, kurtOnMap()))
             places.push_back(*placed);
         if (sightings && update.ready) {
-            const RobotBody body{m_crawler->description().footprint, m_crawler->description().height};
             const LocalMap earlier = before ? localMap(before->scans, update.scanInMap) : LocalMap{};
             const auto start = std::chrono::steady_clock::now();
-            seen = seenBodies(*update.ready, update.scanInMap, body, earlier);
-            if (const auto placed = m_laser->placeSeen(seen, body, "Kurt3D", m_map, now, kurtOnMap()))
+            seen = seenBodies(*update.ready, update.scanInMap, crawlersBody, earlier);
+            if (const auto placed = m_laser->placeSeen(seen, crawlersBody, "Kurt3D", m_map, now, kurtOnMap()))
                 places.push_back(*placed);
             sightingSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         }

@@ -35,12 +35,15 @@ public:
     double way = 0.0;                      ///< that the Crawler drove [m]
     double seconds = 0.0;                  ///< that following took, all in all [s]
     int views = 0;
+    bool leavesOut = true;       ///< whether the Crawler is kept out of Kurt3D's scans
+    int bodyPoints = 0;          ///< of key scans since the Crawler was placed: truly on it
     bool sightings = false;      ///< whether the Crawler is looked for where Kurt3D sees it
     std::vector<SeenBody> seen;  ///< newest
     double sightingSeconds = 0.0;
 
 private:
     void hear();
+    [[nodiscard]] int onCrawler(const KeyScanSample& key) const;
     [[nodiscard]] std::vector<Disc> kurtOnMap() const;
     void steer(OperatedRobot& robot, bool drives, double speed);
 

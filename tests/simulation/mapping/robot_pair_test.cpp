@@ -57,6 +57,21 @@ TEST(RobotPair, TheCrawlerIsPlacedWhereKurt3DSeesItWhenTheSlotIsWrongByMetres) {
     EXPECT_LE(inDegrees(pair.turned()), 3.0);
 }
 
+TEST(RobotPair, TheCrawlerStaysInNoScanOfKurt3DsOnceItIsPlaced) {
+    int points[2] = {0, 0};
+    for (const bool leavesOut : {false, true}) {
+        RobotPair pair(2, Wrong);
+        pair.leavesOut = leavesOut;
+        pair.pass(9.0, false, false);
+        ASSERT_TRUE(pair.crawler().certain) << saidOf(pair);
+        pair.pass(12.0, true, true);
+        points[leavesOut ? 1 : 0] = pair.bodyPoints;
+    }
+    std::printf("  points on the Crawler in key scans: %d, left out: %d\n", points[0], points[1]);
+    EXPECT_GT(points[0], 50);
+    EXPECT_LE(points[1], points[0] / 20);
+}
+
 // It stands beside Kurt3D, drove off, or both did before it is looked for: it is found or not, but never
 // wrong.
 TEST(RobotPairLong, TheCrawlerIsPlacedWhereKurt3DSeesItInYellowArenas) {

@@ -6,6 +6,7 @@
 
 #include <QAction>
 
+#include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_gestures.h"
@@ -90,15 +91,34 @@ void GoTo::go(const GroundPose& pose) {
     m_robots.setGoal(robot->name, goal);
 }
 
+void GoTo::takeBack() {
+    const std::string robot = m_context.selection.name().toStdString();
+    const auto way = m_ways.find(robot);
+    if (way == m_ways.end() || way->second.sent) return;
+    m_robots.setGoal(robot, std::nullopt);
+    m_ways.erase(way);
+    emit told(tr("%1 is not sent: it was halted").arg(m_context.selection.face().title));
+}
+
+std::optional<RobotInMap> GoTo::placeOf(const std::string& robot) const {
+    const RobotsInMapPtr places = m_context.bridge.station().mapping().robots();
+    const auto place = std::find_if(places->begin(), places->end(),
+                                    [&robot](const RobotInMap& one) { return one.robot == robot; });
+    if (place == places->end() || !place->placed || !place->odomInMap) return std::nullopt;
+    return *place;
+}
+
 bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {
     const RobotState& said = moment.said(robot);
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
-    if (!said.odometry || known == nullptr || !m_robots.placed(robot)) return false;
-    // The robot does not know our map: it is told where that lies in its own odometry.
+    const auto place = placeOf(robot);
+    if (!said.odometry || known == nullptr || !place) return false;
+    // The robot does not know our map: it is told where that lies in its own odometry. Not by the newest
+    // odometry: while a scan is registered, that is of a later moment than the place in the map.
     PoseSample goal;
     goal.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
     goal.poseInFrame =
-        goalInOdom(m_robots.mark(robot).baseInMap, said.odometry->sample.baseInOdom, way.goalInMap);
+        goalInOdom(place->baseInMap, place->odomInMap->inverse() * place->baseInMap, way.goalInMap);
     Station& station = m_context.bridge.station();
     Result<void> done = station.goTo(robot, goal);
     if (done && offers(said, DrivesByItself)) done = station.setMode(robot, DrivesByItself);
@@ -112,12 +132,14 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
         // A stop is for what was asked before it, too.
         const StopStatus& stop = moment.view(robot).stop;
         if (stop.sent || stop.stopped || stop.releasing) return true;
-        if (moment.view(robot).grant.mine) {
+        const bool mine = moment.view(robot).grant.mine;
+        if (mine && placeOf(robot)) {
             if (!send(robot, way, moment)) return true;
             way.sent = true;
             way.asked = moment.now;
         } else if (late) {
-            emit told(tr("%1 was not sent: the grant to drive it is another station's")
+            emit told((mine ? tr("%1 was not sent: its odometry began anew, and nobody knows where")
+                            : tr("%1 was not sent: the grant to drive it is another station's"))
                           .arg(QString::fromStdString(robot)));
             return true;
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include <QObject>
@@ -8,6 +9,7 @@
 #include "app/window/live/live_context.h"
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/mapping/live/robot_in_map.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 
 class QAction;
@@ -27,6 +29,8 @@ public:
 
     /// Sends the selected robot there.
     void go(const GroundPose& pose);
+    /// The selected robot is not sent any more where it was to go as soon as it may be driven.
+    void takeBack();
 
 signals:
     void told(const QString& text);
@@ -41,6 +45,9 @@ private:
     };
     void arm(bool on);
     void follow(const LiveMoment& moment);
+    /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody
+    /// knows.
+    [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
     /// Whether nothing more is to be expected of @p way.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);

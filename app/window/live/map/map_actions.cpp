@@ -11,15 +11,19 @@
 namespace leitstand {
 
 MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&map) {
-    auto* going = new GoTo(context, map.gestures(), map.robots(), this);
-    connect(going, &GoTo::told, this, &MapActions::told);
-    connect(&map.view(), &MapView::groundActivated, going, [going](const Eigen::Vector3d& place) {
-        going->go({place, std::nullopt});
+    m_going = new GoTo(context, map.gestures(), map.robots(), this);
+    connect(m_going, &GoTo::told, this, &MapActions::told);
+    connect(&map.view(), &MapView::groundActivated, m_going, [this](const Eigen::Vector3d& place) {
+        m_going->go({place, std::nullopt});
     });
     auto* placing = new PlaceRobot(context, map.gestures(), map.robots(), this);
     connect(placing, &PlaceRobot::told, this, &MapActions::told);
     auto* decisions = new DecisionsFeature(context, map.view(), map.gestures(), map.robots(), this);
     connect(decisions, &DecisionsFeature::told, this, &MapActions::told);
+}
+
+void MapActions::halt() {
+    m_going->takeBack();
 }
 
 }  // namespace leitstand

@@ -6,6 +6,7 @@
 
 namespace leitstand {
 
+class GoTo;
 class MapFeature;
 
 /// What the operator does on the map with live robots and their scans: sends them, places them, decides.
@@ -14,8 +15,14 @@ class MapActions final : public QObject {
 public:
     MapActions(const LiveContext& context, MapFeature& map);
 
+    /// A robot that was not yet sent to a place stays.
+    void halt();
+
 signals:
     void told(const QString& text);
+
+private:
+    GoTo* m_going = nullptr;
 };
 
 }  // namespace leitstand

@@ -53,6 +53,51 @@ TEST(LiveMapper, ADriveIsMappedToItsTruePosesAndAStandingRobotAddsNothing) {
     EXPECT_TRUE(room.add(room.last * poseFrom({0, 0, 0}, 0, 0, degrees(12))).keyScan) << "turned";
 }
 
+TEST(LiveMapper, AnotherRobotsBodyStaysInNoScan) {
+    const RobotBody crawler{{{0.20, 0.13}, {-0.20, 0.13}, {-0.20, -0.13}, {0.20, -0.13}}, 0.35};
+    const Pose sensor = Begin * poseFrom({0.4, 0, 0}, 0, 0, 0);
+    // It stood 1.5 m ahead, then half a metre on.
+    std::vector<Eigen::Vector3d> shell, floor;
+    const Pose there = poseFrom({0.5, 0.3, 0}, 0, 0, degrees(30)),
+               on = there * poseFrom({0.5, 0, 0}, 0, 0, 0);
+    for (const Pose& place : {there, on}) {
+        for (double x = -0.2; x < 0.21; x += 0.02) {
+            for (double z = 0.07; z < 0.35; z += 0.02) shell.push_back(place * Eigen::Vector3d(x, -0.13, z));
+            floor.push_back(place * Eigen::Vector3d(x, 0, 0.01));
+        }
+    }
+    const auto kept = [&](const std::vector<PlacedBody>& others) {
+        MappedRoom room;
+        room.add(Begin);
+        LiveScan live = scanAt(sensor, 2);
+        Scan scan = *live.scan;
+        scan.rows = scan.columns = 0;
+        for (const auto* of : {&shell, &floor}) {
+            for (const Eigen::Vector3d& point : *of)
+                scan.points.push_back((sensor.inverse() * point).cast<float>());
+        }
+        live.scan = std::make_shared<const Scan>(std::move(scan));
+        const MapUpdate update = room.mapper.add(live, room.now, others);
+        EXPECT_TRUE(update.keyScan);
+        std::pair<int, int> counted;  // on the body, on the floor below
+        for (const Eigen::Vector3f& point : update.keyScan->scan->points) {
+            for (const Pose& place : {there, on}) {
+                const Eigen::Vector3d inBase = place.inverse() * (sensor * point.cast<double>());
+                if (std::abs(inBase.x()) > 0.22 || std::abs(inBase.y()) > 0.15 || inBase.z() > 0.35) continue;
+                ++(inBase.z() > 0.05 ? counted.first : counted.second);
+            }
+        }
+        return counted;
+    };
+    const Pose& mapInRoom = Begin;  // the first scan makes the map, and is level
+    const auto all = kept({});
+    const auto clean = kept({{crawler, mapInRoom.inverse() * there}, {crawler, mapInRoom.inverse() * on}});
+    EXPECT_GT(all.first, 200);
+    EXPECT_EQ(clean.first, 0);
+    EXPECT_EQ(clean.second, all.second) << "the floor stays";
+    EXPECT_GT(clean.second, 20);
+}
+
 TEST(LiveMapper, AScanThatDoesNotFitIsUncertainAndNothingIsBuiltOnIt) {
     MappedRoom room;
     room.drive(4);

@@ -45,6 +45,26 @@ TEST(RobotTracker, CarriesAFixOnByTheOdometryAndLeavesATrail) {
     EXPECT_FALSE(here.placed);
 }
 
+TEST(RobotTracker, APlaceAndItsOdometryAreOfOneMoment) {
+    Drive drive;
+    drive.pass(1.0);
+    EXPECT_FALSE(drive.tracker.now().odomInMap);
+    drive.tracker.correct({drive.now - 500ms, poseFrom({3, 2, 0}, 0, 0, degrees(90)), 0.8, true, "fits"});
+    drive.pass(1.0);
+    const RobotInMap here = drive.tracker.now();
+    ASSERT_TRUE(here.odomInMap);
+    const Pose inOdom = here.odomInMap->inverse() * here.baseInMap;
+    EXPECT_LT((inOdom.translation() - Eigen::Vector3d(drive.way, 0, 0)).norm(), 1e-6);
+    // Where it is does not depend on how far it went since.
+    drive.pass(2.0);
+    EXPECT_TRUE(drive.tracker.now().odomInMap->isApprox(*here.odomInMap, 1e-9));
+    drive.way = 30.0;
+    drive.pass(0.1, 0.0);
+    EXPECT_TRUE(drive.tracker.now().placed);
+    drive.tracker.lose();
+    EXPECT_FALSE(drive.tracker.now().odomInMap);
+}
+
 TEST(RobotTracker, AFixFromBeforeTheOdometryHoldsUntilTheRobotMoves) {
     Drive drive;
     const Pose fix = poseFrom({3, 2, 0}, 0, 0, degrees(90));
@@ -68,6 +88,32 @@ TEST(RobotTracker, OdometryThatBeginsAnewGoesOnFromWhereTheRobotWasButIsDoubted)
     EXPECT_LT(distanceBetween(drive.tracker.now().baseInMap, before), 0.03);
     drive.pass(1.0);
     EXPECT_NEAR(distanceBetween(drive.tracker.now().baseInMap, before), 0.5, 0.05);
+}
+
+TEST(RobotTracker, TheTrailMovesWithTheScansThatItIsKnownBy) {
+    Drive drive;
+    drive.pass(0.1, 0.0);
+    drive.tracker.correct({drive.now, Pose::Identity(), 0.8, true, "fits"});
+    const Time half = drive.now + 2s;
+    drive.pass(4.0);
+    const RobotInMap& here = drive.tracker.now();
+    const std::size_t points = here.trail->size();
+    const auto before = here.trail;
+    drive.tracker.layTrail({});
+    EXPECT_TRUE(*here.trail == *before) << "nothing is known of it";
+    // The second half was shifted by a metre, and a scan of other odometry says nothing.
+    const std::vector<TrailAnchor> anchors = {{half, 0, poseFrom({0, 1, 0}, 0, 0, 0)},
+                                              {Begin, 0, Pose::Identity()},
+                                              {Begin, 1, poseFrom({0, 7, 0}, 0, 0, 0)}};
+    drive.tracker.layTrail(anchors);
+    ASSERT_EQ(here.trail->size(), points);
+    for (const Eigen::Vector3f& point : *here.trail) {
+        if (std::abs(point.x() - 1.0F) < 0.1F) continue;
+        EXPECT_NEAR(point.y(), point.x() > 1.0F ? 1.0F : 0.0F, 1e-5F) << point.x();
+    }
+    const std::vector<TrailAnchor> undone = {{Begin, 0, Pose::Identity()}};
+    drive.tracker.layTrail(undone);
+    for (std::size_t i = 0; i < points; ++i) EXPECT_LT(((*here.trail)[i] - (*before)[i]).norm(), 1e-5F);
 }
 
 TEST(RobotTracker, ALongTrailIsThinned) {

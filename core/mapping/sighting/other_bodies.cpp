@@ -1,0 +1,31 @@
+#include "core/mapping/sighting/other_bodies.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::milliseconds Step(100);
+constexpr double Moved = 0.05, Turned = degrees(8);  ///< less is covered by the margin [m], [rad]
+constexpr int MostSteps = 100;                       ///< a scan takes some seconds
+
+}  // namespace
+
+void addBodies(std::vector<PlacedBody>& bodies, const RobotTracker& robot, const RobotBody& body, Time start,
+               Time end) {
+    if (!robot.now().certain) return;
+    bool any = false;
+    for (int i = 0; i <= MostSteps; ++i) {
+        const Time stamp = std::min(end, start + i * Step);
+        if (const auto there = robot.baseInMap(stamp)) {
+            const bool stands = any && distanceBetween(bodies.back().baseInMap, *there) < Moved &&
+                                angleBetween(bodies.back().baseInMap, *there) < Turned;
+            if (!stands) bodies.push_back({body, *there});
+            any = true;
+        }
+        if (stamp >= end) return;
+    }
+}
+
+}  // namespace leitstand

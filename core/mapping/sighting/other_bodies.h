@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/live/scan_cleaning.h"
+
+namespace leitstand {
+
+/// Adds to @p bodies where @p robot, which takes up @p body, was in the map from @p start to @p end (its own
+/// clock), as it moved; nothing where that is not certain. For scans of others, which must not keep it.
+void addBodies(std::vector<PlacedBody>& bodies, const RobotTracker& robot, const RobotBody& body, Time start,
+               Time end);
+
+}  // namespace leitstand
