@@ -170,8 +170,10 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 break;
             }
             case 21:
-                sample = MapCropSample{
-                    .stamp = at(1), .station = "s", .polygon = {{x, 0}, {4, x}, {0, 3}}, .ceiling = 0.1 * x};
+                sample = MapCropSample{.stamp = at(1),
+                                       .station = "s",
+                                       .polygon = {{x, 0.0}, {4.0, x}, {0.0, 3.0}},
+                                       .ceiling = 0.1 * x};
                 break;
             case 20:
                 sample = MissionInfoSample{.stamp = at(1), .team = text};

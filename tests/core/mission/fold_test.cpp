@@ -160,7 +160,8 @@ TEST(Fold, CorrectionsMoveScansAndTheVictimsThatHangOnThem) {
 }
 
 TEST(Fold, TheMapsAreaIsTheNewestThatIsNotTakenBack) {
-    MapCropSample room{.stamp = {}, .station = "s", .polygon = {{0, 0}, {4, 0}, {4, 3}}, .ceiling = 2.0};
+    MapCropSample room{
+        .stamp = {}, .station = "s", .polygon = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}, .ceiling = 2.0};
     MapCropSample open{.stamp = {}, .station = "s", .polygon = {}};
     std::vector<Event> events = {event(1, room), event(2, open)};
     EXPECT_THAT(folded(events).crop->sample.polygon, IsEmpty());

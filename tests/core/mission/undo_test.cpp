@@ -62,7 +62,7 @@ TEST_F(UndoOnMap, NamesWhatItTakesBack) {
 }
 
 TEST_F(UndoOnMap, TakesAreasAndScansBackInTheirOrderAndDoesThemAgain) {
-    add(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, 0}, {4, 0}, {4, 3}}});
+    add(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}});
     decide({1}, ScanTrust::SetAside);
     add(MapCropSample{.stamp = {}, .station = "us", .polygon = {}, .ceiling = 2.0});
     EXPECT_EQ(undoable(state(), "us")->kind, Kind::Crop);

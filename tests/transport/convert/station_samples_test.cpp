@@ -71,6 +71,13 @@ TEST(MapCrops, AreAnAreaUnderACeilingOrEverything) {
     EXPECT_THAT(error([](auto& m) { m.ceiling = Infinity; }), HasSubstr("ceiling"));
 }
 
+TEST(MapCrops, OfTwoCornersAreNotSent) {
+    const MapCropSample line{Time{}, "station-1", {{0.0, 0.0}, {1.0, 0.0}}, 2.0};
+    const auto bytes = encode(Sample(line), "leitstand_msgs/msg/MapCrop");
+    ASSERT_FALSE(bytes.ok());
+    EXPECT_THAT(bytes.error().text, HasSubstr("found 2"));
+}
+
 TEST(MapCrops, WithoutACeilingComeBackSo) {
     SampleCase open;
     open.type = "leitstand_msgs/msg/MapCrop";

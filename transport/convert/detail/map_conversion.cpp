@@ -120,10 +120,17 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
     }
 }
 
-MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&, Checks& checks) {
-    const std::size_t corners = from.polygon.size();
+namespace {
+
+void checkCorners(std::size_t corners, Checks& checks) {
     checks.require(corners == 0 || (corners >= 3 && corners <= MostCorners), "polygon",
                    "expected none, or 3 to {} corners, found {}", MostCorners, corners);
+}
+
+}  // namespace
+
+MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&, Checks& checks) {
+    checkCorners(from.polygon.size(), checks);
     MapCropSample to;
     to.stamp = checks.time("stamp", from.stamp);
     to.station = from.station;
@@ -135,6 +142,7 @@ MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&,
 }
 
 void toWire(const MapCropSample& from, wire::leitstand_msgs::MapCrop& to, Buffer&, Checks& checks) {
+    checkCorners(from.polygon.size(), checks);
     to.stamp = checks.wireTime("stamp", from.stamp);
     to.station = from.station;
     for (const Eigen::Vector2d& corner : from.polygon)

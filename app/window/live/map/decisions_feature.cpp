@@ -208,16 +208,17 @@ void DecisionsFeature::drawArea(bool on) {
 }
 
 void DecisionsFeature::follow(const MissionState& mission) {
+    const StationMapping& mapping = m_context.bridge.station().mapping();
+    const MapCrop crop = mapping.crop();
+    if (crop.polygon != m_area.polygon || crop.ceiling != m_area.ceiling) showArea();
     const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
     if (newest == m_newest) return;
     m_newest = newest;
-    const StationMapping& mapping = m_context.bridge.station().mapping();
     const auto undo = mapping.undoable(), redo = mapping.redoable();
     showUndo(QStringLiteral("scan.undo"), undo ? tr("Takes back: %1").arg(decisionText(*undo)) : QString(),
              undo ? tr("&Undo: %1").arg(decisionText(*undo)) : tr("&Undo decision"));
     showUndo(QStringLiteral("scan.redo"), redo ? tr("Decides again: %1").arg(decisionText(*redo)) : QString(),
              redo ? tr("Redo: %1").arg(decisionText(*redo)) : tr("Redo decision"));
-    showArea();
 }
 
 void DecisionsFeature::showUndo(const QString& id, const QString& hint, const QString& text) {
@@ -237,6 +238,7 @@ void DecisionsFeature::show() {
 
 void DecisionsFeature::showArea() {
     const MapCrop crop = m_context.bridge.station().mapping().crop();
+    m_area = crop;
     m_view.setArea(crop.polygon);
     m_panel->setCeiling(crop.ceiling < 1e9 ? std::optional(crop.ceiling) : std::nullopt);
     m_panel->setAreaText(crop.polygon.empty() ? tr("The whole world belongs into the map")

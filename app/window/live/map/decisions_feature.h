@@ -8,6 +8,7 @@
 
 #include "app/window/live/live_context.h"
 #include "core/base/result.h"
+#include "core/mapping/live/scan_cleaning.h"
 #include "widgets/models/map/key_scan_model.h"
 
 class QAction;
@@ -59,6 +60,7 @@ private:
     KeyScanModel m_scans;
     DecisionsPanel* m_panel;
     std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+    MapCrop m_area;                          ///< that is shown
     std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
 };
 
