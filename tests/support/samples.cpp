@@ -241,6 +241,8 @@ std::vector<SampleCase> stationCases() {
                          ScanPosesSample::Cause::LoopClosure,
                          {{7, pose(7.0), 0.01, 0.9, 0.8, 0.7, true, ScanTrust::Certain, 0},
                           {8, pose(8.0), 0.02, 0.6, 0.5, 0.4, false, ScanTrust::Uncertain, 0x15}}}},
+        {"leitstand_msgs/msg/MapCrop", nullopt,
+         MapCropSample{now, "station-1", {{-1.0, -2.0}, {4.0, -2.0}, {4.0, 3.5}}, 2.1}},
         {"leitstand_msgs/msg/RobotPlace", nullopt,
          RobotPlaceSample{now, "station-1", "crawler", RobotPlaceSample::Cause::FoundAgain,
                           at(1'700'000'019, 7), pose(9.0), pose(10.0), 0.6, 0.7, true,

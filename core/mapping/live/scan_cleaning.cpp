@@ -43,21 +43,6 @@ bool MapCrop::contains(const Eigen::Vector3d& pointInMap) const {
     return polygon.empty() || within(polygon, pointInMap.head<2>());
 }
 
-std::string inWords(const MapCrop& crop) {
-    if (crop.open()) return "map: everything belongs into it";
-    std::string text = "map:";
-    if (!crop.polygon.empty()) {
-        text += fmt::format(" within {} corners (", crop.polygon.size());
-        for (std::size_t i = 0; i < crop.polygon.size(); ++i)
-            text +=
-                fmt::format("{}{:.2f} {:.2f}", i == 0 ? "" : ", ", crop.polygon[i].x(), crop.polygon[i].y());
-        text += ")";
-    }
-    if (crop.ceiling < 1e9)
-        text += fmt::format("{} below {:.2f} m", crop.polygon.empty() ? "" : " and", crop.ceiling);
-    return text;
-}
-
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin) {
     if (body.footprint.empty()) return;
     Eigen::AlignedBox2d box;

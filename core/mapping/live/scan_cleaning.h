@@ -26,10 +26,6 @@ struct MapCrop {
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
 };
 
-/// What of the world belongs into the map, for the log, in English: "map: within 4 corners (0.0 1.0, ...) and
-/// below 2.0 m".
-[[nodiscard]] std::string inWords(const MapCrop& crop);
-
 /// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
 /// Turns points of @p scan outside @p crop into no echo.

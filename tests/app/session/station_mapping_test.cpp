@@ -1,5 +1,6 @@
 #include "app/session/station/station_mapping.h"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -217,6 +218,57 @@ TEST_F(StationMappingTest, RobotsAreWhereTheirOdometryCarriesThemFromTheirNewest
     EXPECT_GT(here().certainty, 0.5);
     EXPECT_GE(here().trail->size(), 6u);
     EXPECT_LT((here().trail->back() - here().baseInMap.translation().cast<float>()).norm(), 0.11f);
+}
+
+TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
+    begin();
+    scan();
+    ASSERT_TRUE(scans(1)) << words();
+    const auto farthestAhead = [&](std::size_t at) {
+        const LiveKeyScan& one = m_mapping->scans()->scans.at(at);
+        double x = -100.0;
+        for (const Eigen::Vector3f& point : one.scan->points) {
+            if (point.allFinite()) x = std::max(x, (one.pose.scanInMap * point.cast<double>()).x());
+        }
+        return x;
+    };
+    const auto crop = [&] { return m_mapping->crop(); };
+    const auto inLog = [&](std::size_t corners) {
+        return waitUntil([&] {
+            const auto said = m_mission->state()->crop;
+            return (said ? said->sample.polygon.size() : 0) == corners && crop().polygon.size() == corners;
+        });
+    };
+    EXPECT_GT(farthestAhead(0), 1.5);
+    EXPECT_TRUE(crop().open());
+    MapCrop area;
+    area.polygon = {{0.0, 0.0}, {1.0, 0.0}};
+    EXPECT_FALSE(m_mapping->setCrop(area).ok()) << "two corners are no area";
+    EXPECT_TRUE(crop().open());
+    area.polygon = {{-10.0, -10.0}, {1.2, -10.0}, {1.2, 10.0}, {-10.0, 10.0}};
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    area.ceiling = 0.5;
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    ASSERT_TRUE(inLog(4));
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(waitUntil([&] { return !(crop().ceiling < 1e9); })) << "as it was before";
+    EXPECT_TRUE(inLog(4));
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(inLog(0));
+    EXPECT_FALSE(m_mapping->undoable().has_value());
+    EXPECT_EQ(m_mapping->redoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->redo().ok());
+    ASSERT_TRUE(inLog(4));
+    end();
+    begin();
+    EXPECT_EQ(crop().polygon, area.polygon) << "also after a restart";
+    EXPECT_FALSE(crop().ceiling < 1e9);
+    scan();
+    ASSERT_TRUE(scans(2)) << words();
+    EXPECT_LT(farthestAhead(1), 1.4) << "what is outside stays out";
+    ASSERT_TRUE(m_mapping->undo().ok()) << "also what was decided before";
+    EXPECT_TRUE(inLog(0));
 }
 
 TEST_F(StationMappingTest, AStationThatStartsAgainHasTheMapTheRobotsAndWhatWasTakenBack) {

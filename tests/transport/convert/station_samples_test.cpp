@@ -61,6 +61,32 @@ TEST(ScanPoses, AreRigidAndOfScans) {
     EXPECT_THAT(error([](auto& m) { m.cause = 3; }), HasSubstr("cause"));
 }
 
+TEST(MapCrops, AreAnAreaUnderACeilingOrEverything) {
+    const auto error = [](auto change) { return errorAfter<lm::MapCrop>(change); };
+    EXPECT_EQ(error([](auto&) {}), "none");
+    EXPECT_EQ(error([](auto& m) { m.polygon.clear(), m.ceiling = NaN; }), "none") << "everything";
+    EXPECT_THAT(error([](auto& m) { m.polygon.pop_back(); }), HasSubstr("found 2"));
+    EXPECT_THAT(error([](auto& m) { m.polygon.resize(1'001); }), HasSubstr("polygon"));
+    EXPECT_THAT(error([](auto& m) { m.polygon[1].y = Infinity; }), HasSubstr("polygon"));
+    EXPECT_THAT(error([](auto& m) { m.ceiling = Infinity; }), HasSubstr("ceiling"));
+}
+
+TEST(MapCrops, OfTwoCornersAreNotSent) {
+    const MapCropSample line{Time{}, "station-1", {{0.0, 0.0}, {1.0, 0.0}}, 2.0};
+    const auto bytes = encode(Sample(line), "leitstand_msgs/msg/MapCrop");
+    ASSERT_FALSE(bytes.ok());
+    EXPECT_THAT(bytes.error().text, HasSubstr("found 2"));
+}
+
+TEST(MapCrops, WithoutACeilingComeBackSo) {
+    SampleCase open;
+    open.type = "leitstand_msgs/msg/MapCrop";
+    open.sample = MapCropSample{Time{}, "station-1", {}, Infinity};
+    const auto back = decodeCase(open, rawEvent(open, encoded(open)));
+    ASSERT_TRUE(back.ok()) << back.error().text;
+    EXPECT_EQ(std::get<MapCropSample>(*back).ceiling, Infinity);
+}
+
 TEST(RobotPlaces, AreRigidAndOfARobot) {
     const auto error = [](auto change) { return errorAfter<lm::RobotPlace>(change); };
     EXPECT_EQ(error([](auto& m) { m.overlap = NaN; }), "none") << "not known";

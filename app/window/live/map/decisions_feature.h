@@ -8,6 +8,7 @@
 
 #include "app/window/live/live_context.h"
 #include "core/base/result.h"
+#include "core/mapping/live/scan_cleaning.h"
 #include "widgets/models/map/key_scan_model.h"
 
 class QAction;
@@ -19,6 +20,7 @@ class MapGestures;
 class MapView;
 class RobotsOnMap;
 struct GroundPose;
+struct MissionState;
 
 /// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
 /// in the mission's log.
@@ -45,6 +47,9 @@ private:
     void retryFrom(std::uint64_t id, const GroundPose& pose);
     void rewind();
     void drawArea(bool on);
+    void follow(const MissionState& mission);
+    /// @p hint: empty when there is nothing for it to do.
+    void showUndo(const QString& id, const QString& hint, const QString& text);
     void show();
     void showArea();
 
@@ -55,6 +60,8 @@ private:
     KeyScanModel m_scans;
     DecisionsPanel* m_panel;
     std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+    MapCrop m_area;                          ///< that is shown
+    std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
 };
 
 }  // namespace leitstand
