@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <fmt/format.h>
-
 namespace leitstand {
 namespace {
 
