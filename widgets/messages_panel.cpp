@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/models/message_list_model.h"
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/tone_delegate.h"
 
 namespace leitstand {
 namespace {

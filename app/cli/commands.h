@@ -22,6 +22,10 @@ void addRecord(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 /// `replay`: publishes what a mission's robots said.
 void addReplay(CLI::App& app, int& exitCode);
+/// `report`: writes the hand-in of a mission.
+void addReport(CLI::App& app, int& exitCode);
+/// `export`: writes part of a mission for other programs.
+void addExport(CLI::App& app, int& exitCode);
 /// `probe`: tells who is on a domain and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 

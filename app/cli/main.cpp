@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
     leitstand::cli::addRecord(app, exitCode);
     leitstand::cli::addInfo(app, exitCode);
     leitstand::cli::addReplay(app, exitCode);
+    leitstand::cli::addReport(app, exitCode);
+    leitstand::cli::addExport(app, exitCode);
     leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);

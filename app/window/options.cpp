@@ -73,7 +73,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
              nullptr)
         ->type_name("FOLDER");
     onRobots(app.add_option("--layout", options.layout,
-                            "How panes are arranged: drive, explore, map, review, or one of your own"),
+                            "How panes are arranged: drive, explore, map, review, link, or one of your own"),
              nullptr)
         ->type_name("NAME");
     onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)

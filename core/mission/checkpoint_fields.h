@@ -41,7 +41,7 @@ inline ScanPosesSample::Cause lastOf(ScanPosesSample::Cause) {
     return ScanPosesSample::Cause::Operator;
 }
 inline RobotPlaceSample::Cause lastOf(RobotPlaceSample::Cause) {
-    return RobotPlaceSample::Cause::FoundAgain;
+    return RobotPlaceSample::Cause::Seen;
 }
 
 template <class A>
@@ -171,6 +171,10 @@ void describe(A& a, ScanPosesSample& v) {
     a(v.stamp, v.station, v.cause, v.poses);
 }
 template <class A>
+void describe(A& a, MapCropSample& v) {
+    a(v.stamp, v.station, v.polygon, v.ceiling);
+}
+template <class A>
 void describe(A& a, KeyScanEntry& v) {
     a(v.id, v.robot, v.stamp, v.sensorInBase, v.scanInMap, v.sensorInOdom, v.matched, v.points);
 }
@@ -220,7 +224,7 @@ void describe(A& a, SharedValue<T>& v) {
 }
 template <class A>
 void describe(A& a, MissionState& v) {
-    // Victims, key scans and notes follow from the decisions.
+    // Victims, key scans, notes and the area of the map follow from the decisions.
     a(v.sequence, v.events, v.first, v.last, v.robots, v.ownTopics, v.decisions, v.grants, v.alarms,
       v.sessions, v.remarks, v.clock, v.candidates, v.info);
 }

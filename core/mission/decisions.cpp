@@ -47,6 +47,10 @@ private:
         }
     }
 
+    void effect(const Decision& decision, const MapCropSample& crop) {
+        m_state.crop = {decision.sequence, decision.received, crop};
+    }
+
     void effect(const Decision&, const UndoSample&) {}
 
     MissionState& m_state;
@@ -111,6 +115,7 @@ void reconsider(MissionState& state) {
     state.victims.edit().clear();
     state.keyScans.edit().clear();
     state.notes.edit().clear();
+    state.crop.reset();
     Effects effects(state);
     for (const Decision& decision : *state.decisions) {
         if (!decision.undone) effects.apply(decision);

@@ -9,7 +9,7 @@ namespace leitstand {
 void decide(MissionState& state, Decision decision);
 
 /// Works out from MissionState::decisions which of them are undone, and all that follows from the others:
-/// victims, key scans and notes.
+/// victims, key scans, notes and the area of the map.
 void reconsider(MissionState& state);
 
 /// Adds a remark about the event of @p sequence.

@@ -26,8 +26,8 @@ using Sample =
                  BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
                  ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
                  KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
-                 CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample,
-                 MissionInfoSample>;
+                 CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
+                 MapCropSample>;
 
 /// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
 struct Event {

@@ -140,6 +140,7 @@ private:
     void handle(const VictimSample& sample) { decided(sample); }
     void handle(const NoteSample& sample) { decided(sample); }
     void handle(const ScanPosesSample& sample) { decided(sample); }
+    void handle(const MapCropSample& sample) { decided(sample); }
     void handle(const UndoSample& sample) { decided(sample); }
     void handle(const KeyScanSample& sample) {
         KeyScanEntry entry;

@@ -41,7 +41,7 @@ struct Decision {
     std::uint64_t sequence = 0;
     Time received{};      ///< station's clock
     bool undone = false;  ///< an undo that is not undone itself names it
-    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample> content;
+    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample> content;
 };
 
 /// What names a victim or another find.
@@ -115,6 +115,7 @@ struct MissionState {
     SharedValue<std::map<std::uint32_t, CandidateState>> candidates;  ///< by id
     SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;      ///< by id
     SharedValue<std::vector<Latest<NoteSample>>> notes;               ///< that are not undone
+    std::optional<Latest<MapCropSample>> crop;                        ///< newest that is not undone
     SharedValue<std::map<GrantKey, GrantState>> grants;
     SharedValue<std::map<AlarmKey, AlarmState>> alarms;
     SharedValue<std::vector<SessionState>> sessions;

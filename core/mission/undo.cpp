@@ -8,48 +8,83 @@
 namespace leitstand {
 namespace {
 
-/// The operator's decision on scans that @p decision is; null: another kind, or another station's.
-const ScanPosesSample* decided(const Decision& decision, const std::string& station) {
-    const auto* poses = std::get_if<ScanPosesSample>(&decision.content);
-    const bool ours = poses != nullptr && poses->cause == ScanPosesSample::Cause::Operator &&
-                      poses->station == station && !poses->poses.empty();
-    return ours ? poses : nullptr;
-}
+using Kind = MapDecision::Kind;
 
-std::string inWords(const ScanPosesSample& decision) {
+MapDecision scansOf(const ScanPosesSample& decision) {
     const auto& poses = decision.poses;
     const bool aside = std::all_of(poses.begin(), poses.end(),
                                    [](const ScanPose& pose) { return pose.trust == ScanTrust::SetAside; });
-    const auto scans = poses.size() == 1 ? fmt::format("scan {}", poses.front().scan)
-                                         : fmt::format("{} scans", poses.size());
-    return scans + (aside ? " set aside" : poses.front().trust == ScanTrust::Certain ? " taken" : " tried");
+    const bool certain = poses.front().trust == ScanTrust::Certain;
+    MapDecision told{aside ? Kind::SetAside : certain ? Kind::Taken : Kind::Tried, {}, 0};
+    for (const ScanPose& pose : poses) told.scans.push_back(pose.scan);
+    return told;
+}
+
+/// The operator's decision on the map that @p decision is; empty: another kind, or another station's.
+std::optional<MapDecision> onMap(const Decision& decision, const std::string& station) {
+    std::optional<MapDecision> told;
+    if (const auto* poses = std::get_if<ScanPosesSample>(&decision.content)) {
+        const bool ours = poses->cause == ScanPosesSample::Cause::Operator && poses->station == station;
+        if (ours && !poses->poses.empty()) told = scansOf(*poses);
+    } else if (const auto* crop = std::get_if<MapCropSample>(&decision.content)) {
+        if (crop->station == station) told = MapDecision{Kind::Crop, {}, 0};
+    }
+    if (told) told->event = decision.sequence;
+    return told;
+}
+
+std::string inWords(const MapDecision& decision) {
+    if (decision.kind == Kind::Crop) return "what belongs into the map";
+    const auto scans = decision.scans.size() == 1 ? fmt::format("scan {}", decision.scans.front())
+                                                  : fmt::format("{} scans", decision.scans.size());
+    switch (decision.kind) {
+        case Kind::SetAside:
+            return scans + " set aside";
+        case Kind::Taken:
+            return scans + " taken";
+        default:
+            return scans + " tried";
+    }
 }
 
 }  // namespace
 
-std::optional<UndoSample> undoOfScans(const MissionState& state, const std::string& station, Time now) {
+std::optional<MapDecision> undoable(const MissionState& state, const std::string& station) {
     const auto& all = *state.decisions;
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
-        const ScanPosesSample* poses = decided(*decision, station);
-        if (poses != nullptr && !decision->undone)
-            return UndoSample{now, station, decision->sequence, "undo: " + inWords(*poses)};
+        if (decision->undone) continue;
+        if (auto told = onMap(*decision, station)) return told;
     }
     return std::nullopt;
 }
 
-std::optional<UndoSample> redoOfScans(const MissionState& state, const std::string& station, Time now) {
+std::optional<MapDecision> redoable(const MissionState& state, const std::string& station) {
     const auto& all = *state.decisions;
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
         if (decision->undone) continue;
-        if (decided(*decision, station) != nullptr) return std::nullopt;  // made since
+        if (onMap(*decision, station)) return std::nullopt;  // made since
         const auto* undo = std::get_if<UndoSample>(&decision->content);
         if (undo == nullptr || undo->station != station) continue;
         const Decision* target = decisionAt(state, undo->event);
-        const ScanPosesSample* poses = target != nullptr ? decided(*target, station) : nullptr;
-        if (poses != nullptr && target->undone)
-            return UndoSample{now, station, decision->sequence, "redo: " + inWords(*poses)};
+        if (target == nullptr || !target->undone) continue;
+        auto told = onMap(*target, station);
+        if (!told) continue;
+        told->event = decision->sequence;
+        return told;
     }
     return std::nullopt;
+}
+
+std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station, Time now) {
+    const auto decision = undoable(state, station);
+    if (!decision) return std::nullopt;
+    return UndoSample{now, station, decision->event, "undo: " + inWords(*decision)};
+}
+
+std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station, Time now) {
+    const auto decision = redoable(state, station);
+    if (!decision) return std::nullopt;
+    return UndoSample{now, station, decision->event, "redo: " + inWords(*decision)};
 }
 
 }  // namespace leitstand

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/time.h"
 #include "core/mission/mission_state.h"
@@ -9,12 +11,30 @@
 
 namespace leitstand {
 
-/// Takes back the newest of the operator's decisions on scans that @p station made and that is not taken back
-/// yet; empty: there is none.
-[[nodiscard]] std::optional<UndoSample> undoOfScans(const MissionState& state, const std::string& station,
-                                                    Time now);
-/// Does again what undoOfScans() took back last; empty: nothing was, or the operator decided something since.
-[[nodiscard]] std::optional<UndoSample> redoOfScans(const MissionState& state, const std::string& station,
-                                                    Time now);
+/// A decision on the map that the operator may take back, or do again.
+struct MapDecision {
+    enum class Kind {
+        Taken,     ///< scans count
+        SetAside,  ///< scans do not
+        Tried,     ///< scans were registered again, and are still doubted
+        Crop,      ///< what of the world belongs into the map
+    };
+    Kind kind = Kind::Taken;
+    std::vector<std::uint64_t> scans;  ///< by id
+    std::uint64_t event = 0;           ///< sequence that the UndoSample has to name
+};
+
+/// The newest of the operator's decisions on the map that @p station made and that is not taken back yet;
+/// empty: there is none.
+[[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
+/// The one that was taken back last; empty: none was, or the operator decided something since.
+[[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
+
+/// Takes undoable() back.
+[[nodiscard]] std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station,
+                                                  Time now);
+/// Does redoable() again.
+[[nodiscard]] std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station,
+                                                  Time now);
 
 }  // namespace leitstand

@@ -40,11 +40,12 @@ const std::vector<Rule>& rules() {
         {"widgets/models", with(core, {"widgets/models"}), {"Eigen", "fmt", "Qt"}},
         {"widgets", with(core, {"widgets"}), {"Eigen", "fmt", "Qt", "vtk", "EGL"}},
         {"app/session", with(core, {"core/io", "transport", "app/session"}), {"Eigen", "fmt"}},
+        {"app/report", with(core, {"app/session/report", "app/report"}), {"Eigen", "fmt", "Qt"}},
         {"app/cli",
-         with(core, {"core/io", "transport", "app/session", "app/cli"}),
+         with(core, {"core/io", "transport", "app/session", "app/report", "app/cli"}),
          {"Eigen", "fmt", "CLI", "nlohmann", "Qt"}},
         {"app/window",
-         with(core, {"app/session", "widgets", "app/window"}),
+         with(core, {"app/session", "app/report", "widgets", "app/window"}),
          {"Eigen", "fmt", "CLI", "Qt", "SDL"}},
     };
     return all;

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -13,28 +12,12 @@
 #include <QVBoxLayout>
 
 #include "widgets/number_box.h"
-#include "widgets/scans/column_fitter.h"
 #include "widgets/scans/fields.h"
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/column_fitter.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
-
-constexpr int RowHeight = 24;  ///< [px]
-
-void dress(QTableView& table) {
-    table.setItemDelegate(new ToneDelegate(&table));
-    table.setSelectionBehavior(QAbstractItemView::SelectRows);
-    table.setSelectionMode(QAbstractItemView::SingleSelection);
-    table.setShowGrid(false);
-    table.setWordWrap(false);
-    table.setTabKeyNavigation(false);
-    table.verticalHeader()->hide();
-    table.verticalHeader()->setDefaultSectionSize(RowHeight);
-    table.horizontalHeader()->setHighlightSections(false);
-    table.horizontalHeader()->setMinimumSectionSize(24);
-    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-}
 
 /// A field with its caption before it.
 void addTo(QHBoxLayout& line, const QString& caption, QWidget& field, const QString& hint) {
@@ -53,7 +36,7 @@ LinkPane::LinkPane(QAction& thin, QWidget* parent) : QWidget(parent), m_table(ne
     m_table->setObjectName(QStringLiteral("streams"));
     m_table->setAccessibleName(tr("Streams of all robots"));
     m_table->setModel(&m_model);
-    dress(*m_table);
+    dressTable(*m_table);
     using Column = StreamTable::Column;
     new ColumnFitter(*m_table, {Column::Type, Column::Loss, Column::Age, Column::Load}, Column::Setting);
     auto* layout = new QVBoxLayout(this);

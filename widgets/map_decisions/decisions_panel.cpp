@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QTableView>
@@ -14,13 +13,12 @@
 
 #include "widgets/models/map/key_scan_model.h"
 #include "widgets/number_box.h"
-#include "widgets/scans/column_fitter.h"
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/column_fitter.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int RowHeight = 24;  ///< [px]
 constexpr double UsualCeiling = 2.0;
 
 /// Pair distances of a registration that is tried again, from wide to narrow [m].
@@ -74,16 +72,7 @@ QTableView* DecisionsPanel::table() {
     view->setObjectName(QStringLiteral("keyScans"));
     view->setAccessibleName(tr("Key scans of the map, newest first"));
     view->setModel(&m_scans);
-    view->setItemDelegate(new ToneDelegate(view));
-    view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view->setSelectionMode(QAbstractItemView::SingleSelection);
-    view->setShowGrid(false);
-    view->setWordWrap(false);
-    view->setTabKeyNavigation(false);
-    view->verticalHeader()->hide();
-    view->verticalHeader()->setDefaultSectionSize(RowHeight);
-    view->horizontalHeader()->setHighlightSections(false);
-    view->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    dressTable(*view);
     using Column = KeyScanModel::Column;
     new ColumnFitter(*view, {Column::Entered, Column::Overlap}, Column::Doubts);
     return view;

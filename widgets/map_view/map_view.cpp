@@ -12,6 +12,7 @@
 #include "widgets/map_view/overlays/scale_overlays.h"
 #include "widgets/map_view/picking.h"
 #include "widgets/map_view/robots/robot_overlay.h"
+#include "widgets/map_view/victims/victim_overlay.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -166,6 +167,7 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     paintArea(painter, projection, area, ground, overlay);
     paintTrails(painter, projection, robots, overlay);
     paintRobots(painter, projection, robots, overlay);
+    paintVictims(painter, projection, finds, chosenFind, overlay);
     tools.paint(painter, projection, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);

@@ -11,6 +11,7 @@
 #include "core/mapping/map.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 #include "widgets/map_view/map_view_settings.h"
+#include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {
 
@@ -54,6 +55,8 @@ public:
     /// Shows robots where they are now: costs no drawing of points. The camera follows the selected one while
     /// the settings say so.
     void setRobots(std::vector<RobotMark> robots);
+    /// Marks victims and other finds; @p chosen stands out.
+    void setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen);
     /// The scan of this MapScan::id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
     /// Frames the scan of this MapScan::id.

@@ -18,6 +18,13 @@ void MapView::setRobots(std::vector<RobotMark> robots) {
     if (!same) update();
 }
 
+void MapView::setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen) {
+    if (finds == m_state->finds && chosen == m_state->chosenFind) return;
+    m_state->finds = std::move(finds);
+    m_state->chosenFind = chosen;
+    update();
+}
+
 void MapView::setArea(std::vector<Eigen::Vector2d> area) {
     m_state->area = std::move(area);
     update();

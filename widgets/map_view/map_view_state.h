@@ -46,6 +46,8 @@ struct MapView::State {
     QTimer hover;               ///< limits how often hovering picks
 
     std::vector<RobotMark> robots;
+    std::vector<VictimRow> finds;
+    std::optional<FindKey> chosenFind;
     GroundTools tools;
     std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]

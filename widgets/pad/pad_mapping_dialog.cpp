@@ -13,9 +13,12 @@
 
 #include "widgets/pad/pad_bar_delegate.h"
 #include "widgets/pad/stick_gauge.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
+
+constexpr int RowHeight = 26;  ///< [px]
 
 int percent(double share) {
     return static_cast<int>(std::lround(100.0 * share));
@@ -53,13 +56,8 @@ PadMappingDialog::PadMappingDialog(QWidget* parent)
 
 void PadMappingDialog::buildTable() {
     m_view->setModel(&m_table);
+    dressTable(*m_view, RowHeight);
     m_view->setItemDelegateForColumn(PadTable::Control, new PadBarDelegate(m_view));
-    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_view->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_view->setTabKeyNavigation(false);
-    m_view->setShowGrid(false);
-    m_view->verticalHeader()->hide();
-    m_view->verticalHeader()->setDefaultSectionSize(26);
     m_view->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_view->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_view->setAccessibleName(tr("What the gamepad does, and by which control"));

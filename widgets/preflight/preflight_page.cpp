@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/pane_paint.h"
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
@@ -47,19 +47,12 @@ PreflightPage::PreflightPage(QWidget* parent)
     m_table->setObjectName(QStringLiteral("checks"));
     m_table->setAccessibleName(tr("Checks before the mission"));
     m_table->setModel(&m_list);
-    m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
+    dressTable(*m_table);
     m_table->setWordWrap(true);
-    m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->setMinimumSectionSize(24);
     auto* header = m_table->horizontalHeader();
-    header->setHighlightSections(false);
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    header->setSectionResizeMode(PreflightList::State, QHeaderView::Fixed);
     header->setSectionResizeMode(PreflightList::Who, QHeaderView::ResizeToContents);
     header->setSectionResizeMode(PreflightList::What, QHeaderView::Stretch);
     header->setSectionResizeMode(PreflightList::Remedy, QHeaderView::Stretch);

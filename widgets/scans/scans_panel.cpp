@@ -1,34 +1,18 @@
 #include "widgets/scans/scans_panel.h"
 
 #include <QAction>
-#include <QHeaderView>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "widgets/models/scan_list_model.h"
-#include "widgets/scans/column_fitter.h"
 #include "widgets/scans/scan_details_view.h"
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/column_fitter.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int RowHeight = 26;  ///< [px]
-
-void dress(QTableView& table) {
-    table.setItemDelegate(new ToneDelegate(&table));
-    table.setSelectionBehavior(QAbstractItemView::SelectRows);
-    table.setSelectionMode(QAbstractItemView::SingleSelection);
-    table.setShowGrid(false);
-    table.setWordWrap(false);
-    table.setTabKeyNavigation(false);
-    table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    table.verticalHeader()->hide();
-    table.verticalHeader()->setDefaultSectionSize(RowHeight);
-    table.horizontalHeader()->setHighlightSections(false);
-    table.horizontalHeader()->setMinimumSectionSize(24);
-    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-}
+constexpr int RowHeight = 26;  ///< [px], of a tick box
 
 }  // namespace
 
@@ -37,7 +21,7 @@ ScansPanel::ScansPanel(ScanListModel& scans, QWidget* parent)
     m_table->setObjectName(QStringLiteral("scans"));
     m_table->setAccessibleName(tr("Scans of the map"));
     m_table->setModel(&scans);
-    dress(*m_table);
+    dressTable(*m_table, RowHeight);
     using Column = ScanListModel::Column;
     new ColumnFitter(*m_table,
                      {Column::Ceiling, Column::Wall, Column::Floor, Column::Heading, Column::Points,

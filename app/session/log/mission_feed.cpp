@@ -12,13 +12,14 @@ namespace leitstand {
 namespace {
 
 /// What stations say that means something in every log.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> StationTopics = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> StationTopics = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim"},
     {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
     {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
     {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
     {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
+    {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop"},
     {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace"},
     {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
     {station_topic::Notes, "leitstand_msgs/msg/Note"},

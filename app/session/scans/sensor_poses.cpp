@@ -41,6 +41,12 @@ std::optional<Pose> SensorPoses::inBaseByTransforms(const std::string& frame) co
     return std::nullopt;
 }
 
+std::optional<std::pair<std::string, Pose>> SensorPoses::parentOf(const std::string& frame) const {
+    const auto parent = m_parents.find(frame);
+    if (parent == m_parents.end()) return std::nullopt;
+    return std::pair(parent->second.frame, parent->second.childInParent);
+}
+
 Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
     if (const auto pose = inBaseByTransforms(frame)) return *pose;
     if (const auto described = m_robot->sensors.find(sensor); described != m_robot->sensors.end()) {

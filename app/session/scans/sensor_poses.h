@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mission/event.h"
@@ -26,6 +27,8 @@ public:
     /// Pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by its file,
     /// else the base itself, which remarks() tells.
     [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
+    /// What a frame hangs on by the transforms that came, and its pose in it; empty: nobody told.
+    [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
     void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< odometry
     /// What was missing, each once.

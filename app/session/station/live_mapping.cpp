@@ -9,12 +9,6 @@
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
-namespace {
-
-constexpr double AboutARobot = 0.1;  ///< so much about its corners may be of a robot, too [m]
-
-}  // namespace
-
 MapPtr shownMap(const LiveMap& live) {
     auto map = std::make_shared<Map>();
     for (const LiveKeyScan& one : live.scans) {
@@ -125,54 +119,8 @@ void LiveMapping::work(const Event& event) {
         RangesSample stamped = *ranges;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
         const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
-        seeing(robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
+        seeing(event.robot, robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
     }
-}
-
-void LiveMapping::seeing(Robot& robot, LaserView view, Time now) {
-    std::vector<Disc> others;
-    for (const RobotDescription& description : m_descriptions) {
-        const Robot& other = m_robots.at(description.name);
-        if (&other == &robot || !other.tracker.placed()) continue;
-        Disc disc{other.tracker.now().baseInMap.translation().head<2>(), 0.0};
-        for (const Eigen::Vector2d& corner : description.footprint)
-            disc.radius = std::max(disc.radius, corner.norm() + AboutARobot);
-        others.push_back(disc);
-    }
-    tellPlace(robot.laser.see(std::move(view), m_map, now, others));
-}
-
-void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
-    if (place && m_listener.onPlace) m_listener.onPlace(*place);
-}
-
-void LiveMapping::placeOthers(Time now) {
-    if (!m_map || m_map->scans.empty()) return;
-    const LiveKeyScan& first = m_map->scans.front();
-    const Pose began = first.pose.scanInMap * first.sensorInBase.inverse();
-    for (auto& [name, robot] : m_robots) {
-        if (name != first.scan->robot && !m_mapper.fix(name))
-            tellPlace(robot.laser.placeBeside(began, m_map, now));
-    }
-}
-
-void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
-    const std::string& name = scan.scan->robot;
-    if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
-    // Without a plane laser its 3D scans do as well.
-    if (!robot.tracker.placed()) {
-        seeing(robot, laserView(scan), now);
-        placeOthers(now);
-    }
-    if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
-}
-
-void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
-    post([this, name, baseInMap](LiveMapper& mapper) {
-        Robot& robot = m_robots.at(name);
-        if (mapper.fix(name)) return mapper.place(name, baseInMap);
-        tellPlace(robot.laser.place(baseInMap, m_map, stationTime()));
-    });
 }
 
 void LiveMapping::work(const Task& task) {
@@ -186,11 +134,13 @@ void LiveMapping::registerDone(Time now) {
         for (auto& [topic, cutter] : robot.cutters) {
             for (const LiveScan& scan : cutter.take(now)) {
                 place(robot, scan, now);
+                const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now);
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
+                placeSeen(update, before, now);
             }
         }
     }

@@ -72,9 +72,13 @@ private:
     void work(const Task& task);
     void registerDone(Time now);
     void followFixes();          ///< robots stand where the mapper says
-    void placeOthers(Time now);  ///< robots that do not make the map
+    void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
+    void placeBeside(const std::string& name, Robot& robot, Time now);
+    /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
+    void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
-    void seeing(Robot& robot, LaserView view, Time now);
+    void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
+    [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
     void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();
     void tellRobots();

@@ -10,21 +10,24 @@
 
 namespace leitstand {
 
-std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
+std::vector<KeyScanSample> keyScansOf(BagReader& bag) {
     std::vector<KeyScanSample> scans;
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder, ignored)) return scans;
-    const auto bag = BagReader::open(folder);
-    if (!bag) return scans;  // LiveMission says why
     BagQuery query;
     query.topics = {std::string(station_topic::KeyScans)};
-    BagCursor cursor = (*bag)->read(query);
+    BagCursor cursor = bag.read(query);
     while (const auto raw = cursor.next()) {
         const auto event = decodeStationEvent(*raw);
         if (!event) continue;
         if (const auto* scan = std::get_if<KeyScanSample>(&event->sample)) scans.push_back(*scan);
     }
     return scans;
+}
+
+std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored)) return {};
+    const auto bag = BagReader::open(folder);
+    return bag ? keyScansOf(**bag) : std::vector<KeyScanSample>();  // LiveMission says why
 }
 
 std::vector<ScanPose> posesOf(const MissionState& mission) {

@@ -8,6 +8,10 @@
 
 namespace leitstand {
 
+class BagReader;
+
+/// Key scans that @p bag holds.
+[[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);
 /// Key scans in the log of the mission @p folder; none where there is no mission yet.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder);
 

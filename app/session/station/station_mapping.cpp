@@ -17,7 +17,6 @@
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
 #include "core/mission/station_topics.h"
-#include "core/mission/undo.h"
 
 namespace leitstand {
 namespace {
@@ -37,9 +36,10 @@ struct StationMapping::State {
     std::map<std::string, bool> certain;  ///< whether a robot's place was; of the mapping's thread
     mutable std::mutex mutex;             ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
-    MapCrop crop;
-    /// Of the poses and undos that we said, how much came back from the log: only then the mission has all of
-    /// it.
+    MapCrop crop;       ///< as it was wished last
+    MapCrop usualCrop;  ///< while the mission says nothing about it; fixed
+    /// Of the poses, areas and undos that we said, how much came back from the log: only then the mission has
+    /// all of it.
     std::uint64_t said = 0, heard = 0;
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::set<std::string> robots;                          ///< fixed
@@ -52,10 +52,14 @@ struct StationMapping::State {
         if (listener.onMessage) listener.onMessage(text);
     }
     void show(const LiveMapPtr& map);
-    void say(const Sample& sample, std::string_view topic);
+    Result<void> say(const Sample& sample, std::string_view topic);
+    void sayOrTell(const Sample& sample, std::string_view topic) {
+        if (const auto kept = say(sample, topic); !kept) tell(kept.error().text);
+    }
     void log(const MapUpdate& update);
     void log(const RobotPlaceSample& place);
     void hear(const Event& event);
+    [[nodiscard]] MapCrop cropInLog() const;
     void whenSettled(std::function<void(LiveMapper&)> task, bool first = false);
     void settle(LiveMapper& mapper);
     [[nodiscard]] Result<void> known(std::uint64_t scan) const;
@@ -73,16 +77,16 @@ void StationMapping::State::show(const LiveMapPtr& map) {
     if (listener.onMap) listener.onMap(shownMap(*map));
 }
 
-void StationMapping::State::say(const Sample& sample, std::string_view topic) {
+Result<void> StationMapping::State::say(const Sample& sample, std::string_view topic) {
     {
         const std::lock_guard lock(mutex);
         ++said;  // first: it may come back at once
     }
-    const auto kept = mission.say(sample, topic);
-    if (kept) return;
-    tell(kept.error().text);
+    auto kept = mission.say(sample, topic);
+    if (kept) return kept;
     const std::lock_guard lock(mutex);
     ++heard;
+    return kept;
 }
 
 void StationMapping::State::log(const MapUpdate& update) {
@@ -90,7 +94,7 @@ void StationMapping::State::log(const MapUpdate& update) {
         if (const auto kept = mission.say(*update.keyScan, station_topic::KeyScans); !kept)
             tell(kept.error().text);
     }
-    if (update.poses) say(*update.poses, station_topic::ScanPoses);
+    if (update.poses) sayOrTell(*update.poses, station_topic::ScanPoses);
 }
 
 void StationMapping::State::log(const RobotPlaceSample& place) {
@@ -102,7 +106,7 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
         place.cause == Cause::Tracked
             ? (place.certain ? "its laser fits the map again" : "its place in the map is doubted")
         : place.certain              ? "found in the map"
-        : place.cause == Cause::Slot ? "not found beside the other robot: drag it to where it stands"
+        : place.cause == Cause::Slot ? "not found beside the other robot: put it to where it stands, or let the other one see it"
                                      : "not found there";
     tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
 }
@@ -128,17 +132,30 @@ void StationMapping::State::settle(LiveMapper& mapper) {
 void StationMapping::State::hear(const Event& event) {
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
     const auto* undo = std::get_if<UndoSample>(&event.sample);
-    if (poses == nullptr && undo == nullptr) return;
+    const auto* area = std::get_if<MapCropSample>(&event.sample);
+    if (poses == nullptr && undo == nullptr && area == nullptr) return;
     if (undo != nullptr) {
         whenSettled([this](LiveMapper& mapper) { mapper.follow(posesOf(*mission.state())); }, true);
     }
     bool waits = undo != nullptr;
+    const std::string& who = poses != nullptr  ? poses->station
+                             : undo != nullptr ? undo->station
+                                               : area->station;
+    std::optional<MapCrop> changed;
     {
         const std::lock_guard lock(mutex);
-        if ((poses != nullptr ? poses->station : undo->station) == station) ++heard;
+        if (who == station) ++heard;
         waits = waits || !settled.empty();
+        // What was wished since is on its way.
+        if (poses == nullptr && heard == said) changed = crop = cropInLog();
     }
+    if (changed) mapping->post([crop = *changed](LiveMapper& mapper) { mapper.setCrop(crop); });
     if (waits) mapping->post([this](LiveMapper& mapper) { settle(mapper); });
+}
+
+MapCrop StationMapping::State::cropInLog() const {
+    const MissionStatePtr state = mission.state();
+    return state->crop ? MapCrop{state->crop->sample.polygon, state->crop->sample.ceiling} : usualCrop;
 }
 
 Result<void> StationMapping::State::granted() const {
@@ -159,7 +176,7 @@ void StationMapping::State::decide(std::function<Result<ScanPosesSample>(LiveMap
     mapping->post([this, what = std::move(what)](LiveMapper& mapper) {
         const auto decision = what(mapper, stationTime());
         if (!decision) return tell(decision.error().text);
-        say(*decision, station_topic::ScanPoses);
+        sayOrTell(*decision, station_topic::ScanPoses);
     });
 }
 
@@ -175,7 +192,7 @@ Result<void> StationMapping::State::takeBack(Undoing undoing, const char* nothin
         whenSettled([this, undoing, nothing](LiveMapper&) {
             const auto undo = undoing(*mission.state(), station, stationTime());
             if (undo) {
-                say(*undo, station_topic::Undo);
+                sayOrTell(*undo, station_topic::Undo);
             } else {
                 tell(nothing);
             }
@@ -189,7 +206,8 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
                                StationMappingListener listener)
     : m_state(std::make_unique<State>(mission, std::move(mayMap), setup.station, std::move(listener))) {
     State& state = *m_state;
-    state.crop = setup.settings.crop;
+    state.usualCrop = setup.settings.crop;
+    setup.settings.crop = state.crop = state.cropInLog();
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
@@ -260,22 +278,28 @@ Result<void> StationMapping::rewind(Time moment) {
 }
 
 Result<void> StationMapping::undo() {
-    return m_state->takeBack(&undoOfScans, "nothing to be taken back: no decision on scans stands");
+    return m_state->takeBack(&undoOnMap, "nothing to be taken back: no decision on the map stands");
 }
 
 Result<void> StationMapping::redo() {
-    return m_state->takeBack(&redoOfScans, "nothing to be done again: nothing was taken back last");
+    return m_state->takeBack(&redoOnMap, "nothing to be done again: nothing was taken back last");
+}
+
+std::optional<MapDecision> StationMapping::undoable() const {
+    return leitstand::undoable(*m_state->mission.state(), m_state->station);
+}
+
+std::optional<MapDecision> StationMapping::redoable() const {
+    return leitstand::redoable(*m_state->mission.state(), m_state->station);
 }
 
 Result<void> StationMapping::setCrop(const MapCrop& crop) {
     if (auto may = m_state->granted(); !may) return may;
-    {
-        const std::lock_guard lock(m_state->mutex);
-        m_state->crop = crop;
-    }
-    m_state->mapping->post([crop](LiveMapper& mapper) { mapper.setCrop(crop); });
-    return m_state->mission.say(NoteSample{stationTime(), m_state->station, {}, inWords(crop)},
-                                station_topic::Notes);
+    const MapCropSample said{stationTime(), m_state->station, crop.polygon, crop.ceiling};
+    if (auto kept = m_state->say(said, station_topic::MapCrop); !kept) return kept;
+    const std::lock_guard lock(m_state->mutex);
+    m_state->crop = crop;  // the mapping follows the log
+    return {};
 }
 
 MapCrop StationMapping::crop() const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/map.h"
 #include "core/mission/event.h"
+#include "core/mission/undo.h"
 
 namespace leitstand {
 
@@ -55,11 +57,14 @@ public:
     Result<void> reject(std::uint64_t scan);
     Result<void> retry(std::uint64_t scan, const RetrySettings& settings = {});
     Result<void> rewind(Time moment);  ///< station's clock
-    Result<void> undo();               ///< the newest decision of ours that is not undone
+    Result<void> undo();               ///< the newest decision of ours, or area, that is not undone
     Result<void> redo();               ///< what was undone last
+    /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
+    [[nodiscard]] std::optional<MapDecision> undoable() const;
+    [[nodiscard]] std::optional<MapDecision> redoable() const;
 
-    /// What of the world enters the map, from the next scan on; noted in the log. Errors: another station has
-    /// the map.
+    /// What of the world enters the map, from the next scan on; in the log, undone as decisions are, and
+    /// there again when the station restarts. Errors: another station has the map.
     Result<void> setCrop(const MapCrop& crop);
     [[nodiscard]] MapCrop crop() const;
 

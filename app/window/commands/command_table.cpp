@@ -67,6 +67,13 @@ void CommandTable::trigger(const QString& id) {
     if (QAction* action = find(id); action != nullptr && action->isEnabled()) action->trigger();
 }
 
+void CommandTable::setHint(const QString& id, const QString& hint) {
+    const auto found = m_entries.find(id);
+    if (found == m_entries.end()) return;
+    found->second.hint = hint;
+    setKeys(found->second, found->second.action->shortcut());
+}
+
 QStringList CommandTable::bind(const std::map<QString, QKeySequence>& keys) {
     QStringList unknown;
     for (const auto& [id, sequence] : keys) {

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] const std::vector<QAction*>& all() const { return m_actions; }
     /// As if the operator had chosen it in the menu; nothing when it is unknown or disabled.
     void trigger(const QString& id);
+    /// What the tooltip of @p id says from now on, before its keys.
+    void setHint(const QString& id, const QString& hint);
     /// Keys of commands by id, all others have those of their own; ids that are unknown come back.
     QStringList bind(const std::map<QString, QKeySequence>& keys);
 

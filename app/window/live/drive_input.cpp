@@ -7,6 +7,8 @@
 #include <QKeySequence>
 #include <QWidget>
 
+#include "app/window/live/worked_in.h"
+
 namespace leitstand {
 namespace {
 
@@ -61,6 +63,7 @@ void DriveInput::take(bool keys, bool pad) {
     m_focus = keys;
     m_pad = pad;
     if (!hasFocus()) m_withoutEyes = false;
+    if (!m_pad) m_padWithoutEyes = false;
     if (m_focus && !m_pad) {
         m_rhythm.start();
     } else {
@@ -76,7 +79,8 @@ void DriveInput::setFocus(bool focus) {
     if (padHad && !m_pad) emit padMustLetGo();
 }
 
-void DriveInput::setPad(const DriveVelocity& velocity, bool driving) {
+void DriveInput::setPad(const DriveVelocity& velocity, bool driving, bool withoutEyes) {
+    m_padWithoutEyes = driving && withoutEyes;
     if (driving != m_pad) take(m_focus, driving);
     if (m_pad) emit sticks(velocity);
 }
@@ -142,7 +146,9 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::WindowDeactivate:
-            if (watched == &m_window) setFocus(false);
+            if (watched != &m_window) return false;
+            // Keys go to where the keyboard is; a gamepad drives on beside a pane that floats.
+            isWorkedIn(m_window) ? take(false, m_pad) : setFocus(false);
             return false;
         case QEvent::ApplicationStateChange:
             if (QApplication::applicationState() != Qt::ApplicationActive) setFocus(false);

@@ -20,7 +20,8 @@ namespace leitstand {
 /// focus: forward, back, left, right as the robot's file binds them (W S A D) or by the arrows; Shift is
 /// slow, Ctrl fast. While the gamepad's trigger is held the pad drives, with or without that focus, and keys
 /// do nothing; then whatever is held has to be pressed anew. Space lets everything go, G, while it is held,
-/// drives without eyes. All ends when the window loses the keyboard.
+/// drives without eyes. All ends when the window loses the keyboard;
+/// a pane that floats beside it is of the window for the gamepad, not for keys.
 class DriveInput final : public QObject {
     Q_OBJECT
 public:
@@ -33,9 +34,9 @@ public:
     [[nodiscard]] bool keysHaveFocus() const { return m_focus; }
     void setFocus(bool focus);  ///< of the keys; without it the pad has to let go too
     /// The gamepad's sticks; @p driving: its trigger is held and counts.
-    void setPad(const DriveVelocity& velocity, bool driving);
-    /// The override of the speed cap is held.
-    [[nodiscard]] bool withoutEyes() const { return m_withoutEyes; }
+    void setPad(const DriveVelocity& velocity, bool driving, bool withoutEyes = false);
+    /// The override of the speed cap is held, on keyboard or gamepad.
+    [[nodiscard]] bool withoutEyes() const { return m_withoutEyes || m_padWithoutEyes; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -62,7 +63,7 @@ private:
     DriveLimits m_limits;
     DriveKeys m_keys;
     QTimer m_rhythm;
-    bool m_focus = false, m_pad = false, m_withoutEyes = false;
+    bool m_focus = false, m_pad = false, m_withoutEyes = false, m_padWithoutEyes = false;
 };
 
 }  // namespace leitstand

@@ -112,6 +112,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now) {
     here.baseInMap = match.scanInMap * baseInSensor;
     here.guessInMap = guess * baseInSensor;
     here.odomInMap = match.scanInMap * scan.sensorInOdom.inverse();
+    update.ready = ready.scan;
+    update.scanInMap = match.scanInMap;
     // What a break left of a turn need not be enough, and says nothing then.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;

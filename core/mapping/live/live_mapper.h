@@ -34,6 +34,8 @@ struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
     std::optional<ScanPosesSample> poses;
     Localisation localisation;
+    ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null where it was not looked at ...
+    Pose scanInMap = Pose::Identity();  ///< ... and where it was taken
 };
 
 /// Where a robot was at its newest scan, as the map is now: decisions move it too.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <fmt/format.h>
 
 namespace leitstand {
 namespace {
@@ -43,19 +42,9 @@ bool MapCrop::contains(const Eigen::Vector3d& pointInMap) const {
     return polygon.empty() || within(polygon, pointInMap.head<2>());
 }
 
-std::string inWords(const MapCrop& crop) {
-    if (crop.open()) return "map: everything belongs into it";
-    std::string text = "map:";
-    if (!crop.polygon.empty()) {
-        text += fmt::format(" within {} corners (", crop.polygon.size());
-        for (std::size_t i = 0; i < crop.polygon.size(); ++i)
-            text +=
-                fmt::format("{}{:.2f} {:.2f}", i == 0 ? "" : ", ", crop.polygon[i].x(), crop.polygon[i].y());
-        text += ")";
-    }
-    if (crop.ceiling < 1e9)
-        text += fmt::format("{} below {:.2f} m", crop.polygon.empty() ? "" : " and", crop.ceiling);
-    return text;
+bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin) {
+    if (body.footprint.empty()) return false;
+    return within(body.footprint, place) || nearTo(body.footprint, place, margin);
 }
 
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin) {
@@ -71,7 +60,7 @@ void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, d
         if (inBase.z() < margin || inBase.z() > body.height + margin) continue;
         const Eigen::Vector2d place = inBase.head<2>();
         if (!box.contains(place)) continue;
-        if (within(body.footprint, place) || nearTo(body.footprint, place, margin)) point = NoEcho;
+        if (onFootprint(body, place, margin)) point = NoEcho;
     }
 }
 

@@ -26,10 +26,9 @@ struct MapCrop {
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
 };
 
-/// What of the world belongs into the map, for the log, in English: "map: within 4 corners (0.0 1.0, ...) and
-/// below 2.0 m".
-[[nodiscard]] std::string inWords(const MapCrop& crop);
-
+/// Whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p margin
+/// [m].
+[[nodiscard]] bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin);
 /// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
 /// Turns points of @p scan outside @p crop into no echo.

@@ -132,7 +132,8 @@ Correlation correlate(const LaserView& view, const WallMap& map, const FlatPose&
     for (const Candidate& one : seen) {
         const double apart = Cell * std::hypot(one.x - best.x, one.y - best.y);
         const bool other = apart > Correlation::Apart ||
-                           std::abs(one.turn - best.turn) * AngleStep > Correlation::TurnedApart;
+                           std::abs(std::remainder((one.turn - best.turn) * AngleStep, 2.0 * M_PI)) >
+                               Correlation::TurnedApart;
         if (other) found.second = std::max(found.second, one.score);
     }
     return found;

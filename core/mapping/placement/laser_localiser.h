@@ -49,6 +49,8 @@ public:
                                 const MotionBuffer& motion);
     /// Whether the last follow() found the robot elsewhere than its odometry had it.
     [[nodiscard]] bool foundAgain() const { return m_foundAgain; }
+    /// Whether it was looked for about where its odometry has it, in vain.
+    [[nodiscard]] bool lost() const { return m_doubted >= m_settings.searchAfter; }
     [[nodiscard]] double overlap() const { return m_overlap; }  ///< of the last view
 
 private:

@@ -3,11 +3,24 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/mapping/sighting/contradiction.h"
+
 namespace leitstand {
 namespace {
 
 constexpr double SameLocal = 0.5;  ///< so near the local map is the same [m]
 constexpr std::chrono::seconds TryAgain(2);
+constexpr std::chrono::seconds SeenWithin(3);  ///< a scan takes so long, and to register it
+constexpr double MostMoved = 0.05;             ///< meanwhile: one that drives is seen drawn out [m]
+constexpr double SeenWindow = 0.35;            ///< about a body that is seen [m] ...
+constexpr double MostOff = 0.13;               ///< so far from its middle the robot is found at most [m]
+constexpr double BodyMargin = 0.12;            ///< ... whose points lie on the robot, grown by this [m] ...
+constexpr double LeastOfBody = 0.7;            ///< ... by this share
+constexpr double LeastSure = 0.6;     ///< certainty: it is looked for everywhere, and all headings are tried
+constexpr double MostAgainst = 0.25;  ///< of what its laser sees, against it: contradiction()
+constexpr double AsGood = 0.7;        ///< of the best: it may as well be the other one
 constexpr SearchWindow ResumedWindow{0.5, degrees(20)};
 
 }  // namespace
@@ -28,6 +41,7 @@ RobotPlaceSample LaserRobot::taken(const MapFix& fix, RobotPlaceSample::Cause ca
                                    Time now) {
     m_tracker.correct(fix);
     m_resumed.reset();
+    if (fix.certain) m_put = false;
     RobotPlaceSample sample;
     sample.stamp = now;
     sample.station = m_station;
@@ -63,16 +77,23 @@ std::optional<RobotPlaceSample> LaserRobot::see(LaserView view, const LiveMapPtr
 }
 
 std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
-                                                        Time now) {
+                                                        Time now, std::span<const Disc> others) {
     if (!wantsSlot() || !m_view || !map || map->scans.empty()) return std::nullopt;
     // It was told that it is not there; as the map grows, it may be found after all.
-    if (m_tries >= MostTries && m_view->stamp - m_triedAt < TryAgain) return std::nullopt;
+    const bool grown = map != m_tried && m_tries < MostTries;
+    if (!grown && m_view->stamp - m_triedAt < TryAgain) return std::nullopt;
     m_triedAt = m_view->stamp;
+    m_tried = map;
     const auto here = m_tracker.motion().at(m_view->stamp);
     Pose guess = otherInMap * m_settings.placement.slotInOther;
     if (here && m_begin) guess = guess * (m_begin->inverse() * here->baseInOdom);
-    const Placement found =
+    Placement found =
         placeRobot(*m_view, localAt(map, guess), guess, m_settings.placement.slot, m_settings.placement);
+    if (found.certain && contradicted(found.baseInMap, others)) {
+        found.certain = false;
+        found.certainty = 0.0;
+        found.how = "it would see things where the map has none";
+    }
     ++m_tries;
     if (!found.certain && m_tries != MostTries) return std::nullopt;
     const MapFix fix{m_view->stamp, found.baseInMap, found.certainty, found.certain, found.how};
@@ -84,6 +105,51 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
     RobotPlaceSample sample = taken(fix, RobotPlaceSample::Cause::Slot, found.overlap, now);
     m_tracker.lose();
     return sample;
+}
+
+bool LaserRobot::contradicted(const Pose& baseInMap, std::span<const Disc> others) const {
+    LaserView view = *m_view;
+    leaveOut(view, baseInMap, others);
+    const WallMap walls = wallMap(m_local, baseInMap, view.low, view.high);
+    return contradiction(view, m_local, walls, FlatPose::of(baseInMap)) > MostAgainst;
+}
+
+bool LaserRobot::wantsSeen() const {
+    if (m_resumed || m_put || !m_view) return false;
+    return m_tracker.placed() ? m_localiser.lost() : m_tries > 0;
+}
+
+std::optional<RobotPlaceSample> LaserRobot::placeSeen(std::span<const SeenBody> seen, const RobotBody& body,
+                                                      const std::string& by, const LiveMapPtr& map, Time now,
+                                                      std::span<const Disc> others) {
+    if (!wantsSeen() || !map || map->scans.empty()) return std::nullopt;
+    const double moved = m_tracker.motion().travelled(m_view->stamp - SeenWithin, m_view->stamp).way;
+    if (moved > MostMoved) return std::nullopt;
+    Placement best, second;
+    for (const SeenBody& one : seen) {
+        const Pose guess = poseFrom({one.middle.x(), one.middle.y(), one.ground}, 0, 0, 0);
+        const Placement found =
+            placeRobot(*m_view, localAt(map, guess), guess, {SeenWindow, degrees(180)}, m_settings.placement);
+        if (found.certainty < LeastSure || found.overlap < m_settings.sureOverlap) continue;
+        // What is seen must be the robot that would stand there.
+        if ((one.middle - found.baseInMap.translation().head<2>()).norm() > MostOff) continue;
+        if (shareWithin(one, body, found.baseInMap, BodyMargin) < LeastOfBody) continue;
+        if (contradicted(found.baseInMap, others)) continue;
+        const bool same =
+            best.certain && distanceBetween(found.baseInMap, best.baseInMap) < Correlation::Apart;
+        if (found.certainty > best.certainty) {
+            if (!same) second = best;
+            best = found;
+        } else if (!same && found.certainty > second.certainty) {
+            second = found;
+        }
+    }
+    if (!best.certain || second.certainty > AsGood * best.certainty) return std::nullopt;
+    const MapFix fix{m_view->stamp, best.baseInMap, best.certainty, true,
+                     fmt::format("{} sees it: {:.0f} % of what its laser sees there is in the map", by,
+                                 100.0 * best.overlap)};
+    m_localiser.begin(fix);
+    return taken(fix, RobotPlaceSample::Cause::Seen, best.overlap, now);
 }
 
 RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map, Time now) {

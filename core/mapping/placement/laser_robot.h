@@ -12,6 +12,7 @@
 #include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/placement/laser_localiser.h"
 #include "core/mapping/placement/laser_view.h"
+#include "core/mapping/sighting/seen_bodies.h"
 #include "core/robot/samples/map_samples.h"
 
 namespace leitstand {
@@ -30,9 +31,16 @@ public:
     [[nodiscard]] std::optional<RobotPlaceSample> see(LaserView view, const LiveMapPtr& map, Time now,
                                                       std::span<const Disc> others = {});
     /// Looks for it beside the robot that makes the map, which began at @p otherInMap; what it drove since it
-    /// was heard first counts. Empty while nothing is to be told: it found nothing and is to be tried again.
+    /// was heard first counts. Empty while nothing is to be told: it found nothing, or it is
+    /// not yet time for another try.
     [[nodiscard]] std::optional<RobotPlaceSample> placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
-                                                              Time now);
+                                                              Time now, std::span<const Disc> others = {});
+    /// Looks for it, which takes up @p body, where the robot @p by sees something of its size: after it was
+    /// not found beside it, or when it is lost. Empty while nothing is to be told.
+    [[nodiscard]] std::optional<RobotPlaceSample> placeSeen(std::span<const SeenBody> seen,
+                                                            const RobotBody& body, const std::string& by,
+                                                            const LiveMapPtr& map, Time now,
+                                                            std::span<const Disc> others = {});
     /// The operator put it to @p baseInMap: looked for about there; where it is not found it stands there,
     /// uncertain.
     [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap, const LiveMapPtr& map, Time now);
@@ -42,13 +50,17 @@ public:
 
     [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
     [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && !m_put; }
+    /// Whether placeSeen() is of use.
+    [[nodiscard]] bool wantsSeen() const;
     /// It sees by 3D scans that are in the map: no laser is needed.
     void rest() { m_view.reset(); }
 
     static constexpr int MostTries =
-        6;  ///< beside the other robot, until it is told; then with a growing map
+        6;  ///< beside the other robot, with a new map or some seconds later; then it is told
 
 private:
+    /// Whether what it sees speaks against @p baseInMap, in the local map.
+    [[nodiscard]] bool contradicted(const Pose& baseInMap, std::span<const Disc> others) const;
     [[nodiscard]] const LocalMap& localAt(const LiveMapPtr& map, const Pose& place);
     [[nodiscard]] RobotPlaceSample taken(const MapFix& fix, RobotPlaceSample::Cause cause, double overlap,
                                          Time now);
@@ -61,8 +73,9 @@ private:
     std::optional<LaserView> m_view;  ///< newest
     std::optional<Pose> m_begin;      ///< base_link in odom when it was heard first
     std::optional<RobotPlaceSample> m_resumed;
-    bool m_put = false;  ///< by the operator
+    bool m_put = false;  ///< by the operator, and not found since
     Time m_triedAt{};    ///< robot's clock
+    LiveMapPtr m_tried;  ///< then
     int m_tries = 0;
     LiveMapPtr m_map;  ///< that m_local is of
     LocalMap m_local;

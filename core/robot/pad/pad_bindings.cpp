@@ -42,8 +42,8 @@ std::array<PadAction, PadActionCount> padActions() {
 
 std::string toString(PadAction action) {
     static constexpr std::array<const char*, PadActionCount> Names = {
-        "dead_man", "forward", "back", "turn_left", "turn_right", "slide_left", "slide_right",
-        "turbo",    "slow",    "stop", "pan_left",  "pan_right",  "tilt_up",    "tilt_down"};
+        "dead_man", "forward", "back",     "turn_left", "turn_right", "slide_left", "slide_right", "turbo",
+        "slow",     "stop",    "pan_left", "pan_right", "tilt_up",    "tilt_down",  "without_eyes"};
     return Names[static_cast<std::size_t>(action)];
 }
 
@@ -106,6 +106,7 @@ PadBindings defaultBindings(PadLayout layout) {
     bindings.at(PadAction::DeadMan) = padAxis(axis::LeftTrigger, 1);
     bindings.at(PadAction::Turbo) = padAxis(axis::RightTrigger, 1);
     bindings.at(PadAction::Slow) = padButton(button::RightShoulder);
+    bindings.at(PadAction::WithoutEyes) = padButton(button::LeftShoulder);
     bindings.at(PadAction::Stop) = padButton(button::B);
     stick(PadAction::Forward, axis::LeftY, -1);
     stick(PadAction::TurnLeft, axis::LeftX, -1);

@@ -26,9 +26,10 @@ enum class PadAction : std::uint8_t {
     PanLeft,
     PanRight,
     TiltUp,
-    TiltDown
+    TiltDown,
+    WithoutEyes  ///< while it is held, old pictures do not cap the speed
 };
-inline constexpr std::size_t PadActionCount = 14;
+inline constexpr std::size_t PadActionCount = 15;
 [[nodiscard]] std::array<PadAction, PadActionCount> padActions();
 /// As in files: "turn_left".
 [[nodiscard]] std::string toString(PadAction action);
@@ -85,8 +86,9 @@ struct PadBindings {
 /// The same as it counts, without dead zone and with expo.
 [[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 
-/// Of a known pad: left trigger dead-man, right trigger turbo, right shoulder slow, left stick drives, right
-/// stick turns cameras, B stops all. Of any other joystick: nothing, and so nothing moves.
+/// Of a known pad: left trigger dead-man, right trigger turbo, right shoulder slow, left shoulder drives
+/// without eyes, left stick drives, right stick turns cameras, B stops all. Of any other joystick: nothing,
+/// and so nothing moves.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
 /// Gives @p action to @p control, and to its other end the opposite action. Who had the control has none

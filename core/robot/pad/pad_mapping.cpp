@@ -73,6 +73,7 @@ void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
                  turn = shapedOf(m_bindings, PadAction::TurnLeft, state);
     wishes.driving = m_triggerFree;
     if (wishes.driving && forward == 0.0 && turn == 0.0 && left == 0.0) m_sticksFree = true;
+    wishes.withoutEyes = wishes.driving && held(PadAction::WithoutEyes);
     wishes.needsNeutral = !m_triggerFree || !m_sticksFree;
     if (wishes.needsNeutral) return;
     const double share = held(PadAction::Slow)    ? DriveKeys::Slowly

@@ -20,6 +20,7 @@ struct PanTiltRate {
 struct PadWishes {
     DriveVelocity drive;        ///< zero unless driving
     bool driving = false;       ///< the dead-man trigger is held and counts: this pad has the sticks
+    bool withoutEyes = false;   ///< while driving: old pictures shall not cap the speed
     bool needsNeutral = false;  ///< the trigger is held, but trigger or sticks have to be let go first
     PanTiltRate cameras;        ///< needs no trigger: nobody is hurt by a look around
     bool stop = false;          ///< the button that stops all robots was pressed

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
@@ -64,6 +67,14 @@ struct ScanPosesSample {
     std::vector<ScanPose> poses;
 };
 
+/// What of the world belongs into the map, from then on: the operator's decision.
+struct MapCropSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::vector<Eigen::Vector2d> polygon;                      ///< corners, map frame [m]; empty: everything
+    double ceiling = std::numeric_limits<double>::infinity();  ///< what is higher stays out, map frame [m]
+};
+
 /// Where a robot was placed in the map that another one's scans made, and how its laser keeps it there.
 struct RobotPlaceSample {
     enum class Cause : std::uint8_t {
@@ -71,6 +82,7 @@ struct RobotPlaceSample {
         Operator,    ///< put there
         Tracked,     ///< followed since
         FoundAgain,  ///< looked for and found away from where its odometry had it
+        Seen,        ///< looked for and found where another robot sees something of its size
     };
     Time stamp{};  ///< station's clock
     std::string station;

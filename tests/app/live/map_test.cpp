@@ -34,7 +34,7 @@ protected:
     void trigger(const char* id) {
         QAction* const action = m_window->commands().find(id);
         ASSERT_NE(action, nullptr) << id;
-        EXPECT_TRUE(action->isEnabled()) << id;
+        EXPECT_TRUE(soon([&] { return action->isEnabled(); })) << id;
         action->trigger();
     }
     [[nodiscard]] std::size_t operatorDecisions() const {
@@ -94,9 +94,13 @@ TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
     const auto title = [&] { return m_window->findChild<QLabel*>("mapTitle")->text(); };
     ASSERT_TRUE(soon([&] { return table->model()->rowCount() >= 2; }));
     table->selectRow(table->model()->rowCount() - 1);
+    QAction* const undo = m_window->commands().find("scan.undo");
+    EXPECT_FALSE(undo->isEnabled()) << "nothing was decided";
     trigger("scan.rewind");
     EXPECT_TRUE(soon([&] { return title().contains(" 1 key scan "); })) << title().toStdString();
     EXPECT_TRUE(soon([&] { return operatorDecisions() == 1; }));
+    EXPECT_TRUE(soon([&] { return undo->text().contains("set aside"); })) << undo->text().toStdString();
+    EXPECT_TRUE(undo->toolTip().contains("set aside") && undo->toolTip().contains("Ctrl+Z"));
     trigger("scan.undo");
     EXPECT_TRUE(soon([&] { return aside() == 0 && operatorDecisions() == 0; }));
     EXPECT_TRUE(soon([&] { return title().contains("key scans"); })) << title().toStdString();
@@ -140,16 +144,29 @@ TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
     lookAt("map_placed");
 }
 
-TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsNoted) {
+TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsUndoneAndRestoredAfterARestart) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && map().settled(); }));
     trigger("map.area");
     for (const QPoint corner : {QPoint(60, 60), QPoint(300, 60), QPoint(300, 200), QPoint(60, 200)})
         QTest::mouseClick(&map(), Qt::LeftButton, {}, corner);
     QTest::mouseDClick(&map(), Qt::LeftButton, {}, {60, 200});
-    EXPECT_TRUE(soon([&] { return station().mapping().crop().polygon.size() >= 3; }));
-    EXPECT_TRUE(soon([&] { return !station().mission()->notes->empty(); }));
-    trigger("map.everywhere");
-    EXPECT_TRUE(station().mapping().crop().polygon.empty());
+    const auto corners = [&] { return station().mapping().crop().polygon.size(); };
+    EXPECT_TRUE(soon([&] { return corners() >= 3; }));
+    EXPECT_TRUE(soon([&] { return station().mission()->crop.has_value(); }));
+    trigger("scan.undo");
+    EXPECT_TRUE(soon([&] { return corners() == 0; }));
+    trigger("scan.redo");
+    EXPECT_TRUE(soon([&] { return corners() >= 3; }));
+    const auto kept = station().mapping().crop().polygon;
+    restart();
+    EXPECT_EQ(station().mapping().crop().polygon, kept);
+    QAction* const everything = m_window->commands().find("map.everywhere");
+    ASSERT_TRUE(soon([&] { return everything->isEnabled(); })) << "the station has the map again";
+    ASSERT_TRUE(soon([&] {
+        everything->trigger();
+        return corners() == 0;
+    }));
+    EXPECT_TRUE(soon([&] { return !everything->isEnabled(); }));
 }
 
 }  // namespace

@@ -4,12 +4,15 @@
 #include <optional>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 
 #include <gmock/gmock.h>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/drive_input.h"
 #include "app/window/live/pad/pad_input.h"
+#include "app/window/live/pane_docks.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/pad/virtual_pad.h"
@@ -102,6 +105,25 @@ TEST_F(PadDriveTest, ItsStopStopsAllRobotsAlsoWithoutTheFocusAndAfterwardsEveryt
     EXPECT_FALSE(QTest::qWaitFor([&] { return speed() > 0.02 || m_window->driving(); }, 500));
     letGo();
     drive();
+}
+
+TEST_F(PadDriveTest, DrivesAlsoWhileAPaneThatFloatsHasTheKeyboard) {
+    m_window->panes().setArranging(true);
+    auto* dock = m_window->panes().findChild<QDockWidget*>("map");
+    ASSERT_NE(dock, nullptr);
+    dock->setFloating(true);
+    dock->activateWindow();
+    ASSERT_TRUE(soon([&] { return dock->isActiveWindow() && !m_window->isActiveWindow(); }));
+    drive();
+    EXPECT_TRUE(m_window->driving());
+    m_pad->press(button::LeftShoulder);
+    EXPECT_TRUE(soon([&] { return m_window->findChild<DriveInput*>()->withoutEyes(); }));
+    m_pad->press(button::LeftShoulder, false);
+    m_window->activateWindow();
+    ASSERT_TRUE(soon([&] { return m_window->isActiveWindow(); }));
+    EXPECT_TRUE(m_window->driving()) << "it is one window";
+    letGo();
+    EXPECT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
 }
 
 TEST_F(PadDriveTest, AWindowThatGoesWhileThePadDrivesStopsTheRobot) {

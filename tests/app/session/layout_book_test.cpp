@@ -17,7 +17,7 @@ class LayoutBookTest : public testing::Test {
 protected:
     LayoutBookTest() {
         std::filesystem::create_directories(m_folder.path() / "shipped");
-        for (const char* name : {"drive", "explore", "map", "review"}) {
+        for (const char* name : {"drive", "explore", "map", "review", "link"}) {
             std::ofstream(m_folder.path() / "shipped" / (std::string(name) + ".yaml"))
                 << "title: " << name << "\npanes: {pane: camera}\n";
         }
@@ -35,15 +35,15 @@ protected:
 };
 
 TEST_F(LayoutBookTest, OwnLayoutsComeAfterTheShippedOnesAndStay) {
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review"));
+    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link"));
     WindowLayout mine = m_book.find("map").value();
     mine.name = "mine";
     mine.title = "Mine";
     ASSERT_TRUE(m_book.save(mine).ok());
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "Mine"));
+    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link", "Mine"));
     EXPECT_TRUE(m_book.isOwn("mine"));
     ASSERT_TRUE(m_book.remove("mine").ok());
-    EXPECT_THAT(titles(), SizeIs(3));
+    EXPECT_THAT(titles(), SizeIs(5));
     EXPECT_THAT(m_book.remove("mine").error().text, HasSubstr("mine"));
 }
 
@@ -52,7 +52,7 @@ TEST_F(LayoutBookTest, AnOwnLayoutGoesBeforeTheShippedOneUntilItIsDeleted) {
     drive.title = "My way";
     ASSERT_TRUE(m_book.save(drive).ok());
     EXPECT_EQ(m_book.find("drive")->title, "My way");
-    EXPECT_THAT(titles(), SizeIs(3));
+    EXPECT_THAT(titles(), SizeIs(5));
     ASSERT_TRUE(m_book.remove("drive").ok());
     EXPECT_EQ(m_book.find("drive")->title, "drive");
 }
@@ -60,7 +60,7 @@ TEST_F(LayoutBookTest, AnOwnLayoutGoesBeforeTheShippedOneUntilItIsDeleted) {
 TEST_F(LayoutBookTest, ADamagedFileIsToldAndTheShippedOneUsed) {
     std::filesystem::create_directories(m_folder.path() / "own");
     std::ofstream(m_folder.path() / "own" / "drive.yaml") << "panes: {vertical: 3}\n";
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review"));
+    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link"));
     ASSERT_THAT(m_errors, SizeIs(1));
     EXPECT_THAT(m_errors.front(), HasSubstr("drive.yaml:1"));
 }
@@ -70,7 +70,7 @@ TEST_F(LayoutBookTest, NamesThatLeaveTheFolderAreNone) {
     bad.name = "../drive";
     EXPECT_FALSE(m_book.save(bad).ok());
     EXPECT_FALSE(m_book.find("../shipped/drive").ok());
-    EXPECT_THAT(m_book.find("drove").error().text, HasSubstr("drive, explore, map"));
+    EXPECT_THAT(m_book.find("drove").error().text, HasSubstr("drive, explore, link, map"));
 }
 
 }  // namespace

@@ -219,6 +219,51 @@ TEST_F(StationMappingTest, RobotsAreWhereTheirOdometryCarriesThemFromTheirNewest
     EXPECT_LT((here().trail->back() - here().baseInMap.translation().cast<float>()).norm(), 0.11f);
 }
 
+TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
+    begin();
+    scan();
+    ASSERT_TRUE(scans(1)) << words();
+    const auto points = [&](std::uint64_t id) {
+        return m_mapping->scans()->scans.at(id - 1).scan->points.size();
+    };
+    const std::size_t all = points(1);
+    const auto crop = [&] { return m_mapping->crop(); };
+    const auto inLog = [&](std::size_t corners) {
+        return waitUntil([&] {
+            const auto said = m_mission->state()->crop;
+            return (said ? said->sample.polygon.size() : 0) == corners && crop().polygon.size() == corners;
+        });
+    };
+    EXPECT_TRUE(crop().open());
+    EXPECT_FALSE(m_mapping->setCrop({{{0.0, 0.0}, {1.0, 0.0}}, 2.0}).ok()) << "two corners are no area";
+    EXPECT_TRUE(crop().open());
+    MapCrop area;
+    area.polygon = {{-0.5, -0.5}, {1.0, -0.5}, {1.0, 0.5}, {-0.5, 0.5}};
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    area.ceiling = 0.5;
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    ASSERT_TRUE(inLog(4));
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(waitUntil([&] { return !(crop().ceiling < 1e9); })) << "as it was before";
+    EXPECT_TRUE(inLog(4));
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(inLog(0));
+    EXPECT_FALSE(m_mapping->undoable().has_value());
+    EXPECT_EQ(m_mapping->redoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->redo().ok());
+    ASSERT_TRUE(inLog(4));
+    end();
+    begin();
+    EXPECT_EQ(crop().polygon, area.polygon) << "also after a restart";
+    EXPECT_FALSE(crop().ceiling < 1e9);
+    scan();
+    ASSERT_TRUE(scans(2)) << words();
+    EXPECT_LT(points(2), all / 2) << "what is outside stays out";
+    ASSERT_TRUE(m_mapping->undo().ok()) << "also what was decided before";
+    EXPECT_TRUE(inLog(0));
+}
+
 TEST_F(StationMappingTest, AStationThatStartsAgainHasTheMapTheRobotsAndWhatWasTakenBack) {
     begin();
     for (int i = 0; i < 3; ++i) scan();

@@ -1,13 +1,17 @@
 #include "app/window/live/drive_input.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QKeyEvent>
+#include <QMainWindow>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWidget>
 
 #include <gtest/gtest.h>
+
+#include "app/window/live/worked_in.h"
 
 namespace leitstand::test {
 namespace {
@@ -218,6 +222,71 @@ TEST_F(DriveInputTest, SpaceAndAnotherRobotMakeThePadLetGo) {
     m_input.setPad({0.2, 0.0, 0.0}, true);
     m_input.setPad({}, false);
     EXPECT_EQ(mustLetGo.count(), 2) << "its own letting go is enough";
+}
+
+TEST_F(DriveInputTest, ThePadsOverrideCountsWhileThePadDrives) {
+    m_input.setPad({0.2, 0.0, 0.0}, true, true);
+    EXPECT_TRUE(m_input.withoutEyes());
+    m_input.setPad({0.2, 0.0, 0.0}, true, false);
+    EXPECT_FALSE(m_input.withoutEyes());
+    m_input.setPad({0.2, 0.0, 0.0}, true, true);
+    hold(Qt::Key_Space);
+    EXPECT_FALSE(m_input.withoutEyes());
+    m_input.setPad({}, false, true);
+    EXPECT_FALSE(m_input.withoutEyes());
+}
+
+/// A window with a pane that floats beside it.
+class FloatingPaneTest : public testing::Test {
+protected:
+    FloatingPaneTest() {
+        QObject::connect(&m_input, &DriveInput::sticks,
+                         [this](const DriveVelocity& velocity) { m_sticks = velocity; });
+        m_input.setRobot(robot());
+        auto* panes = new QMainWindow(&m_window, Qt::Widget);
+        m_window.setCentralWidget(panes);
+        m_dock = new QDockWidget("Pane", panes);
+        m_dock->setWidget(new QWidget(m_dock));
+        panes->addDockWidget(Qt::LeftDockWidgetArea, m_dock);
+        m_dock->setFloating(true);
+        m_window.show();
+        m_dock->show();
+        turnTo(m_window);
+    }
+    static void turnTo(QWidget& window) {
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    }
+
+    QMainWindow m_window;
+    QDockWidget* m_dock = nullptr;
+    DriveInput m_input{m_window};
+    DriveVelocity m_sticks;
+};
+
+TEST_F(FloatingPaneTest, ThePadDrivesOnBesideItAndKeysDoNot) {
+    ASSERT_TRUE(m_dock->isWindow());
+    EXPECT_TRUE(isWorkedIn(m_window));
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    turnTo(*m_dock);
+    EXPECT_TRUE(isWorkedIn(m_window));
+    EXPECT_TRUE(m_input.hasFocus());
+    EXPECT_DOUBLE_EQ(m_sticks.forward, 0.2);
+    m_input.setPad({}, false);
+    turnTo(m_window);
+    m_input.setFocus(true);
+    turnTo(*m_dock);
+    EXPECT_FALSE(m_input.hasFocus());
+}
+
+TEST_F(FloatingPaneTest, ADialogIsAnotherWindow) {
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    QWidget dialog(&m_window, Qt::Tool);
+    dialog.show();
+    turnTo(dialog);
+    EXPECT_FALSE(isWorkedIn(m_window));
+    EXPECT_FALSE(m_input.hasFocus());
+    EXPECT_TRUE(isZero(m_sticks));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ TEST(Checkpoint, HoldsTheWholeState) {
         EXPECT_EQ(back->victims->size(), state.victims->size());
         EXPECT_EQ(back->keyScans->size(), state.keyScans->size());
         EXPECT_EQ(back->notes->size(), state.notes->size());
+        EXPECT_EQ(back->crop.has_value(), state.crop.has_value());
     }
 }
 

@@ -71,7 +71,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
         const double x = below(1'000) * 0.01;
         const auto text = std::to_string(below(100));
         Sample sample;
-        switch (below(22)) {
+        switch (below(23)) {
             case 0:
                 sample = victim(1 + below(5), text);
                 break;
@@ -169,6 +169,10 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 sample = candidate;
                 break;
             }
+            case 21:
+                sample = MapCropSample{
+                    .stamp = at(1), .station = "s", .polygon = {{x, 0}, {4, x}, {0, 3}}, .ceiling = 0.1 * x};
+                break;
             case 20:
                 sample = MissionInfoSample{.stamp = at(1), .team = text};
                 break;
@@ -176,7 +180,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 sample = RobotPlaceSample{.stamp = at(1),
                                           .station = "s",
                                           .robot = robot,
-                                          .cause = static_cast<RobotPlaceSample::Cause>(below(4)),
+                                          .cause = static_cast<RobotPlaceSample::Cause>(below(5)),
                                           .measured = {},
                                           .baseInMap = shifted(x),
                                           .odomInMap = shifted(2.0 * x),

@@ -159,6 +159,20 @@ TEST(Fold, CorrectionsMoveScansAndTheVictimsThatHangOnThem) {
     EXPECT_THAT(*folded(events).keyScans, IsEmpty());
 }
 
+TEST(Fold, TheMapsAreaIsTheNewestThatIsNotTakenBack) {
+    MapCropSample room{.stamp = {}, .station = "s", .polygon = {{0, 0}, {4, 0}, {4, 3}}, .ceiling = 2.0};
+    MapCropSample open{.stamp = {}, .station = "s", .polygon = {}};
+    std::vector<Event> events = {event(1, room), event(2, open)};
+    EXPECT_THAT(folded(events).crop->sample.polygon, IsEmpty());
+    events.push_back(event(3, undo(2)));
+    EXPECT_THAT(folded(events).crop->sample.polygon, SizeIs(3));
+    EXPECT_EQ(folded(events).crop->sequence, 1U);
+    events.push_back(event(4, undo(1)));
+    EXPECT_FALSE(folded(events).crop.has_value());
+    events.push_back(event(5, undo(3)));
+    EXPECT_THAT(folded(events).crop->sample.polygon, IsEmpty());
+}
+
 TEST(Fold, GrantsFollowTheHigherTerm) {
     GrantSample hold{.stamp = {},
                      .station = "a",

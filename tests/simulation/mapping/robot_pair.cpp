@@ -60,6 +60,12 @@ double RobotPair::turned() const {
                                    2.0 * M_PI));
 }
 
+std::vector<Disc> RobotPair::kurtOnMap() const {
+    if (!m_mapInArena) return {};
+    const Pose kurtInMap = m_mapInArena->inverse() * m_kurt->state().baseInArena;
+    return {{kurtInMap.translation().head<2>(), 0.45}};
+}
+
 RobotPlaceSample RobotPair::place(const Pose& baseInMap) {
     places.push_back(m_laser->place(baseInMap, m_map, m_world->now()));
     return places.back();
@@ -109,15 +115,25 @@ void RobotPair::hear() {
         m_cutter.add(one, kurt.at("scanner").sensorInBase, now);
     m_kurt->forget();
     for (const LiveScan& scan : m_cutter.take(now)) {
+        const LiveMapPtr before = m_map;
         const MapUpdate update = m_mapper.add(scan, now);
-        if (!update.keyScan) continue;
-        m_map = m_mapper.map();
+        if (update.keyScan) m_map = m_mapper.map();
         if (!m_mapInArena) {
             m_mapInArena = m_world->baseInArena(m_kurt->number(), scan.scan->end) * scan.sensorInBase *
                            update.keyScan->scanInMap.inverse();
             m_kurtBegan = update.localisation.baseInMap;
         }
-        if (const auto placed = m_laser->placeBeside(m_kurtBegan, m_map, now)) places.push_back(*placed);
+        if (const auto placed = m_laser->placeBeside(m_kurtBegan, m_map, now, kurtOnMap()))
+            places.push_back(*placed);
+        if (sightings && update.ready) {
+            const RobotBody body{m_crawler->description().footprint, m_crawler->description().height};
+            const LocalMap earlier = before ? localMap(before->scans, update.scanInMap) : LocalMap{};
+            const auto start = std::chrono::steady_clock::now();
+            seen = seenBodies(*update.ready, update.scanInMap, body, earlier);
+            if (const auto placed = m_laser->placeSeen(seen, body, "Kurt3D", m_map, now, kurtOnMap()))
+                places.push_back(*placed);
+            sightingSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        }
     }
     const auto& crawler = m_crawler->description().sensors;
     for (const auto& one : m_crawler->all<OdometrySample>()) m_tracker.add(one, now);
@@ -125,14 +141,9 @@ void RobotPair::hear() {
         m_tracker.add(one, crawler.at("imu").sensorInBase, now);
     for (const auto& one : m_crawler->all<RangesSample>()) {
         m_ahead = one;
-        std::vector<Disc> others;
-        if (m_mapInArena) {
-            const Pose kurtInMap = m_mapInArena->inverse() * m_kurt->state().baseInArena;
-            others.push_back({kurtInMap.translation().head<2>(), 0.45});
-        }
         const auto begin = std::chrono::steady_clock::now();
         auto view = laserView(one, crawler.at("laser").sensorInBase, m_tracker.motion());
-        if (const auto place = m_laser->see(std::move(view), m_map, now, others)) {
+        if (const auto place = m_laser->see(std::move(view), m_map, now, kurtOnMap())) {
             places.push_back(*place);
             this->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             ++views;

@@ -30,15 +30,18 @@ public:
     [[nodiscard]] double off() const;
     [[nodiscard]] double turned() const;
     [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap);
-    [[nodiscard]] Pose slotInMap() const;
 
     std::vector<RobotPlaceSample> places;  ///< all that came of the Crawler
     double way = 0.0;                      ///< that the Crawler drove [m]
     double seconds = 0.0;                  ///< that following took, all in all [s]
     int views = 0;
+    bool sightings = false;      ///< whether the Crawler is looked for where Kurt3D sees it
+    std::vector<SeenBody> seen;  ///< newest
+    double sightingSeconds = 0.0;
 
 private:
     void hear();
+    [[nodiscard]] std::vector<Disc> kurtOnMap() const;
     void steer(OperatedRobot& robot, bool drives, double speed);
 
     std::unique_ptr<World> m_world;

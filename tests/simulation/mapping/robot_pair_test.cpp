@@ -34,6 +34,53 @@ TEST(RobotPair, TheCrawlerIsPlacedFromAWrongSlotAndKeptWhileItDrives) {
     EXPECT_LE(most, 0.15) << saidOf(pair);
 }
 
+/// Stands until it was placed, 20 s at most.
+void untilSeen(RobotPair& pair) {
+    pair.sightings = true;
+    for (int i = 0; i < 20 && !pair.crawler().certain; ++i) pair.pass(1.0, false, false);
+}
+
+void printSighting(std::uint64_t seed, const RobotPair& pair) {
+    std::printf("  yellow %u  %zu bodies, placed %2.0f cm and %.1f degrees from the truth, %.0f ms: %s\n",
+                static_cast<unsigned>(seed), pair.seen.size(), 100.0 * pair.off(), inDegrees(pair.turned()),
+                1e3 * pair.sightingSeconds, pair.places.empty() ? "" : pair.places.back().how.c_str());
+}
+
+TEST(RobotPair, TheCrawlerIsPlacedWhereKurt3DSeesItWhenTheSlotIsWrongByMetres) {
+    RobotPair pair(2, poseFrom({3.0, 2.0, 0}, 0, 0, degrees(100)));
+    untilSeen(pair);
+    printSighting(2, pair);
+    ASSERT_TRUE(pair.crawler().certain) << saidOf(pair);
+    ASSERT_FALSE(pair.places.empty());
+    EXPECT_EQ(pair.places.back().cause, RobotPlaceSample::Cause::Seen) << saidOf(pair);
+    EXPECT_LE(pair.off(), 0.10) << saidOf(pair);
+    EXPECT_LE(inDegrees(pair.turned()), 3.0);
+}
+
+// It stands beside Kurt3D, drove off, or both did before it is looked for: it is found or not, but never
+// wrong.
+TEST(RobotPairLong, TheCrawlerIsPlacedWhereKurt3DSeesItInYellowArenas) {
+    constexpr int Seeds = 12;
+    int placed = 0;
+    for (std::uint64_t seed = 1; seed <= Seeds; ++seed) {
+        for (const int drives : {0, 1, 2}) {
+            RobotPair pair(seed, poseFrom({3.0, 2.0, 0}, 0, 0, degrees(100)));
+            if (drives > 0) pair.pass(drives == 1 ? 12.0 : 25.0, drives == 2, true);
+            pair.pass(1.0, false, false);
+            untilSeen(pair);
+            const bool seen =
+                !pair.places.empty() && pair.places.back().cause == RobotPlaceSample::Cause::Seen;
+            if (!seen || !pair.crawler().certain) continue;
+            ++placed;
+            printSighting(seed, pair);
+            EXPECT_LE(pair.off(), 0.10) << seed << "\n" << saidOf(pair);
+            EXPECT_LE(inDegrees(pair.turned()), 3.0) << seed;
+        }
+    }
+    std::printf("  %d of %d\n", placed, 3 * Seeds);
+    EXPECT_GE(placed, 10);
+}
+
 // The Crawler follows into what Kurt3D has seen, and now and then beyond.
 TEST(RobotPairLong, AMinuteInFourYellowArenas) {
     std::printf("  arena   way     start          worst while certain  worst          certain  ms a view\n");

@@ -61,11 +61,30 @@ TEST(ScanPoses, AreRigidAndOfScans) {
     EXPECT_THAT(error([](auto& m) { m.cause = 3; }), HasSubstr("cause"));
 }
 
+TEST(MapCrops, AreAnAreaUnderACeilingOrEverything) {
+    const auto error = [](auto change) { return errorAfter<lm::MapCrop>(change); };
+    EXPECT_EQ(error([](auto&) {}), "none");
+    EXPECT_EQ(error([](auto& m) { m.polygon.clear(), m.ceiling = NaN; }), "none") << "everything";
+    EXPECT_THAT(error([](auto& m) { m.polygon.pop_back(); }), HasSubstr("found 2"));
+    EXPECT_THAT(error([](auto& m) { m.polygon.resize(1'001); }), HasSubstr("polygon"));
+    EXPECT_THAT(error([](auto& m) { m.polygon[1].y = Infinity; }), HasSubstr("polygon"));
+    EXPECT_THAT(error([](auto& m) { m.ceiling = Infinity; }), HasSubstr("ceiling"));
+}
+
+TEST(MapCrops, WithoutACeilingComeBackSo) {
+    SampleCase open;
+    open.type = "leitstand_msgs/msg/MapCrop";
+    open.sample = MapCropSample{Time{}, "station-1", {}, Infinity};
+    const auto back = decodeCase(open, rawEvent(open, encoded(open)));
+    ASSERT_TRUE(back.ok()) << back.error().text;
+    EXPECT_EQ(std::get<MapCropSample>(*back).ceiling, Infinity);
+}
+
 TEST(RobotPlaces, AreRigidAndOfARobot) {
     const auto error = [](auto change) { return errorAfter<lm::RobotPlace>(change); };
     EXPECT_EQ(error([](auto& m) { m.overlap = NaN; }), "none") << "not known";
     EXPECT_THAT(error([](auto& m) { m.robot.clear(); }), HasSubstr("robot"));
-    EXPECT_THAT(error([](auto& m) { m.cause = 4; }), HasSubstr("cause"));
+    EXPECT_THAT(error([](auto& m) { m.cause = 5; }), HasSubstr("cause"));
     EXPECT_THAT(error([](auto& m) { m.certainty = Infinity; }), HasSubstr("certainty"));
     EXPECT_THAT(error([](auto& m) { m.odom_in_map.orientation.w = 5; }), HasSubstr("odom_in_map"));
 }

@@ -51,6 +51,7 @@ CandidateSample fromWire(const wire::leitstand_msgs::Candidate& from, const Sour
 MissionInfoSample fromWire(const wire::leitstand_msgs::MissionInfo& from, const Source&, Checks& checks);
 VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks);
 KeyScanSample fromWire(const wire::leitstand_msgs::KeyScan& from, const Source&, Checks& checks);
+MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&, Checks& checks);
 RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks);
 ScanPosesSample fromWire(const wire::leitstand_msgs::ScanPoses& from, const Source&, Checks& checks);
 ClockSample fromWire(const wire::leitstand_msgs::MissionClock& from, const Source&, Checks& checks);

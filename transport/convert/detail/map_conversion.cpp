@@ -1,4 +1,6 @@
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "transport/convert/detail/from_wire.h"
 #include "transport/convert/detail/to_wire.h"
@@ -6,7 +8,9 @@
 namespace leitstand::detail {
 namespace {
 
-constexpr int MostRows = 65'536;  // rows and columns of any scanner
+using wire::geometry_msgs::Point;
+constexpr int MostRows = 65'536;            // rows and columns of any scanner
+constexpr std::size_t MostCorners = 1'000;  // of the area that a map is of
 
 /// The lists of a scan fit its points and its grid.
 void checkScan(const Scan& scan, Checks& checks) {
@@ -116,12 +120,35 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
     }
 }
 
+MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&, Checks& checks) {
+    const std::size_t corners = from.polygon.size();
+    checks.require(corners == 0 || (corners >= 3 && corners <= MostCorners), "polygon",
+                   "expected none, or 3 to {} corners, found {}", MostCorners, corners);
+    MapCropSample to;
+    to.stamp = checks.time("stamp", from.stamp);
+    to.station = from.station;
+    if (!checks.ok()) return to;
+    for (const Point& corner : from.polygon)
+        to.polygon.emplace_back(checks.vector("polygon", corner).head<2>());
+    if (!std::isnan(from.ceiling)) to.ceiling = checks.finite("ceiling", from.ceiling);
+    return to;
+}
+
+void toWire(const MapCropSample& from, wire::leitstand_msgs::MapCrop& to, Buffer&, Checks& checks) {
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.station = from.station;
+    for (const Eigen::Vector2d& corner : from.polygon)
+        to.polygon.push_back(checks.wireVector<Point>("polygon", {corner.x(), corner.y(), 0.0}));
+    to.ceiling = std::isinf(from.ceiling) ? std::numeric_limits<double>::quiet_NaN()
+                                          : checks.finite("ceiling", from.ceiling);
+}
+
 RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks) {
     checks.require(!from.robot.empty(), "robot", "expected a name");
     return {checks.time("stamp", from.stamp),
             from.station,
             from.robot,
-            checks.enumerator<RobotPlaceSample::Cause>("cause", from.cause, 4),
+            checks.enumerator<RobotPlaceSample::Cause>("cause", from.cause, 5),
             checks.time("measured", from.measured),
             checks.pose("base_in_map", from.base_in_map),
             checks.pose("odom_in_map", from.odom_in_map),

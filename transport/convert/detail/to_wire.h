@@ -49,6 +49,7 @@ void toWire(const CandidateSample& from, wire::leitstand_msgs::Candidate& to, Bu
 void toWire(const MissionInfoSample& from, wire::leitstand_msgs::MissionInfo& to, Buffer&, Checks& checks);
 void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks);
 void toWire(const KeyScanSample& from, wire::leitstand_msgs::KeyScan& to, Buffer&, Checks& checks);
+void toWire(const MapCropSample& from, wire::leitstand_msgs::MapCrop& to, Buffer&, Checks& checks);
 void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks);
 void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Buffer&, Checks& checks);
 void toWire(const ClockSample& from, wire::leitstand_msgs::MissionClock& to, Buffer&, Checks& checks);

@@ -99,6 +99,8 @@ QString padActionName(PadAction action) {
             return tr("Camera up");
         case PadAction::TiltDown:
             return tr("Camera down");
+        case PadAction::WithoutEyes:
+            return tr("Hold: without eyes");
     }
     return {};
 }
@@ -111,6 +113,8 @@ QString padActionHint(PadAction action) {
             return tr("All of the robot's speed instead of 60 %");
         case PadAction::Slow:
             return tr("A quarter of the robot's speed");
+        case PadAction::WithoutEyes:
+            return tr("While it is held, old or missing pictures do not cap the speed");
         case PadAction::Stop:
             return tr("Stops all robots, always: without the trigger, and whatever window has the focus");
         case PadAction::SlideLeft:

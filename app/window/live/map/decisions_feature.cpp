@@ -9,12 +9,14 @@
 #include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
+#include "app/window/live/live_moment.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/map_decisions/decisions_panel.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/models/map/decision_text.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -39,6 +41,8 @@ DecisionsFeature::DecisionsFeature(const LiveContext& context, MapView& view, Ma
         m_scans.setScans(scans);
         show();
     });
+    connect(&context.bridge, &LiveBridge::ticked, this,
+            [this](const LiveMoment& moment) { follow(*moment.mission); });
     m_scans.setScans(context.bridge.station().mapping().scans());
     show();
     showArea();
@@ -76,9 +80,9 @@ void DecisionsFeature::addDecisions() {
     QAction& back = add("scan.rewind", tr("Re&wind to here"),
                         tr("Sets aside all scans that entered after the chosen one"),
                         QKeySequence(Qt::CTRL | Qt::Key_Delete));
-    QAction& undo = add("scan.undo", tr("&Undo decision"), tr("Takes the newest decision on scans back"),
+    QAction& undo = add("scan.undo", tr("&Undo decision"), tr("There is no such decision on the map"),
                         QKeySequence(Qt::CTRL | Qt::Key_Z));
-    QAction& redo = add("scan.redo", tr("Redo decision"), tr("Decides again what was undone last"),
+    QAction& redo = add("scan.redo", tr("Redo decision"), tr("There is no such decision on the map"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
     connect(&next, &QAction::triggered, this, &DecisionsFeature::toNextUncertain);
     connect(&accept, &QAction::triggered, this,
@@ -96,6 +100,7 @@ void DecisionsFeature::addDecisions() {
     again.setIconText(tr("Retry"));
     drag.setIconText(tr("From pose"));
     back.setIconText(tr("Rewind"));
+    for (QAction* one : {&undo, &redo}) one->setEnabled(false);
     undo.setIconText(tr("Undo"));
     redo.setIconText(tr("Redo"));
     for (QAction* one : {&accept, &reject, &again, &drag, &back}) m_onChosen[one->objectName()] = one;
@@ -200,6 +205,28 @@ void DecisionsFeature::drawArea(bool on) {
             answer(mapping.setCrop(crop));
             showArea();
         });
+}
+
+void DecisionsFeature::follow(const MissionState& mission) {
+    const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
+    if (newest == m_newest) return;
+    m_newest = newest;
+    const StationMapping& mapping = m_context.bridge.station().mapping();
+    const auto undo = mapping.undoable(), redo = mapping.redoable();
+    showUndo(QStringLiteral("scan.undo"), undo ? tr("Takes back: %1").arg(decisionText(*undo)) : QString(),
+             undo ? tr("&Undo: %1").arg(decisionText(*undo)) : tr("&Undo decision"));
+    showUndo(QStringLiteral("scan.redo"), redo ? tr("Decides again: %1").arg(decisionText(*redo)) : QString(),
+             redo ? tr("Redo: %1").arg(decisionText(*redo)) : tr("Redo decision"));
+    showArea();
+}
+
+void DecisionsFeature::showUndo(const QString& id, const QString& hint, const QString& text) {
+    QAction& action = *m_context.commands.find(id);
+    const QString icon = action.iconText();  // which would follow the text
+    action.setEnabled(!hint.isEmpty());
+    action.setText(text);
+    action.setIconText(icon);
+    m_context.commands.setHint(id, hint.isEmpty() ? tr("There is no such decision on the map") : hint);
 }
 
 void DecisionsFeature::show() {

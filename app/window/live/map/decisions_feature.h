@@ -19,6 +19,7 @@ class MapGestures;
 class MapView;
 class RobotsOnMap;
 struct GroundPose;
+struct MissionState;
 
 /// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
 /// in the mission's log.
@@ -45,6 +46,9 @@ private:
     void retryFrom(std::uint64_t id, const GroundPose& pose);
     void rewind();
     void drawArea(bool on);
+    void follow(const MissionState& mission);
+    /// @p hint: empty when there is nothing for it to do.
+    void showUndo(const QString& id, const QString& hint, const QString& text);
     void show();
     void showArea();
 
@@ -55,6 +59,7 @@ private:
     KeyScanModel m_scans;
     DecisionsPanel* m_panel;
     std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+    std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
 };
 
 }  // namespace leitstand

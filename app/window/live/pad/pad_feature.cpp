@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QWindow>
 
@@ -13,18 +12,12 @@
 #include "app/window/live/drive_input.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/worked_in.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
 
 namespace leitstand {
 namespace {
-
-/// Whether the operator works in @p window: a pane that floats beside it belongs to it, dialogs do not.
-bool hasFocus(const QMainWindow& window) {
-    const QWidget* const active = QApplication::activeWindow();
-    if (active == &window) return true;
-    return qobject_cast<const QDockWidget*>(active) != nullptr && window.isAncestorOf(active);
-}
 
 /// Whether a stop of anybody keeps @p robot from moving.
 bool isStopped(const RobotView& robot) {
@@ -107,11 +100,11 @@ void PadFeature::useRobot() {
 
 void PadFeature::allow() {
     const RobotView& robot = m_context.bridge.moment().view(m_context.selection.name().toStdString());
-    m_input.setAllowed(hasFocus(m_context.window) && !isStopped(robot));
+    m_input.setAllowed(isWorkedIn(m_context.window) && !isStopped(robot));
 }
 
 bool PadFeature::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::WindowDeactivate) m_input.setAllowed(false);
+    if (event->type() == QEvent::WindowDeactivate) allow();
     if (event->type() == QEvent::Resize && m_legend->isVisible()) showLegend(true);
     return QObject::eventFilter(watched, event);
 }

@@ -123,7 +123,7 @@ void PadInput::update() {
 
 void PadInput::tell(const PadWishes& wishes) {
     const PadWishes before = std::exchange(m_last, wishes);
-    if (wishes.driving || before.driving) emit sticks(wishes.drive, wishes.driving);
+    if (wishes.driving || before.driving) emit sticks(wishes.drive, wishes.driving, wishes.withoutEyes);
     if (wishes.needsNeutral != before.needsNeutral) emit needsNeutral(wishes.needsNeutral);
     if (wishes.cameras != PanTiltRate{} || before.cameras != PanTiltRate{}) emit panTilt(wishes.cameras);
     for (const std::string& command : wishes.commands) emit commandWanted(QString::fromStdString(command));

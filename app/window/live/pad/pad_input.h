@@ -53,8 +53,9 @@ public:
     void rumble(double strength, int milliseconds);
 
 signals:
-    /// The sticks; @p driving: the trigger is held and counts. With every change, and 20 times a second.
-    void sticks(const leitstand::DriveVelocity& velocity, bool driving);
+    /// The sticks; @p driving: the trigger is held and counts; @p withoutEyes: with the override of the speed
+    /// cap. With every change, and 20 times a second.
+    void sticks(const leitstand::DriveVelocity& velocity, bool driving, bool withoutEyes);
     /// The trigger is held in vain: trigger or sticks have to be let go first.
     void needsNeutral(bool needs);
     void panTilt(const leitstand::PanTiltRate& rate);  ///< 20 times a second while it is not zero, and a zero

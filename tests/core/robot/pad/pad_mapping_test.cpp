@@ -69,6 +69,15 @@ TEST_F(PadMappingTest, TurboIsAllAndSlowAQuarterAndWins) {
     EXPECT_DOUBLE_EQ(now().drive.forward, DriveKeys::Slowly * 0.5);
 }
 
+TEST_F(PadMappingTest, TheLeftShoulderLiftsTheCapWhileItDrives) {
+    hold(button::LeftShoulder);
+    EXPECT_FALSE(now().withoutEyes) << "nothing drives";
+    takeHold();
+    EXPECT_TRUE(now().withoutEyes);
+    hold(button::LeftShoulder, false);
+    EXPECT_FALSE(now().withoutEyes);
+}
+
 TEST_F(PadMappingTest, LettingTheTriggerGoIsZeroAtOnceAndTheSticksHaveToBeLetGo) {
     takeHold();
     push(axis::LeftY, -1.0);

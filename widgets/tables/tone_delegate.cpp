@@ -1,4 +1,4 @@
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/tone_delegate.h"
 
 #include <QGuiApplication>
 #include <QSize>

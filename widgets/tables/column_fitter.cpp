@@ -1,4 +1,4 @@
-#include "widgets/scans/column_fitter.h"
+#include "widgets/tables/column_fitter.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,0 +1,88 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/session/report/mission_export.h"
+
+namespace leitstand::cli {
+namespace {
+
+struct ExportArguments {
+    std::string mission, out, height = "low";
+    ExportOptions options;
+    bool json = false;
+};
+
+std::string jsonOf(const ExportOutcome& outcome) {
+    using Json = nlohmann::ordered_json;
+    Json files = Json::array();
+    for (const ReportFile& file : outcome.files)
+        files.push_back({{"file", file.name}, {"bytes", file.bytes}, {"check", file.check}});
+    return Json{{"files", files}, {"warnings", outcome.warnings}}.dump(2, ' ', false,
+                                                                       Json::error_handler_t::replace);
+}
+
+int runExport(const ExportArguments& arguments) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    const auto show = [&](double fraction) { line.show("export", fraction); };
+    const auto outcome =
+        exportMission(arguments.mission, arguments.out, arguments.options, {show, interrupt.token()});
+    line.clear();
+    if (!outcome) {
+        complain(line, outcome.error().text);
+        return 1;
+    }
+    if (arguments.json) {
+        fmt::print("{}\n", jsonOf(*outcome));
+    } else {
+        for (const ReportFile& file : outcome->files) fmt::print("{}: {}\n", file.name, file.check);
+    }
+    for (const std::string& warning : outcome->warnings) complain(line, warning);
+    return 0;
+}
+
+}  // namespace
+
+void addExport(CLI::App& app, int& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("export", "writes the map or part of a mission for other programs");
+    const auto arguments = std::make_shared<ExportArguments>();
+    command->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 file of it")
+        ->required();
+    command
+        ->add_option(
+            "--out", arguments->out,
+            "By its ending: .pcd .ply .xyz points, .bt OctoMap, .tif GeoTIFF, .tum trajectories, .csv list, "
+            "DIR/ uos scans with poses")
+        ->required();
+    command
+        ->add_option("--reduce", arguments->options.reduce,
+                     "Points: one for each cube of this edge [m]; 0: all")
+        ->check(CLI::Range(0.0, 10.0));
+    command->add_option("--robot", arguments->options.robot, "Trajectory of this robot only");
+    command
+        ->add_option("--height", arguments->height,
+                     "Of the GeoTIFF: low (0.25 to 0.35 m) or upper (0.9 to 1.1 m)")
+        ->check(CLI::IsMember({"low", "upper"}));
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->final_callback([arguments, &exitCode] {
+        if (!canExport(arguments->out)) {
+            throw CLI::ValidationError(
+                "--out", "expected an ending .pcd .ply .xyz .bt .tif .tum .csv, or a folder that ends in /");
+        }
+        arguments->options.upper = arguments->height == "upper";
+        exitCode = runExport(*arguments);
+    });
+}
+
+}  // namespace leitstand::cli

@@ -1,0 +1,82 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scans.h"
+#include "app/cli/offscreen_fonts.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/report/pdf_report.h"
+#include "app/session/report/report_writer.h"
+
+namespace leitstand::cli {
+namespace {
+
+struct ReportArguments {
+    std::string mission, out;
+    bool json = false, pdf = true;
+};
+
+std::string jsonOf(const ReportOutcome& outcome, const ReportArguments& arguments) {
+    using Json = nlohmann::ordered_json;
+    Json files = Json::array();
+    for (const ReportFile& file : outcome.files) {
+        files.push_back(
+            {{"file", file.name}, {"bytes", file.bytes}, {"whole", file.whole}, {"check", file.check}});
+    }
+    return Json{{"name", outcome.name},   {"folder", arguments.out},      {"victims", outcome.victims},
+                {"finds", outcome.finds}, {"scans", outcome.scans},       {"explored_m2", outcome.explored},
+                {"files", files},         {"warnings", outcome.warnings}, {"seconds", outcome.seconds}}
+        .dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string tableOf(const ReportOutcome& outcome) {
+    std::vector<std::vector<std::string>> rows = {{"file", "bytes", "read again"}};
+    for (const ReportFile& file : outcome.files)
+        rows.push_back({file.name, std::to_string(file.bytes), (file.whole ? "" : "BROKEN: ") + file.check});
+    return textTable(rows) +
+           fmt::format("{} confirmed victims of {} finds, {} scans, {:.1f} m2 explored, {:.1f} s\n",
+                       outcome.victims, outcome.finds, outcome.scans, outcome.explored, outcome.seconds);
+}
+
+int runReport(const ReportArguments& arguments) {
+    ProgressLine line;
+    const InterruptGuard interrupt;
+    const OffscreenFonts fonts;
+    ReportOptions options;
+    options.version = LEITSTAND_VERSION;
+    if (arguments.pdf) options.pdf = &pdfOf;
+    const auto show = [&](double fraction) { line.show("report", fraction); };
+    const auto outcome = writeReport(arguments.mission, arguments.out, options, {show, interrupt.token()});
+    line.clear();
+    if (!outcome) {
+        complain(line, outcome.error().text);
+        return 1;
+    }
+    fmt::print("{}", arguments.json ? jsonOf(*outcome, arguments) + "\n" : tableOf(*outcome));
+    for (const std::string& warning : outcome->warnings) complain(line, warning);
+    return outcome->whole() ? 0 : 1;
+}
+
+}  // namespace
+
+void addReport(CLI::App& app, int& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("report", "writes the judges' folder of a mission and reads it again");
+    const auto arguments = std::make_shared<ReportArguments>();
+    command->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 file of it")
+        ->required();
+    command->add_option("--out", arguments->out, "Folder for GeoTIFF, lists, OctoMap, PLY, trajectories, PDF")
+        ->required();
+    command->add_flag("!--no-pdf", arguments->pdf, "Leave the PDF out");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->final_callback([arguments, &exitCode] { exitCode = runReport(*arguments); });
+}
+
+}  // namespace leitstand::cli

@@ -1,0 +1,187 @@
+#include "app/report/pdf_report.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QBuffer>
+#include <QFont>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+
+#include "app/report/report_html.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Dots = 96.0;    ///< of the pages' layout, an inch
+constexpr int Resolution = 300;  ///< of the file, an inch
+constexpr double Gap = 10.0;     ///< between text and pictures [dots]
+
+struct PdfText {
+    Q_DECLARE_TR_FUNCTIONS(PdfText)
+};
+
+QImage imageOf(const Picture& picture) {
+    const bool grey = picture.pixel == Picture::Pixel::Grey8;
+    if (!grey && picture.pixel != Picture::Pixel::Rgb8) return {};
+    const auto* bytes = reinterpret_cast<const uchar*>(picture.bytes.data());
+    return QImage(bytes, picture.width, picture.height, picture.width * (grey ? 1 : 3),
+                  grey ? QImage::Format_Grayscale8 : QImage::Format_RGB888)
+        .copy();
+}
+
+/// The map about a find, with the way to it.
+QImage wayImage(const FindPages& pages) {
+    QImage image = imageOf(pages.way.picture);
+    if (image.isNull() || pages.wayPixels.size() < 2) return image;
+    QPolygonF way;
+    for (const Eigen::Vector2d& pixel : pages.wayPixels) way << QPointF(pixel.x(), pixel.y());
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double wide = std::max(2.0, image.width() / 220.0);
+    painter.setPen(QPen(Qt::white, 2.2 * wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(way);
+    painter.setPen(QPen(QColor(0xD5, 0x5E, 0x00), wide, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolyline(way);
+    painter.setPen(QPen(Qt::black, wide));
+    painter.setBrush(QColor(0xD5, 0x5E, 0x00));
+    painter.drawEllipse(way.first(), 2.5 * wide, 2.5 * wide);
+    return image;
+}
+
+/// Lays pages out one after the other; lengths are dots of 1/96 inch.
+class Pages {
+public:
+    Pages(QPdfWriter& writer, const ReportContent& content)
+        : m_writer(writer), m_painter(&writer), m_footer(QString::fromStdString(content.name)) {
+        m_painter.scale(Resolution / Dots, Resolution / Dots);
+        m_size = QSizeF(writer.width(), writer.height()) * (Dots / Resolution);
+        m_size.setHeight(m_size.height() - 24.0);  // the footer's
+        m_font = QFont(QStringLiteral("DejaVu Sans"));
+        m_font.setPixelSize(12);
+        begin();
+    }
+    [[nodiscard]] bool ok() const { return m_painter.isActive(); }
+
+    void nextPage() {
+        m_writer.newPage();
+        ++m_page;
+        m_below = 0.0;
+        begin();
+    }
+
+    /// Text, over as many pages as it takes.
+    void text(const QString& html, const std::vector<std::pair<QString, QImage>>& pictures = {}) {
+        QTextDocument document;
+        document.setDefaultFont(m_font);
+        document.setDocumentMargin(0.0);
+        document.setDefaultStyleSheet(QStringLiteral(
+            "h1 { font-size: 20px } h2 { font-size: 15px; margin-top: 12px } small { color: #444444 }"));
+        for (const auto& [name, image] : pictures)
+            document.addResource(QTextDocument::ImageResource, QUrl(name), image);
+        document.setHtml(html);
+        document.setTextWidth(m_size.width());
+        const double height = document.size().height();
+        if (height <= m_size.height()) return draw(document, 0.0, height);
+        document.setPageSize(m_size);
+        for (int page = 0; page < document.pageCount(); ++page) {
+            if (page > 0) nextPage();
+            const double top = page * m_size.height();
+            draw(document, top, std::min(m_size.height(), document.size().height() - top));
+        }
+    }
+
+    /// A picture as large as there is room for; on the next page where that is little.
+    void picture(const QImage& image, const QString& caption) {
+        if (image.isNull()) return;
+        constexpr double Least = 260.0;
+        if (m_below > 0.0 && m_size.height() - m_below < Least) nextPage();
+        const double line = caption.isEmpty() ? 0.0 : 18.0;
+        const QSizeF room(m_size.width(), m_size.height() - m_below - Gap - line);
+        const QSizeF size = QSizeF(image.size()).scaled(room, Qt::KeepAspectRatio);
+        const QPointF corner((m_size.width() - size.width()) / 2, m_below + Gap);
+        m_painter.setRenderHint(QPainter::LosslessImageRendering);
+        m_painter.drawImage(QRectF(corner, size), image);
+        m_painter.setRenderHint(QPainter::LosslessImageRendering, false);
+        m_painter.setFont(m_font);
+        m_painter.drawText(QRectF(0.0, corner.y() + size.height(), m_size.width(), line),
+                           Qt::AlignHCenter | Qt::AlignVCenter, caption);
+        m_below = corner.y() + size.height() + line;
+    }
+
+private:
+    void begin() {
+        QFont font = m_font;
+        font.setPixelSize(10);
+        m_painter.setFont(font);
+        m_painter.setPen(Qt::darkGray);
+        const QRectF foot(0.0, m_size.height() + 8.0, m_size.width(), 16.0);
+        m_painter.drawText(foot, Qt::AlignLeft, m_footer);
+        m_painter.drawText(foot, Qt::AlignRight, PdfText::tr("page %1").arg(m_page));
+        m_painter.setPen(Qt::black);
+    }
+    void draw(QTextDocument& document, double top, double height) {
+        m_painter.save();
+        m_painter.translate(0.0, m_below - top);
+        const QRectF part(0.0, top, m_size.width(), height);
+        m_painter.setClipRect(part);
+        document.drawContents(&m_painter, part);
+        m_painter.restore();
+        m_below += height;
+    }
+
+    QPdfWriter& m_writer;
+    QPainter m_painter;
+    QString m_footer;
+    QSizeF m_size;
+    QFont m_font;
+    double m_below = 0.0;  ///< of what stands on the page
+    int m_page = 1;
+};
+
+void layOut(Pages& pages, const ReportContent& content) {
+    pages.text(overviewHtml(content));
+    for (std::size_t band = 0; band < content.maps.size(); ++band) {
+        pages.nextPage();
+        pages.text(QStringLiteral("<h2>%1</h2>").arg(mapCaption(content, band).toHtmlEscaped()));
+        pages.picture(imageOf(content.maps[band].picture),
+                      PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
+    }
+    for (std::size_t find = 0; find < content.finds.size(); ++find) {
+        pages.nextPage();
+        std::vector<std::pair<QString, QImage>> pictures;
+        for (std::size_t i = 0; i < content.finds[find].pictures.size(); ++i)
+            pictures.emplace_back(evidenceName(find, i), imageOf(content.finds[find].pictures[i].picture));
+        pages.text(findHtml(content, find), pictures);
+        pages.picture(wayImage(content.finds[find]),
+                      PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
+    }
+}
+
+}  // namespace
+
+Result<std::string> pdfOf(const ReportContent& content) {
+    if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr)
+        return Error{"the PDF cannot be laid out: fonts need a QGuiApplication"};
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&buffer);
+        writer.setResolution(Resolution);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(QMarginsF(16, 14, 16, 12), QPageLayout::Millimeter);
+        writer.setTitle(QString::fromStdString(content.name));
+        writer.setCreator(QString::fromStdString("Leitstand " + content.version));
+        Pages pages(writer, content);
+        if (!pages.ok()) return Error{"the PDF cannot be laid out: no page could be begun"};
+        layOut(pages, content);
+    }
+    const QByteArray bytes = buffer.data();
+    return bytes.toStdString();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,269 @@
+#include "app/report/report_html.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "app/report/score_html.h"
+#include "app/session/report/report_words.h"
+
+namespace leitstand {
+namespace {
+
+/// Text of the report, for translators.
+struct ReportText {
+    Q_DECLARE_TR_FUNCTIONS(ReportText)
+};
+
+QString safe(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+QString orDash(const std::string& text) {
+    return text.empty() ? QStringLiteral("\u2013") : safe(text);
+}
+QString number(double value, int digits) {
+    return std::isfinite(value) ? QString::number(value, 'f', digits) : QStringLiteral("\u2013");
+}
+
+using Rows = std::vector<std::pair<QString, QString>>;
+
+QString pairs(const Rows& rows) {
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='3' width='100%'>");
+    for (const auto& [name, value] : rows) {
+        html +=
+            QStringLiteral("<tr><td width='30%'><span style='color:#555555'>%1</span></td><td>%2</td></tr>")
+                .arg(name, value);
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString table(const std::vector<QStringList>& rows) {
+    QString html = QStringLiteral(
+        "<table border='1' cellspacing='0' cellpadding='4' width='100%' style='border-collapse:collapse; "
+        "border-color:#999999'>");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        html += QStringLiteral("<tr>");
+        for (const QString& cell : rows[i])
+            html += (i == 0 ? QStringLiteral("<th align='left'>%1</th>") : QStringLiteral("<td>%1</td>"))
+                        .arg(cell);
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString heading(const QString& text) {
+    return QStringLiteral("<h2>%1</h2>").arg(text);
+}
+
+QString statusOf(const VictimSample& sample) {
+    return sample.status == VictimSample::Status::Confirmed ? ReportText::tr("confirmed")
+                                                            : ReportText::tr("not confirmed");
+}
+QString modeOf(const VictimSample& sample) {
+    return sample.autonomous ? ReportText::tr("A (autonomous)") : ReportText::tr("T (teleoperated)");
+}
+QString kindOf(VictimSample::Kind kind) {
+    switch (kind) {
+        case VictimSample::Kind::Victim:
+            return ReportText::tr("Victim");
+        case VictimSample::Kind::Hazard:
+            return ReportText::tr("Hazard");
+        case VictimSample::Kind::Code:
+            return ReportText::tr("QR code");
+        case VictimSample::Kind::Object:
+            return ReportText::tr("Object of interest");
+    }
+    return {};
+}
+
+QString positionOf(const ReportFind& find) {
+    return ReportText::tr("x %1, y %2, z %3 m")
+        .arg(number(find.position.x(), 2), number(find.position.y(), 2), number(find.position.z(), 2));
+}
+
+QString signOf(const VictimSign& sign, const char* unit, int digits) {
+    QString text;
+    switch (sign.state) {
+        case VictimSign::State::Unknown:
+            text = ReportText::tr("not known");
+            break;
+        case VictimSign::State::Absent:
+            text = ReportText::tr("none");
+            break;
+        case VictimSign::State::Present:
+            text = ReportText::tr("yes");
+            break;
+    }
+    if (std::isfinite(sign.value))
+        text += QStringLiteral(", %1 %2").arg(number(sign.value, digits), QString::fromUtf8(unit));
+    if (!sign.text.empty()) text += QStringLiteral(", ") + safe(sign.text);
+    return text;
+}
+
+QString missionRows(const ReportContent& content) {
+    const ReportFacts& facts = content.model.facts;
+    const bool known = facts.events > 0;
+    QStringList stations;
+    for (const std::string& station : facts.stations) stations += safe(station);
+    return pairs(
+        {{ReportText::tr("Competition"), orDash(facts.competition)},
+         {ReportText::tr("Team"),
+          facts.country.empty() ? orDash(facts.team)
+                                : QStringLiteral("%1 (%2)").arg(orDash(facts.team), safe(facts.country))},
+         {ReportText::tr("Mission"), orDash(facts.mission)},
+         {ReportText::tr("Date"), known ? QStringLiteral("%1, %2 \u2013 %3")
+                                              .arg(safe(dateText(facts.begin)), safe(clockText(facts.begin)),
+                                                   safe(clockText(facts.end)))
+                                        : QStringLiteral("\u2013")},
+         {ReportText::tr("Duration"),
+          facts.clocked ? ReportText::tr("%1 by the mission's clock").arg(safe(spanText(facts.duration)))
+                        : safe(spanText(facts.duration))},
+         {ReportText::tr("Operators"), QString::number(facts.operators)},
+         {ReportText::tr("Area"), orDash(facts.area)},
+         {ReportText::tr("Stations"),
+          stations.isEmpty() ? QStringLiteral("\u2013") : stations.join(QStringLiteral(", "))},
+         {ReportText::tr("Map"), ReportText::tr("%1 scans, %2 m\u00B2 explored")
+                                     .arg(content.model.scans)
+                                     .arg(number(content.model.explored, 1))}});
+}
+
+QString robotRows(const ReportModel& model) {
+    std::vector<QStringList> rows = {{ReportText::tr("Robot"), ReportText::tr("Way"),
+                                      ReportText::tr("Scans in the map"), ReportText::tr("Autonomous"),
+                                      ReportText::tr("Teleoperated")}};
+    for (const ReportRobot& robot : model.robots) {
+        rows.push_back({safe(robot.name),
+                        robot.path.poses.empty() ? ReportText::tr("not known")
+                                                 : ReportText::tr("%1 m").arg(number(robot.length, 1)),
+                        QString::number(robot.scans), safe(spanText(robot.autonomous)),
+                        safe(spanText(robot.teleoperated))});
+    }
+    return table(rows);
+}
+
+QString findRows(const ReportModel& model) {
+    if (model.finds.empty()) return QStringLiteral("<p>%1</p>").arg(ReportText::tr("Nothing was filed."));
+    std::vector<QStringList> rows = {{QString(), ReportText::tr("What"), ReportText::tr("Status"),
+                                      ReportText::tr("Place in the map"), ReportText::tr("Way"),
+                                      ReportText::tr("Found"), ReportText::tr("By")}};
+    for (const ReportFind& find : model.finds) {
+        rows.push_back({QStringLiteral("<b>%1</b>").arg(safe(find.name)), kindOf(find.sample.kind),
+                        statusOf(find.sample), positionOf(find),
+                        find.way.points.empty() ? QStringLiteral("\u2013")
+                                                : ReportText::tr("%1 m").arg(number(find.way.length, 1)),
+                        safe(clockText(find.sample.found)),
+                        QStringLiteral("%1, %2").arg(orDash(find.sample.robot), find.sample.autonomous
+                                                                                    ? QStringLiteral("A")
+                                                                                    : QStringLiteral("T"))});
+    }
+    return table(rows);
+}
+
+QString whereComputed() {
+    return QStringLiteral("<ul><li>%1</li><li>%2</li><li>%3</li></ul>")
+        .arg(ReportText::tr("On the robots: driving in autonomous modes, approach to victims, stopping when "
+                            "the link is lost."),
+             ReportText::tr("On the operator station: registration of the scans, this map, cues of victims, "
+                            "this report."),
+             ReportText::tr("By the operator: everything that is marked T, and every confirmation."));
+}
+
+QString wayText(const ReportFind& find) {
+    if (find.way.points.empty()) return ReportText::tr("No robot drove near it: there is no way to tell.");
+    return ReportText::tr("%1 m from the start of %2 along the driven trail, the last %3 m straight on.")
+        .arg(number(find.way.length, 1), safe(find.way.robot), number(find.way.lastPiece, 1));
+}
+
+QString picturesHtml(const FindPages& pages, std::size_t find) {
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='4' width='100%'>");
+    for (std::size_t i = 0; i < pages.pictures.size(); i += 2) {
+        html += QStringLiteral("<tr>");
+        for (std::size_t j = i; j < std::min(i + 2, pages.pictures.size()); ++j) {
+            html += QStringLiteral("<td width='50%'><img src='%1' width='300'><br><small>%2</small></td>")
+                        .arg(evidenceName(find, j), safe(pages.pictures[j].caption));
+        }
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+}  // namespace
+
+QString evidenceName(std::size_t find, std::size_t picture) {
+    return QStringLiteral("evidence-%1-%2").arg(find).arg(picture);
+}
+QString wayName(std::size_t find) {
+    return QStringLiteral("way-%1").arg(find);
+}
+
+QString overviewHtml(const ReportContent& content) {
+    QString html = QStringLiteral("<h1>%1</h1>").arg(ReportText::tr("Report of a rescue mission"));
+    html += QStringLiteral("<p>%1</p>").arg(safe(content.name));
+    html += missionRows(content);
+    html += heading(ReportText::tr("Robots")) + robotRows(content.model);
+    html += heading(ReportText::tr("Found")) + findRows(content.model);
+    if (content.model.discarded > 0)
+        html += QStringLiteral("<p>%1</p>")
+                    .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
+    html += scoreHtml(content);
+    html += heading(ReportText::tr("What was computed where")) + whereComputed();
+    if (!content.warnings.empty()) {
+        html += heading(ReportText::tr("What is missing or doubtful")) + QStringLiteral("<ul>");
+        constexpr std::size_t Most = 20;
+        for (std::size_t i = 0; i < std::min(Most, content.warnings.size()); ++i)
+            html += QStringLiteral("<li>%1</li>").arg(safe(content.warnings[i]));
+        if (content.warnings.size() > Most)
+            html += QStringLiteral("<li>%1</li>")
+                        .arg(ReportText::tr("and %1 more").arg(content.warnings.size() - Most));
+        html += QStringLiteral("</ul>");
+    }
+    return html;
+}
+
+QString findHtml(const ReportContent& content, std::size_t index) {
+    const ReportFind& find = content.model.finds[index];
+    const FindPages& pages = content.finds[index];
+    const VictimSample& sample = find.sample;
+    QString html = QStringLiteral("<h1>%1 \u2013 %2, %3</h1>")
+                       .arg(safe(find.name), kindOf(sample.kind), statusOf(sample));
+    Rows rows = {
+        {ReportText::tr("Place in the map"),
+         positionOf(find) + (std::isfinite(sample.deviation)
+                                 ? ReportText::tr(", \u00B1 %1 m").arg(number(sample.deviation, 2))
+                                 : QString())},
+        {ReportText::tr("Height"), ReportText::tr("%1 m above the floor").arg(number(find.aboveFloor, 2))},
+        {ReportText::tr("Found"), ReportText::tr("%1, %2 after the mission's begin")
+                                      .arg(safe(clockText(sample.found)), safe(spanText(find.missionTime)))},
+        {ReportText::tr("By"), QStringLiteral("%1, %2").arg(orDash(sample.robot), modeOf(sample))},
+        {ReportText::tr("Tag"), orDash(sample.tag)}};
+    if (sample.kind == VictimSample::Kind::Victim) {
+        const Rows signs = {{ReportText::tr("Form"), signOf(sample.form, "", 1)},
+                            {ReportText::tr("Motion"), signOf(sample.motion, "", 1)},
+                            {ReportText::tr("Heat"), signOf(sample.heat, "\u00B0C", 1)},
+                            {ReportText::tr("Sound"), signOf(sample.sound, "", 1)},
+                            {ReportText::tr("CO\u2082"), signOf(sample.co2, "ppm", 0)},
+                            {ReportText::tr("Situation"), orDash(sample.situation)}};
+        rows.insert(rows.end(), signs.begin(), signs.end());
+    }
+    rows.emplace_back(ReportText::tr("Area"),
+                      orDash(sample.area.empty() ? content.model.facts.area : sample.area));
+    if (!sample.text.empty()) rows.emplace_back(ReportText::tr("Notes"), safe(sample.text));
+    QStringList traces;
+    for (const std::string& trace : pages.traces) traces += safe(trace);
+    if (!traces.isEmpty()) rows.emplace_back(ReportText::tr("Evidence"), traces.join(QStringLiteral("<br>")));
+    html += pairs(rows);
+    if (!pages.pictures.empty()) html += picturesHtml(pages, index);
+    html += heading(ReportText::tr("The way to %1").arg(safe(find.name)));
+    html += QStringLiteral("<p>%1</p>").arg(wayText(find));
+    return html;
+}
+
+QString mapCaption(const ReportContent& content, std::size_t band) {
+    return ReportText::tr("%1: map at %2")
+        .arg(QString::fromStdString(content.name), QString::fromStdString(reportBands().at(band).name));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,96 @@
+#include "app/report/score_html.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace leitstand {
+namespace {
+
+/// Text of the score's page, for translators.
+struct ScoreText {
+    Q_DECLARE_TR_FUNCTIONS(ScoreText)
+};
+
+QString safe(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+QString number(double value) {
+    return QString::number(value, 'f', 2);
+}
+
+QString autonomyOf(Autonomy autonomy) {
+    switch (autonomy) {
+        case Autonomy::Teleoperated:
+            return ScoreText::tr("teleoperated");
+        case Autonomy::Semi:
+            return ScoreText::tr("robot drove, station or operator found");
+        case Autonomy::Full:
+            return ScoreText::tr("robot drove and found by itself");
+    }
+    return {};
+}
+
+QString itemsOf(const ScoredFind& find) {
+    QStringList items;
+    for (const ScoredItem& item : find.items) {
+        if (item.possible > 0.0)
+            items +=
+                QStringLiteral("%1 %2/%3")
+                    .arg(QString::fromUtf8(toString(item.item)), number(item.points), number(item.possible));
+    }
+    return items.isEmpty() ? QStringLiteral("\u2013") : items.join(QStringLiteral(", "));
+}
+
+QString row(const QStringList& cells, const char* tag) {
+    QString html = QStringLiteral("<tr>");
+    for (const QString& cell : cells)
+        html += QStringLiteral("<%1 align='left'>%2</%1>").arg(QString::fromUtf8(tag), cell);
+    return html + QStringLiteral("</tr>");
+}
+
+}  // namespace
+
+QString scoreHtml(const ReportContent& content) {
+    if (!content.profile) return {};
+    const ScoreProfile& profile = *content.profile;
+    const ScoreResult& result = content.score;
+    QString html = QStringLiteral("<h2>%1</h2>").arg(ScoreText::tr("Score, estimated"));
+    html += QStringLiteral("<p>%1</p>")
+                .arg(ScoreText::tr("Profile %1 (%2), version %3. The quality of the map is the judges' to "
+                                   "tell; here it counts as full.")
+                         .arg(safe(profile.name), safe(profile.title), safe(profile.version)));
+    html += QStringLiteral(
+        "<table border='1' cellspacing='0' cellpadding='4' width='100%' "
+        "style='border-collapse:collapse; border-color:#999999'>");
+    html += row({QString(), ScoreText::tr("Items"), ScoreText::tr("Points"), ScoreText::tr("Area"),
+                 ScoreText::tr("Autonomy"), ScoreText::tr("Total")},
+                "th");
+    for (const ScoredFind& find : result.finds) {
+        html += row({QStringLiteral("<b>%1</b>").arg(safe(find.name)), itemsOf(find), number(find.points),
+                     QStringLiteral("x %1").arg(number(find.weight)),
+                     QStringLiteral("%1, x %2").arg(autonomyOf(find.autonomy), number(find.factor)),
+                     find.confirmed ? number(find.total)
+                                    : ScoreText::tr("%1 (not confirmed)").arg(number(find.total))},
+                    "td");
+    }
+    html += QStringLiteral("</table>");
+    html += QStringLiteral("<p>%1</p>")
+                .arg(ScoreText::tr("%1 of the finds, less %2 for %3 contacts with the arena and %4 with "
+                                   "victims, divided by %5 (%6 operators): <b>%7</b>")
+                         .arg(number(result.sum), number(result.penalty))
+                         .arg(result.areaBumps)
+                         .arg(result.victimBumps)
+                         .arg(number(result.divisor))
+                         .arg(result.operators)
+                         .arg(number(result.score)));
+    if (!profile.unconfirmed.empty()) {
+        QStringList keys;
+        for (const std::string& key : profile.unconfirmed) keys += safe(key);
+        html += QStringLiteral("<p>%1</p>")
+                    .arg(ScoreText::tr("Values of the profile for which no readable source was found: %1.")
+                             .arg(keys.join(QStringLiteral(", "))));
+    }
+    return html;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,196 @@
+#include "app/session/finds/find_desk.h"
+
+#include <future>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds LongestSearch{2};  // for where a find is
+constexpr double Nearby = 1.0;           // what nothing tells the range of lies so far ahead of the robot [m]
+constexpr double NearbyDeviation = 1.0;  // [m]
+constexpr double PointedDeviation = 0.2;  // of a place that a person pointed to [m]
+
+/// Hangs @p frozen on @p scan at @p inMap.
+void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
+          const Eigen::Vector3d& inMap) {
+    frozen.positionInMap = inMap;
+    const auto known = state.keyScans->find(scan);
+    if (known == state.keyScans->end()) return;
+    frozen.scan = scan;
+    frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
+}
+
+/// The newest key scan of @p robot that counts; 0: none.
+std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
+    std::uint64_t newest = 0;
+    for (const auto& [id, scan] : *state.keyScans) {
+        if (scan.pose.trust != ScanTrust::SetAside && (scan.entry.robot == robot || newest == 0)) newest = id;
+    }
+    return newest;
+}
+
+}  // namespace
+
+FindDesk::FindDesk(FindDeskSetup setup)
+    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
+
+FindDesk::~FindDesk() {
+    std::promise<void> done;
+    m_queue.submit([&done](const std::stop_token&) { done.set_value(); }, /*cancellable=*/false);
+    done.get_future().wait();
+}
+
+const RobotDescription* FindDesk::robot(const std::string& name) const {
+    for (const RobotDescription& robot : m_setup.robots) {
+        if (robot.name == name) return &robot;
+    }
+    return nullptr;
+}
+
+void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const std::string& looksThrough,
+                      const std::optional<PicturePoint>& at) {
+    const RobotDescription* const found = robot(name);
+    if (found == nullptr) return;
+    const Time pressed = m_setup.now();
+    // What robots say while the worker is busy has nothing to do with what the operator saw.
+    m_queue.submit(
+        [this, found, kind, looksThrough, at, pressed, recent = m_recent.of(name)](const std::stop_token&) {
+            ChosenEvidence chosen = chooseEvidence(*found, recent, looksThrough, at);
+            chosen.frozen.found = pressed;
+            locate(std::move(chosen), kind);
+        },
+        /*cancellable=*/false);
+}
+
+void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {
+    const RobotDescription* const found = robot(name);
+    if (found == nullptr) return;
+    const Time pressed = m_setup.now();
+    m_queue.submit(
+        [this, found, kind, placeInMap, pressed, recent = m_recent.of(name)](const std::stop_token&) {
+            ChosenEvidence chosen = chooseEvidence(*found, recent, {}, std::nullopt);
+            chosen.frozen.found = pressed;
+            chosen.frozen.deviation = PointedDeviation;
+            const MissionStatePtr state = m_setup.mission();
+            hang(chosen.frozen, *state, newestScan(*state, found->name), placeInMap);
+            file(std::move(chosen.frozen), kind);
+        },
+        /*cancellable=*/false);
+}
+
+void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
+    std::optional<PlacedFind> placed;
+    if (chosen.picture) {
+        // Who is asked may end before it answers.
+        const auto promise = std::make_shared<std::promise<std::optional<PlacedFind>>>();
+        auto answer = promise->get_future();
+        m_setup.locate(chosen,
+                       [promise](const std::optional<PlacedFind>& place) { promise->set_value(place); });
+        if (answer.wait_for(LongestSearch) == std::future_status::ready) placed = answer.get();
+    }
+    const MissionStatePtr state = m_setup.mission();
+    FrozenEvidence& frozen = chosen.frozen;
+    if (placed) {
+        frozen.deviation = placed->deviation;
+        hang(frozen, *state, placed->scan, placed->inMap);
+        file(std::move(frozen), kind);
+        return;
+    }
+    const auto baseInMap = m_setup.robotInMap(frozen.robot);
+    if (!baseInMap) {
+        m_setup.tell(fmt::format("{} is not in the map yet: nothing was filed", robot(frozen.robot)->title));
+        return;
+    }
+    // Better roughly than not at all: the operator moves it.
+    frozen.deviation = NearbyDeviation;
+    hang(frozen, *state, newestScan(*state, frozen.robot), *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0));
+    file(std::move(frozen), kind);
+    m_setup.tell("no range there: filed ahead of the robot; move it on the map");
+}
+
+void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = m_setup.mission();
+    const auto known = state->robots.find(frozen.robot);
+    if (known != state->robots.end() && known->second->mode)
+        frozen.autonomous = known->second->mode->sample.autonomous;
+    const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
+    const FindKey key{sample.kind, sample.number};
+    const bool joined = state->victims->contains(key);
+    if (const auto said = m_setup.say(sample); !said) {
+        m_setup.tell(said.error().text);
+        return;
+    }
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_newest = key;
+    }
+    m_setup.tell(fmt::format("{} {}: press again to confirm", nameOf(key.first, key.second),
+                             joined ? "has new evidence" : "filed"));
+}
+
+std::optional<FindKey> FindDesk::newest() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_newest;
+}
+
+Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const FindKey& find) {
+    if (!sample)
+        return Error{nameOf(find.first, find.second) + ": the mission has no such find to change so"};
+    return m_setup.say(*sample);
+}
+
+Result<void> FindDesk::fileCandidate(std::uint32_t candidate) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = m_setup.mission();
+    const auto known = state->candidates->find(candidate);
+    if (known == state->candidates->end()) return Error{"the mission has no such candidate"};
+    const VictimSample sample = filedFrom(*state, known->second.candidate, m_setup.station, m_setup.now());
+    if (auto said = m_setup.say(sample); !said) return said;
+    const std::scoped_lock lock(m_mutex);
+    m_newest = FindKey{sample.kind, sample.number};
+    return {};
+}
+
+Result<void> FindDesk::confirm(const FindKey& find) {
+    return say(
+        withStatus(*m_setup.mission(), find, VictimSample::Status::Confirmed, m_setup.station, m_setup.now()),
+        find);
+}
+
+Result<void> FindDesk::discard(const FindKey& find) {
+    return say(
+        withStatus(*m_setup.mission(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
+        find);
+}
+
+Result<void> FindDesk::merge(const FindKey& find, std::uint32_t into) {
+    return say(mergedInto(*m_setup.mission(), find, into, m_setup.station, m_setup.now()), find);
+}
+
+Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& placeInMap) {
+    return say(movedTo(*m_setup.mission(), find, placeInMap, m_setup.station, m_setup.now()), find);
+}
+
+Result<void> FindDesk::edit(VictimSample sample) {
+    sample.station = m_setup.station;
+    sample.stamp = m_setup.now();
+    return m_setup.say(sample);
+}
+
+Result<void> FindDesk::undo() {
+    const MissionStatePtr state = m_setup.mission();
+    const auto& all = *state->decisions;
+    for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
+        const auto* sample = std::get_if<VictimSample>(&decision->content);
+        if (sample == nullptr || decision->undone || sample->station != m_setup.station) continue;
+        return m_setup.undo({m_setup.now(), m_setup.station, decision->sequence,
+                             "undo: " + nameOf(sample->kind, sample->number)});
+    }
+    return Error{"there is nothing on finds to take back"};
+}
+
+}  // namespace leitstand

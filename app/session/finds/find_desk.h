@@ -1,0 +1,88 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/session/finds/freezing.h"
+#include "app/session/finds/recent_evidence.h"
+#include "app/session/job_queue.h"
+#include "core/base/result.h"
+#include "core/mission/finds/find_book.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Where something that a picture shows is.
+struct PlacedFind {
+    std::uint64_t scan = 0;                           ///< key scan it hangs on; 0: none
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
+    double deviation = Unknown;                       ///< [m]
+};
+
+/// What a FindDesk works with. All may be called on any thread.
+struct FindDeskSetup {
+    using Located = std::function<void(const std::optional<PlacedFind>&)>;
+    std::vector<RobotDescription> robots = {};
+    std::string station = {};  ///< persistent identity
+    std::function<MissionStatePtr()> mission = {};
+    std::function<Result<void>(const VictimSample&)> say = {};
+    std::function<Result<void>(const UndoSample&)> undo = {};
+    /// Asks where what @p chosen shows is; answers once, on whatever thread. Empty: nowhere.
+    std::function<void(const ChosenEvidence& chosen, Located answer)> locate = {};
+    /// Where a robot is in the map now; empty: nobody knows.
+    std::function<std::optional<Pose>(const std::string& robot)> robotInMap = {};
+    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+    std::function<Time()> now = {};                     ///< station's clock
+};
+
+/// Files what the operator finds: freezes evidence, confirms, changes and takes back. Everything is an entry
+/// of the log. Any thread.
+class FindDesk {
+public:
+    explicit FindDesk(FindDeskSetup setup);
+    ~FindDesk();  ///< what is being frozen is filed first
+    FindDesk(const FindDesk&) = delete;
+    FindDesk& operator=(const FindDesk&) = delete;
+
+    void take(const Event& event) { m_recent.take(event); }
+
+    /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else at the
+    /// hot spot or where the camera @p looksThrough looks. A find that is there already is joined.
+    void freeze(const std::string& robot, VictimSample::Kind kind, const std::string& looksThrough,
+                const std::optional<PicturePoint>& at = std::nullopt);
+    /// The same at a place on the map [m] that the operator pointed to.
+    void freezeAt(const std::string& robot, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
+    /// What was frozen last, to be confirmed by the second press; empty: nothing yet.
+    [[nodiscard]] std::optional<FindKey> newest() const;
+
+    Result<void> fileCandidate(std::uint32_t candidate);
+    Result<void> confirm(const FindKey& find);
+    Result<void> discard(const FindKey& find);
+    Result<void> merge(const FindKey& find, std::uint32_t into);
+    Result<void> move(const FindKey& find, const Eigen::Vector3d& placeInMap);
+    /// The form as the operator filled it in.
+    Result<void> edit(VictimSample sample);
+    /// Takes back this station's newest entry on a find; an error when there is none.
+    Result<void> undo();
+
+private:
+    void file(FrozenEvidence frozen, VictimSample::Kind kind);
+    void locate(ChosenEvidence chosen, VictimSample::Kind kind);
+    [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
+    Result<void> say(const std::optional<VictimSample>& sample, const FindKey& find);
+
+    const FindDeskSetup m_setup;
+    RecentEvidence m_recent;
+    mutable std::mutex m_mutex;
+    std::mutex m_filing;  ///< numbers are given one after the other
+    std::optional<FindKey> m_newest;
+    JobQueue m_queue;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

@@ -1,0 +1,141 @@
+#include "app/session/finds/freezing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/perception/heat.h"
+#include "core/perception/picture_decoding.h"
+#include "core/perception/sharpness.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t MostCompared = 12;  // pictures of a camera: 15 Hz for 3 s are decoded in part
+constexpr double GasRise = 150.0;         // over the least of the last minute [ppm]
+constexpr double Crosshair = degrees(2.0);
+
+Time stampOf(const Event& event) {
+    const auto stamp = std::visit(
+        [](const auto& sample) -> Time {
+            if constexpr (requires { sample.header.stamp; }) return sample.header.stamp;
+            return {};
+        },
+        event.sample);
+    return stamp == Time() ? event.received : stamp;
+}
+
+VictimEvidence evidenceOf(const char* kind, const Event& event) {
+    return {kind, event.topic, event.sequence, stampOf(event)};
+}
+
+struct Sharpest {
+    const Event* event = nullptr;
+    int width = 0, height = 0;
+};
+
+Sharpest sharpestOf(const std::vector<Event>& pictures) {
+    Sharpest best;
+    double most = -1.0;
+    const std::size_t step = std::max<std::size_t>(1, pictures.size() / MostCompared);
+    for (std::size_t i = pictures.size(); i > 0; i -= std::min(i, step)) {  // the newest is among them
+        const Event& event = pictures[i - 1];
+        const auto* sample = std::get_if<PictureSample>(&event.sample);
+        if (sample == nullptr) continue;
+        const auto picture = decodePicture(*sample);
+        if (!picture) continue;
+        const double sharp = sharpness(*picture);
+        if (sharp <= most) continue;
+        most = sharp;
+        best = {&event, picture->width, picture->height};
+    }
+    return best;
+}
+
+/// The newest thermal picture that shows a body, else the newest.
+struct Hottest {
+    const Event* event = nullptr;
+    int width = 0, height = 0;
+    std::optional<HeatBlob> blob;
+};
+
+Hottest hottestOf(const std::vector<Event>& pictures, const CameraInfoSample& camera,
+                  const ThermalScale& scale) {
+    Hottest found;
+    const std::size_t step = std::max<std::size_t>(1, pictures.size() / MostCompared);
+    for (std::size_t i = pictures.size(); i > 0 && !found.blob; i -= std::min(i, step)) {
+        const Event& event = pictures[i - 1];
+        const auto* sample = std::get_if<PictureSample>(&event.sample);
+        if (sample == nullptr) continue;
+        const auto picture = decodePicture(*sample);
+        const auto thermal = picture ? temperatures(*picture, scale) : Error{};
+        if (!thermal) continue;
+        const auto blobs = findHeat(*thermal, camera);
+        const bool body = !blobs.empty() && blobs.front().kind == HeatBlob::Kind::Body;
+        if (found.event != nullptr && !body) continue;
+        found = {&event, thermal->width, thermal->height, std::nullopt};
+        if (body) found.blob = blobs.front();
+    }
+    return found;
+}
+
+void chooseGas(const std::vector<Event>& gas, FrozenEvidence& frozen) {
+    double least = INFINITY, newest = Unknown;
+    for (const Event& event : gas) {
+        const auto* sample = std::get_if<GasSample>(&event.sample);
+        if (sample == nullptr || sample->gas != "co2" || !std::isfinite(sample->ppm)) continue;
+        least = std::min(least, sample->ppm);
+        newest = sample->ppm;
+    }
+    if (newest - least >= GasRise) frozen.co2 = newest;
+    if (!gas.empty()) frozen.evidence.push_back(evidenceOf("gas", gas.back()));
+}
+
+void lookThrough(ChosenEvidence& chosen, const Event& picture, int width, int height,
+                 const Eigen::Vector2d& pixel, double halfAngle) {
+    chosen.picture = picture;
+    chosen.width = width;
+    chosen.height = height;
+    chosen.pixel = pixel;
+    chosen.halfAngle = halfAngle;
+}
+
+}  // namespace
+
+ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
+                              const std::string& looksThrough, const std::optional<PicturePoint>& at) {
+    ChosenEvidence chosen;
+    chosen.frozen.robot = robot.name;
+    const std::string aimed = at ? at->sensor : looksThrough;
+    const Eigen::Vector2d share = at ? at->share : Eigen::Vector2d(0.5, 0.5);
+    const auto aim = [&](const std::string& sensor, const Event& event, int width, int height) {
+        if (sensor != aimed || !recent.cameras.contains(sensor)) return;
+        lookThrough(chosen, event, width, height, {share.x() * width, share.y() * height}, Crosshair);
+    };
+    for (const auto& [sensor, pictures] : recent.pictures) {
+        const Sharpest best = sharpestOf(pictures);
+        if (best.event == nullptr) continue;
+        chosen.frozen.evidence.push_back(evidenceOf("picture", *best.event));
+        aim(sensor, *best.event, best.width, best.height);
+    }
+    for (const auto& [sensor, pictures] : recent.thermal) {
+        const StreamDescription* stream = robot.stream(StreamRole::Thermal, sensor);
+        const auto camera = recent.cameras.find(sensor);
+        if (stream == nullptr) continue;
+        const Hottest hottest = hottestOf(
+            pictures, camera == recent.cameras.end() ? CameraInfoSample() : camera->second, stream->thermal);
+        if (hottest.event == nullptr) continue;
+        chosen.frozen.evidence.push_back(evidenceOf("thermal", *hottest.event));
+        if (at) aim(sensor, *hottest.event, hottest.width, hottest.height);
+        if (!hottest.blob) continue;
+        chosen.frozen.heat = hottest.blob->peak;
+        if (!at && camera != recent.cameras.end())
+            lookThrough(chosen, *hottest.event, hottest.width, hottest.height, hottest.blob->centre,
+                        std::max(Crosshair, 0.4 * std::min(hottest.blob->width, hottest.blob->height)));
+    }
+    chooseGas(recent.gas, chosen.frozen);
+    if (recent.scan) chosen.frozen.evidence.push_back(evidenceOf("scan", *recent.scan));
+    if (recent.odometry) chosen.frozen.evidence.push_back(evidenceOf("odometry", *recent.odometry));
+    return chosen;
+}
+
+}  // namespace leitstand

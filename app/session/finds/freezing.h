@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "app/session/finds/recent_evidence.h"
+#include "core/mission/finds/find_book.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// A place in a camera's picture.
+struct PicturePoint {
+    std::string sensor;                                 ///< StreamDescription::sensor
+    Eigen::Vector2d share = Eigen::Vector2d(0.5, 0.5);  ///< of the picture's width and height, from top left
+};
+
+/// The evidence that shows a find, chosen from what a robot said.
+struct ChosenEvidence {
+    /// Everything but where the find is.
+    FrozenEvidence frozen;
+    /// Picture and pixel through which it is looked for; no picture: there is none of a calibrated camera.
+    std::optional<Event> picture;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
+    int width = 0, height = 0;                        ///< of that picture [px]
+    double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
+};
+
+/// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with its
+/// hottest body, gas where it rose, newest scan, odometry and sightings. The place is looked for through
+/// @p at where it is told, else through the hot spot, else through the middle of the camera @p looksThrough.
+/// Takes some tens of milliseconds.
+[[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
+                                            const std::string& looksThrough,
+                                            const std::optional<PicturePoint>& at);
+
+}  // namespace leitstand

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+/// What one robot said in the last seconds that can show a victim. Nothing is decoded or copied.
+struct RobotEvidence {
+    std::map<std::string, std::vector<Event>> pictures;  ///< of cameras, by sensor, oldest first
+    std::map<std::string, std::vector<Event>> thermal;   ///< of thermal cameras, likewise
+    std::map<std::string, CameraInfoSample> cameras;     ///< how they see, by sensor
+    std::optional<Event> scan, odometry, sightings;      ///< newest
+    std::vector<Event> gas;                              ///< of the last minute, oldest first
+};
+
+/// Keeps what robots said for the moment in which the operator sees something. Any thread.
+class RecentEvidence {
+public:
+    static constexpr std::chrono::seconds Pictures{3};  ///< how long pictures are kept
+    static constexpr std::chrono::seconds Gas{60};
+    static constexpr std::size_t MostPictures = 120;  ///< of a camera
+
+    void take(const Event& event);
+    /// Of @p robot, as of now; empty when it said nothing.
+    [[nodiscard]] RobotEvidence of(const std::string& robot) const;
+
+private:
+    using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    struct Newest {
+        std::optional<Event> scan, odometry, sightings;
+        std::deque<Event> gas;
+    };
+    mutable std::mutex m_mutex;
+    std::map<Camera, std::deque<Event>> m_pictures;
+    std::map<Camera, CameraInfoSample> m_infos;
+    std::map<std::string, Newest> m_newest;
+};
+
+}  // namespace leitstand

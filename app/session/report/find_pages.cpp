@@ -1,0 +1,119 @@
+#include "app/session/report/find_pages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "app/session/report/report_source.h"
+#include "app/session/report/report_words.h"
+#include "core/perception/heat_picture.h"
+#include "core/perception/picture_decoding.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t MostPictures = 4;  ///< a find
+constexpr double Around = 2.5;           ///< of the way, shown in its picture [m]
+constexpr double LeastSide = 6.0;        ///< of that picture [m]
+
+const StreamDescription* streamOf(const ReportSource& source, const Event& event) {
+    for (const RobotDescription& robot : source.robots()) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.topic == event.topic && robot.name == event.robot) return &stream;
+        }
+    }
+    return nullptr;
+}
+
+/// A picture that can be printed; thermal ones in colours, with their hottest place in words.
+Result<EvidencePicture> printable(const PictureSample& sample, const Event& event,
+                                  const ReportSource& source) {
+    auto decoded = decodePicture(sample);
+    if (!decoded) return decoded.error();
+    EvidencePicture made;
+    made.caption = fmt::format("{} {}, {}", event.robot, event.sensor, clockText(event.received));
+    const StreamDescription* stream = streamOf(source, event);
+    if (stream != nullptr && stream->role == StreamRole::Thermal) {
+        const auto heat = temperatures(*decoded, stream->thermal);
+        if (heat) {
+            float hottest = -1000.0F;
+            for (const float celsius : heat->celsius)
+                hottest = std::max(hottest, std::isnan(celsius) ? hottest : celsius);
+            made.picture = heatPicture(*heat);
+            made.caption += fmt::format(", 15 to 40 \u00B0C, hottest {:.1f} \u00B0C", hottest);
+            return made;
+        }
+    }
+    made.picture = std::move(decoded).value();
+    const bool shows =
+        made.picture.pixel == Picture::Pixel::Rgb8 || made.picture.pixel == Picture::Pixel::Grey8;
+    if (!shows) return Error{fmt::format("{}: is no picture that can be printed", event.topic)};
+    return made;
+}
+
+/// Evidence that is no picture, in words; empty: it says nothing to people.
+std::string traceOf(const Event& event) {
+    if (const auto* gas = std::get_if<GasSample>(&event.sample))
+        return fmt::format("CO\u2082 {:.0f} ppm at {} ({})", gas->ppm, clockText(event.received),
+                           event.robot);
+    if (const auto* scan = std::get_if<KeyScanSample>(&event.sample))
+        return fmt::format("seen in scan {} of {} at {}", scan->id, scan->scan->robot,
+                           clockText(event.received));
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        const Eigen::Vector3d at = odometry->baseInOdom.translation();
+        return fmt::format("{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}", event.robot, at.x(),
+                           at.y(), at.z(), clockText(event.received));
+    }
+    return {};
+}
+
+MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
+    Eigen::Vector2d low = place.head<2>(), high = low;
+    for (const Eigen::Vector3d& point : way.points) {
+        low = low.cwiseMin(point.head<2>());
+        high = high.cwiseMax(point.head<2>());
+    }
+    const Eigen::Vector2d half = (0.5 * (high - low).array() + Around).max(LeastSide / 2);
+    const Eigen::Vector2d middle = 0.5 * (low + high);
+    return {middle - half, middle + half};
+}
+
+}  // namespace
+
+FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
+                  std::vector<std::string>& warnings) {
+    FindPages pages;
+    for (const VictimEvidence& evidence : find.sample.evidence) {
+        const auto event = source.event(evidence.sequence);
+        if (!event) {
+            warnings.push_back(
+                fmt::format("{}: its {} is missing: {}", find.name, evidence.kind, event.error().text));
+            continue;
+        }
+        if (const auto* sample = std::get_if<PictureSample>(&event->sample)) {
+            if (pages.pictures.size() >= MostPictures) continue;
+            auto picture = printable(*sample, *event, source);
+            if (picture) {
+                pages.pictures.push_back(std::move(picture).value());
+            } else {
+                warnings.push_back(fmt::format("{}: its {} cannot be shown: {}", find.name, evidence.kind,
+                                               picture.error().text));
+            }
+            continue;
+        }
+        if (std::string words = traceOf(*event); !words.empty()) pages.traces.push_back(std::move(words));
+    }
+    if (!model.hasMap() || !find.position.allFinite()) return pages;
+    PaintSettings settings;
+    settings.area = areaOf(find.way, find.position);
+    settings.title = false;
+    settings.mostPixels = 1.5e6;
+    pages.way = paintMap(drawingOf(model, 0, ""), settings);
+    for (const Eigen::Vector3d& point : find.way.points)
+        pages.wayPixels.push_back(pages.way.pixelOf(point.head<2>()));
+    return pages;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,71 @@
+#include "app/session/report/find_tables.h"
+
+#include <string>
+
+#include "app/session/report/report_words.h"
+
+namespace leitstand {
+namespace {
+
+std::string typeOf(VictimSample::Kind kind) {
+    switch (kind) {
+        case VictimSample::Kind::Hazard:
+            return "hazmat";
+        case VictimSample::Kind::Code:
+            return "qr";
+        case VictimSample::Kind::Object:
+            return "object";
+        case VictimSample::Kind::Victim:
+            break;
+    }
+    return "victim";
+}
+
+bool belongs(VictimSample::Kind kind, FindList::Kind list) {
+    switch (list) {
+        case FindList::Kind::Victims:
+            return kind == VictimSample::Kind::Victim;
+        case FindList::Kind::Codes:
+            return kind == VictimSample::Kind::Code;
+        case FindList::Kind::Pois:
+            break;
+    }
+    return true;
+}
+
+/// What stands on it, else what was noted, else its name.
+std::string contentOf(const ReportFind& find) {
+    if (find.sample.kind == VictimSample::Kind::Victim) return find.name;
+    if (!find.sample.tag.empty()) return find.sample.tag;
+    return find.sample.text.empty() ? find.name : find.sample.text;
+}
+
+}  // namespace
+
+FindList listOf(const ReportModel& model, FindList::Kind kind) {
+    FindList list{.kind = kind,
+                  .team = model.facts.team,
+                  .country = model.facts.country,
+                  .date = dateText(model.facts.begin),
+                  .time = clockText(model.facts.begin),
+                  .mission = model.facts.mission,
+                  .finds = {}};
+    for (const ReportFind& find : model.finds) {
+        const VictimSample& sample = find.sample;
+        const bool counts = sample.status == VictimSample::Status::Confirmed && find.position.allFinite();
+        if (!counts || !belongs(sample.kind, kind)) continue;
+        // Numbers run per kind; a list of all kinds needs numbers of its own.
+        const auto id =
+            kind == FindList::Kind::Pois ? static_cast<std::uint32_t>(list.finds.size() + 1) : sample.number;
+        list.finds.push_back({.id = id,
+                              .time = clockText(sample.found),
+                              .text = contentOf(find),
+                              .position = find.position,
+                              .robot = sample.robot,
+                              .mode = sample.autonomous ? "A" : "T",
+                              .type = typeOf(sample.kind)});
+    }
+    return list;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/io/report/find_lists.h"
+#include "core/mission/report/report_model.h"
+
+namespace leitstand {
+
+/// The confirmed finds of @p model as the list of @p kind: victims, QR codes, or all points of interest.
+[[nodiscard]] FindList listOf(const ReportModel& model, FindList::Kind kind);
+
+}  // namespace leitstand

@@ -1,0 +1,207 @@
+#include "app/session/report/report_source.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "app/session/log/bag_history.h"
+#include "app/session/log/event_decoder.h"
+#include "app/session/log/mission_robots.h"
+#include "app/session/scans/mission_scans.h"
+#include "app/session/station/mission_map.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mapping/mapper.h"
+#include "core/mission/fold.h"
+#include "core/mission/station_topics.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double KeyDistance = 0.3;            ///< as live mapping chooses key scans [m]
+constexpr double KeyAngle = degrees(10);       ///< likewise [rad]
+constexpr double OdometryApart = 0.01;         ///< nearer poses tell nothing new [m]
+constexpr double OdometryTurned = degrees(3);  ///< likewise [rad]
+
+std::string nameOf(const fs::path& folder) {
+    const fs::path whole = fs::absolute(folder).lexically_normal();
+    const fs::path last = whole.has_filename() ? whole : whole.parent_path();
+    return (last.extension() == ".db3" ? last.stem() : last.filename()).string();
+}
+
+Progress part(const Progress& progress, double begin, double end) {
+    return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
+            progress.stop};
+}
+
+/// The scans that a live map would have taken.
+std::vector<ScanPtr> chosen(const std::vector<ScanPtr>& scans) {
+    std::vector<ScanPtr> kept;
+    std::map<std::string, Pose> newest;
+    for (const ScanPtr& scan : scans) {
+        const auto before = newest.find(scan->robot);
+        const bool moved = !scan->hasOdometry || before == newest.end() ||
+                           distanceBetween(before->second, scan->sensorInOdom) >= KeyDistance ||
+                           angleBetween(before->second, scan->sensorInOdom) >= KeyAngle;
+        if (!moved) continue;
+        newest[scan->robot] = scan->sensorInOdom;
+        kept.push_back(scan);
+    }
+    return kept;
+}
+
+}  // namespace
+
+ReportSource::ReportSource() = default;
+ReportSource::~ReportSource() = default;
+ReportSource::ReportSource(ReportSource&&) noexcept = default;
+ReportSource& ReportSource::operator=(ReportSource&&) noexcept = default;
+
+const std::vector<RobotDescription>& ReportSource::robots() const {
+    return m_decoder->robots();
+}
+
+Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& progress) {
+    auto bag = BagReader::open(folder);
+    if (!bag) return bag.error();
+    ReportSource source;
+    source.m_bag = std::move(bag).value();
+    source.m_decoder = std::make_unique<EventDecoder>(robotsOf(folder, *source.m_bag, source.m_warnings));
+    source.m_input.name = nameOf(folder);
+    for (const RobotDescription& robot : source.robots()) source.m_input.robots.push_back(robot.name);
+    source.readState();
+    source.readKeyScans(part(progress, 0.1, 0.5));
+    if (source.m_input.scans.empty() && source.m_input.uncertain == 0 && source.m_bag->lastSequence() > 0)
+        source.registerClouds(folder, part(progress, 0.1, 0.8));
+    source.readWays(part(progress, 0.8, 1.0));
+    if (source.m_bag->lastSequence() == 0) source.m_warnings.emplace_back("the mission holds no events");
+    const auto& problems = source.m_bag->problems();
+    source.m_warnings.insert(source.m_warnings.end(), problems.begin(), problems.end());
+    for (const auto& [topic, errors] : source.m_decoder->errors()) {
+        source.m_warnings.push_back(fmt::format("{} samples of {} make no sense, the last one: {}",
+                                                errors.count, topic, errors.last));
+    }
+    return source;
+}
+
+void ReportSource::readState() {
+    BagHistory history(*m_bag, *m_decoder);
+    m_input.state = stateAt(history, m_bag->lastSequence());
+}
+
+void ReportSource::readKeyScans(const Progress& progress) {
+    const auto& known = *m_input.state.keyScans;
+    for (KeyScanSample& sample : keyScansOf(*m_bag)) {
+        const auto state = known.find(sample.id);
+        if (state == known.end() || state->second.pose.trust == ScanTrust::SetAside) continue;  // undone too
+        if (state->second.pose.trust == ScanTrust::Uncertain) {
+            ++m_input.uncertain;
+            continue;
+        }
+        m_input.scans.push_back({.id = sample.id,
+                                 .scan = std::move(sample.scan),
+                                 .scanInMap = state->second.pose.scanInMap,
+                                 .sensorInBase = sample.sensorInBase});
+        if (progress.cancelled()) return;
+    }
+    std::sort(m_input.scans.begin(), m_input.scans.end(),
+              [](const ReportScan& a, const ReportScan& b) { return a.id < b.id; });
+    if (m_input.uncertain > 0) {
+        m_warnings.push_back(
+            fmt::format("{} scans are not in the map, since they do not fit and nobody decided on them",
+                        m_input.uncertain));
+    }
+}
+
+void ReportSource::registerClouds(const fs::path& folder, const Progress& progress) {
+    const auto read = readMissionScans(folder, part(progress, 0.0, 0.4));
+    if (!read) {
+        m_warnings.push_back("there is no map: " + read.error().text);
+        return;
+    }
+    const std::vector<ScanPtr> scans = chosen(read->scans);
+    Mapper mapper(RegistrationSettings{});
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        if (!mapper.add(scans[i], {{}, progress.stop})) break;
+        progress.done(0.4 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(scans.size()));
+    }
+    const MapPtr map = mapper.map();
+    // Registration counts from the first scan; odometry is level, so the map is put where that has it.
+    const Pose first = !map->scans.empty() && map->scans.front().scan->hasOdometry
+                           ? map->scans.front().scan->sensorInOdom
+                           : Pose::Identity();
+    std::map<std::string, const RobotDescription*> robots;
+    for (const RobotDescription& robot : this->robots()) robots[robot.name] = &robot;
+    for (const MapScan& scan : map->scans) {
+        ReportScan placed{.scan = scan.scan, .scanInMap = first * scan.poseInMap};
+        const auto robot = robots.find(scan.scan->robot);
+        if (robot != robots.end()) {
+            for (const StreamDescription& stream : robot->second->streams) {
+                const auto sensor = robot->second->sensors.find(stream.sensor);
+                if (stream.role == StreamRole::Points && sensor != robot->second->sensors.end())
+                    placed.sensorInBase = sensor->second.sensorInBase;
+            }
+        }
+        m_input.scans.push_back(std::move(placed));
+    }
+    m_warnings.push_back(
+        fmt::format("no station made a map of this mission: {} of its {} scans were registered for "
+                    "this report, without anyone's check",
+                    m_input.scans.size(), read->scans.size()));
+    m_warnings.insert(m_warnings.end(), read->warnings.begin(), read->warnings.end());
+}
+
+void ReportSource::readWays(const Progress& progress) {
+    BagQuery query;
+    query.topics = {std::string(station_topic::RobotPlaces)};
+    for (const RobotDescription& robot : robots()) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.role == StreamRole::Odometry || stream.role == StreamRole::Mode)
+                query.topics.push_back(stream.topic);
+        }
+    }
+    BagCursor cursor = m_bag->read(query);
+    const auto last = static_cast<double>(std::max<std::uint64_t>(1, m_bag->lastSequence()));
+    const auto take = [this](const Event& event) {
+        if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+            auto& track = m_input.odometry[event.robot];
+            const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
+            const bool still =
+                !track.empty() &&
+                distanceBetween(track.back().baseInMap, odometry->baseInOdom) < OdometryApart &&
+                angleBetween(track.back().baseInMap, odometry->baseInOdom) < OdometryTurned &&
+                stamp - track.back().time < std::chrono::milliseconds(400);
+            if (!still) track.push_back({stamp, odometry->baseInOdom});
+        } else if (const auto* mode = std::get_if<ModeSample>(&event.sample)) {
+            m_input.modes[event.robot].push_back({event.received, mode->mode, mode->autonomous});
+        } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+            if (place->certain) m_input.places[place->robot].push_back({place->measured, place->baseInMap});
+        }
+    };
+    while (const auto raw = cursor.next()) {
+        m_decoder->decode(*raw, take);
+        progress.done(static_cast<double>(raw->sequence) / last);
+        if (progress.cancelled()) return;
+    }
+    for (auto& [robot, track] : m_input.odometry) {
+        std::stable_sort(track.begin(), track.end(),
+                         [](const PathPose& a, const PathPose& b) { return a.time < b.time; });
+    }
+}
+
+Result<Event> ReportSource::event(std::uint64_t sequence) {
+    const auto raw = m_bag->event(sequence);
+    if (!raw) return Error{fmt::format("event {} is not in the log", sequence)};
+    std::optional<Event> found;
+    m_decoder->decode(*raw, [&](const Event& event) {
+        if (!found) found = event;
+    });
+    if (!found) return Error{fmt::format("event {} ({}) cannot be read", sequence, raw->topic)};
+    return std::move(*found);
+}
+
+}  // namespace leitstand

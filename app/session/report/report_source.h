@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mission/event.h"
+#include "core/mission/report/report_model.h"
+
+namespace leitstand {
+
+class BagReader;
+class EventDecoder;
+
+/// A mission opened for a report.
+class ReportSource {
+public:
+    /// Opens the mission @p folder (or one of its files) and reads its state, key scans and ways. A bag of
+    /// others has no key scans: its clouds are registered, a choice of them every 0.3 m or 10 degrees, by
+    /// odometry where there is any. An error only when nothing at all can be read; what is missing is told by
+    /// warnings(). Cancelled: what was read so far.
+    [[nodiscard]] static Result<ReportSource> open(const std::filesystem::path& folder,
+                                                   const Progress& progress = {});
+    ~ReportSource();
+    ReportSource(ReportSource&&) noexcept;
+    ReportSource& operator=(ReportSource&&) noexcept;
+
+    [[nodiscard]] const ReportInput& input() const { return m_input; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const;
+
+    /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
+    [[nodiscard]] Result<Event> event(std::uint64_t sequence);
+
+private:
+    ReportSource();
+    void readState();
+    void readKeyScans(const Progress& progress);
+    void registerClouds(const std::filesystem::path& folder, const Progress& progress);
+    void readWays(const Progress& progress);
+
+    std::unique_ptr<BagReader> m_bag;
+    std::unique_ptr<EventDecoder> m_decoder;
+    ReportInput m_input;
+    std::vector<std::string> m_warnings;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,194 @@
+#include "app/session/report/report_writer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/session/report/find_pages.h"
+#include "app/session/report/find_tables.h"
+#include "app/session/report/report_files.h"
+#include "app/session/report/report_source.h"
+#include "core/io/detail/output_file.h"
+#include "core/io/ply.h"
+#include "core/io/report/checksums.h"
+#include "core/io/report/geotiff.h"
+#include "core/io/report/octomap_file.h"
+#include "core/io/settings/score_file.h"
+#include "core/mission/report/file_names.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double CloudEdge = 0.02;       ///< of the cubes that keep a point in the PLY [m]
+constexpr double PrintedPixels = 3.0e6;  ///< of a map in the PDF
+
+Progress part(const Progress& progress, double begin, double end) {
+    return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
+            progress.stop};
+}
+
+/// Writes the files of one report, until the first failure.
+class Writing {
+public:
+    Writing(fs::path folder, std::string name) : m_folder(std::move(folder)), m_name(std::move(name)) {}
+
+    template <class Write>
+    void file(const std::string& ending, Write write) {
+        if (m_failure) return;
+        const std::string name = ending == "SHA256SUMS" ? ending : m_name + ending;
+        if (const Result<void> written = write(m_folder / name); !written) {
+            m_failure = written.error();
+        } else {
+            m_names.push_back(name);
+        }
+    }
+    [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
+    [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
+    [[nodiscard]] const fs::path& folder() const { return m_folder; }
+    [[nodiscard]] const std::string& name() const { return m_name; }
+
+private:
+    fs::path m_folder;
+    std::string m_name;
+    std::vector<std::string> m_names;
+    std::optional<Error> m_failure;
+};
+
+void writeMaps(Writing& writing, const ReportModel& model) {
+    const std::vector<std::string> endings = {".tif", "_upper.tif"};
+    for (std::size_t band = 0; band < endings.size(); ++band) {
+        writing.file(endings[band], [&](const fs::path& file) {
+            return writeGeoTiff(file, paintMap(drawingOf(model, band, file.filename().string())));
+        });
+    }
+}
+
+void writeLists(Writing& writing, const ReportModel& model) {
+    for (const auto kind : {FindList::Kind::Victims, FindList::Kind::Codes, FindList::Kind::Pois}) {
+        writing.file(endingOf(kind),
+                     [&](const fs::path& file) { return writeFindList(file, listOf(model, kind)); });
+    }
+}
+
+void writeClouds(Writing& writing, const ReportModel& model, const ReportInput& input) {
+    if (!model.hasMap()) return;
+    writing.file(".bt", [&](const fs::path& file) { return writeOctomap(file, model.evidence); });
+    writing.file(".ply",
+                 [&](const fs::path& file) { return writePly(file, labelledCloud(input.scans, CloudEdge)); });
+    for (const ReportRobot& robot : model.robots) {
+        if (robot.path.poses.empty()) continue;
+        writing.file(fmt::format("_{}.tum", fileNamePart(robot.name)),
+                     [&](const fs::path& file) { return writeTum(file, trajectoryOf(robot)); });
+    }
+}
+
+ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOptions& options,
+                        std::vector<std::string>& warnings) {
+    ReportContent content;
+    content.name = handInName(model.facts);
+    content.version = options.version;
+    content.created = options.created;
+    if (content.created == Time{})
+        content.created = Time(std::chrono::system_clock::now().time_since_epoch());
+    for (std::size_t band = 0; model.hasMap() && band < model.grids.size(); ++band) {
+        PaintSettings settings;
+        settings.title = false;
+        settings.mostPixels = PrintedPixels;
+        content.maps.push_back(paintMap(drawingOf(model, band, ""), settings));
+    }
+    for (const ReportFind& find : model.finds)
+        content.finds.push_back(pagesOf(find, model, source, warnings));
+    const ScoreProfiles profiles = scoreProfiles();
+    if (const ScoreProfile* profile = profiles.find(model.facts.profile)) {
+        content.profile = *profile;
+        content.score = score(*profile, source.input().state);
+        if (!model.facts.profile.empty() && profile->name != model.facts.profile) {
+            warnings.push_back(fmt::format("the score's profile \"{}\" is not there: \"{}\" is used",
+                                           model.facts.profile, profile->name));
+        }
+    }
+    content.model = std::move(model);
+    content.warnings = warnings;
+    return content;
+}
+
+void tellWhatIsMissing(const ReportModel& model, std::vector<std::string>& warnings) {
+    const auto unconfirmed = std::count_if(
+        model.finds.begin(), model.finds.end(),
+        [](const ReportFind& find) { return find.sample.status != VictimSample::Status::Confirmed; });
+    if (!model.hasMap()) warnings.emplace_back("there is no map: no scan of the mission counts");
+    if (unconfirmed > 0)
+        warnings.push_back(
+            fmt::format("{} finds are not confirmed: they are in the map, not in the lists", unconfirmed));
+    if (model.facts.team.empty() || model.facts.competition.empty())
+        warnings.emplace_back("competition or team are not told: the files are named for what is missing");
+}
+
+std::vector<ReportFile> checked(const Writing& writing) {
+    std::vector<ReportFile> files;
+    for (const std::string& name : writing.names()) {
+        ReportFile file;
+        file.name = name;
+        std::error_code ignored;
+        file.bytes = fs::file_size(writing.folder() / name, ignored);
+        const auto check = checkFile(writing.folder() / name);
+        file.whole = check.ok();
+        file.check = check ? *check : check.error().text;
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+}  // namespace
+
+bool ReportOutcome::whole() const {
+    return std::all_of(files.begin(), files.end(), [](const ReportFile& file) { return file.whole; });
+}
+
+Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, const ReportOptions& options,
+                                  const Progress& progress) {
+    const auto started = std::chrono::steady_clock::now();
+    auto opened = ReportSource::open(mission, part(progress, 0.0, 0.4));
+    if (!opened) return opened.error();
+    ReportSource source = std::move(opened).value();
+    ReportModel model = reportOf(source.input(), part(progress, 0.4, 0.6));
+    if (progress.cancelled()) return Error{mission.string() + ": the report was cancelled"};
+    std::error_code problem;
+    fs::create_directories(out, problem);
+    if (problem) return Error{fmt::format("{}: cannot be made: {}", out.string(), problem.message())};
+
+    ReportOutcome outcome;
+    outcome.warnings = source.warnings();
+    tellWhatIsMissing(model, outcome.warnings);
+    outcome.name = handInName(model.facts);
+    outcome.finds = model.finds.size();
+    outcome.victims = listOf(model, FindList::Kind::Victims).finds.size();
+    outcome.scans = model.scans;
+    outcome.explored = model.explored;
+    Writing writing(out, outcome.name);
+    writeMaps(writing, model);
+    writeLists(writing, model);
+    writeClouds(writing, model, source.input());
+    progress.done(0.8);
+    if (options.pdf && !writing.failure()) {
+        const ReportContent content = contentOf(std::move(model), source, options, outcome.warnings);
+        writing.file(".pdf", [&](const fs::path& file) -> Result<void> {
+            const auto bytes = options.pdf(content);
+            if (!bytes) return bytes.error();
+            return detail::writeWhole(file, *bytes);
+        });
+    }
+    writing.file("SHA256SUMS", [&](const fs::path&) { return writeChecksums(out, writing.names()); });
+    if (writing.failure()) return *writing.failure();
+    progress.done(0.9);
+    outcome.files = checked(writing);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    return outcome;
+}
+
+}  // namespace leitstand

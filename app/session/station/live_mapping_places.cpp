@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <optional>
+
+#include "app/session/log/sequencer.h"
+#include "app/session/station/live_mapping.h"
+#include "core/mapping/sighting/seen_bodies.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double AboutARobot = 0.1;  ///< so much about its corners may be of a robot, too [m]
+
+}  // namespace
+
+std::vector<Disc> LiveMapping::othersThan(const Robot& robot, bool certain) const {
+    std::vector<Disc> others;
+    for (const RobotDescription& description : m_descriptions) {
+        const Robot& other = m_robots.at(description.name);
+        if (&other == &robot || !other.tracker.placed() || (certain && !other.tracker.now().certain))
+            continue;
+        Disc disc{other.tracker.now().baseInMap.translation().head<2>(), 0.0};
+        for (const Eigen::Vector2d& corner : description.footprint)
+            disc.radius = std::max(disc.radius, corner.norm() + AboutARobot);
+        others.push_back(disc);
+    }
+    return others;
+}
+
+void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {
+    tellPlace(robot.laser.see(std::move(view), m_map, now, othersThan(robot, false)));
+    placeBeside(name, robot, now);
+}
+
+void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
+    if (place && m_listener.onPlace) m_listener.onPlace(*place);
+}
+
+void LiveMapping::placeBeside(const std::string& name, Robot& robot, Time now) {
+    if (!m_map || m_map->scans.empty()) return;
+    const LiveKeyScan& first = m_map->scans.front();
+    if (name == first.scan->robot || m_mapper.fix(name)) return;
+    tellPlace(robot.laser.placeBeside(first.pose.scanInMap * first.sensorInBase.inverse(), m_map, now,
+                                      othersThan(robot, false)));
+}
+
+void LiveMapping::placeOthers(Time now) {
+    for (auto& [name, robot] : m_robots) placeBeside(name, robot, now);
+}
+
+void LiveMapping::placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now) {
+    if (!update.ready || update.localisation.trust != ScanTrust::Certain) return;
+    const std::string& name = update.localisation.robot;
+    const auto by = std::find_if(m_descriptions.begin(), m_descriptions.end(),
+                                 [&](const RobotDescription& one) { return one.name == name; });
+    for (const RobotDescription& description : m_descriptions) {
+        Robot& robot = m_robots.at(description.name);
+        if (description.name == name || m_mapper.fix(description.name) || !robot.laser.wantsSeen()) continue;
+        const RobotBody body{description.footprint, description.height};
+        const LocalMap earlier = before ? localMap(before->scans, update.scanInMap) : LocalMap{};
+        const auto seen = seenBodies(*update.ready, update.scanInMap, body, earlier, othersThan(robot, true));
+        tellPlace(robot.laser.placeSeen(seen, body, by->title, m_map, now, othersThan(robot, false)));
+    }
+}
+
+void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
+    const std::string& name = scan.scan->robot;
+    if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
+    // Without a plane laser its 3D scans do as well.
+    if (!robot.tracker.placed()) seeing(name, robot, laserView(scan), now);
+    if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
+}
+
+void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
+    post([this, name, baseInMap](LiveMapper& mapper) {
+        Robot& robot = m_robots.at(name);
+        if (mapper.fix(name)) return mapper.place(name, baseInMap);
+        tellPlace(robot.laser.place(baseInMap, m_map, stationTime()));
+    });
+}
+
+}  // namespace leitstand

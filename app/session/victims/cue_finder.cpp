@@ -1,0 +1,309 @@
+#include "app/session/victims/cue_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/perception/content_hash.h"
+#include "core/perception/cues/body_heat.h"
+#include "core/perception/cues/hazard.h"
+#include "core/perception/heat.h"
+#include "core/perception/picture_decoding.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Still = 0.012;          // slower is standing [m/s, rad/s]
+constexpr double StillCamera = 0.004;    // turned less between two pictures [rad]
+constexpr std::size_t MostWaiting = 60;  // pictures and slices
+constexpr double StampJitter = 0.02;     // between a picture and the angles told for it [s]
+constexpr double UnknownPlace = 0.35;    // of a sighting that does not tell how sure it is [m]
+
+double secondsBetween(Time from, Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+double angleOf(const CameraInfoSample& camera, double pixels, int width) {
+    const double scale = camera.width > 0 && width > 0 ? static_cast<double>(camera.width) / width : 1.0;
+    return camera.intrinsics[0] > 0.0 ? pixels * scale / camera.intrinsics[0] : 0.05;
+}
+
+Time stampOf(const Event& event, const SampleHeader& header) {
+    return header.stamp == Time{} ? event.received : header.stamp;
+}
+
+}  // namespace
+
+CueFinder::CueFinder(const RobotDescription& robot, const CueSettings& settings)
+    : m_robot(robot),
+      m_settings(settings),
+      m_frames(m_robot),
+      m_tracker(robot.name),
+      m_seen({robot.footprint, robot.height}) {}
+
+std::vector<PlacedCue> CueFinder::found() {
+    return std::exchange(m_found, {});
+}
+
+Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
+    Cue cue;
+    cue.kind = kind;
+    cue.robot = m_robot.name;
+    cue.sensor = event.sensor;
+    cue.topic = event.topic;
+    cue.sequence = event.sequence;
+    cue.stamp = stamp;
+    return cue;
+}
+
+void CueFinder::take(const Event& event) {
+    m_frames.add(event);
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        m_tracker.add(*odometry, event.received);
+        if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
+            m_movedAt = stampOf(event, odometry->header);
+        look(event.received);
+    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+        const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
+        if (unit) m_tracker.add(*imu, *unit, event.received);
+    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        const auto sensor = m_frames.inBase(event.sensor, cloud->header.frame, cloud->header.stamp);
+        if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
+    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+        const auto sensor = m_frames.inBase(event.sensor, ranges->header.frame, ranges->header.stamp);
+        if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
+    } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+        m_cameras[event.sensor].info = *info;
+    } else if (std::holds_alternative<PictureSample>(event.sample)) {
+        if (m_waiting.size() < MostWaiting) m_waiting.push_back(event);
+    } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+        smell(event, *gas);
+    } else if (const auto* sightings = std::get_if<SightingSample>(&event.sample)) {
+        hear(event, *sightings);
+    }
+}
+
+void CueFinder::look(Time now) {
+    const auto base = [this](Time at) -> std::optional<Pose> {
+        const auto motion = m_tracker.motion().at(at);
+        return motion ? std::optional<Pose>(motion->baseInOdom) : std::nullopt;
+    };
+    const auto waits = [&](const Event& event, Time stamp) {
+        return !m_tracker.motion().covers(stamp) && now - event.received < m_settings.longestWait;
+    };
+    while (!m_slices.empty()) {
+        const auto& [event, sensor] = m_slices.front();
+        if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+            const std::int64_t last = cloud->times.empty() ? 0 : cloud->times.back();
+            if (waits(event, cloud->header.stamp + std::chrono::nanoseconds(last))) break;
+            m_seen.add(*cloud, sensor, base);
+        } else {
+            const auto& ranges = std::get<RangesSample>(event.sample);
+            if (waits(event, ranges.header.stamp)) break;
+            m_seen.add(ranges, sensor, base);
+        }
+        m_slices.pop_front();
+    }
+    while (!m_waiting.empty()) {
+        const Event& event = m_waiting.front();
+        if (waits(event, stampOf(event, std::get<PictureSample>(event.sample).header))) break;
+        look(event);
+        m_waiting.pop_front();
+    }
+}
+
+std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const PictureSample& picture,
+                                                 Camera& camera) {
+    const Time stamp = stampOf(event, picture.header);
+    const auto inBase = m_frames.inBase(event.sensor, picture.header.frame, stamp);
+    const auto motion = m_tracker.motion().at(stamp);
+    const auto baseInMap = m_tracker.baseInMap(stamp);
+    if (!inBase || !motion) return std::nullopt;
+    View view;
+    if (camera.before) {
+        const double since = std::max(1e-3, secondsBetween(camera.beforeAt, stamp));
+        const double turned = angleBetween(*camera.before, *inBase);
+        view.turning = turned / since;
+        if (turned > StillCamera) camera.stoodSince = stamp;
+    } else {
+        camera.stoodSince = stamp;
+    }
+    camera.before = *inBase;
+    camera.beforeAt = stamp;
+    camera.stoodSince = std::max(camera.stoodSince, m_movedAt);
+    if (!baseInMap) return std::nullopt;
+    view.opticalInOdom = motion->baseInOdom * *inBase;
+    view.opticalInMap = *baseInMap * *inBase;
+    view.baseInMap = *baseInMap;
+    view.certain = m_tracker.now().certain;
+    return view;
+}
+
+void CueFinder::look(const Event& event) {
+    const auto& sample = std::get<PictureSample>(event.sample);
+    Camera& camera = m_cameras[event.sensor];
+    const auto view = viewOf(event, sample, camera);
+    if (!view || !camera.info || view->turning > m_settings.fastest) {
+        camera.motion.moved();
+        return;
+    }
+    if (event.role == StreamRole::Thermal) return lookForHeat(event, camera, *view);
+    if (event.role != StreamRole::Picture) return;
+    // Omnidirectional pictures are too coarse for what is looked for here.
+    if (!pixelDirection(*camera.info, {1.0, 1.0}, camera.info->width, camera.info->height)) return;
+    const Time stamp = stampOf(event, sample.header);
+    const bool still = secondsBetween(camera.stoodSince, stamp) > m_settings.standing;
+    if (!still) camera.motion.moved();
+    const bool compare = still && stamp - camera.compared >= m_settings.motionEvery;
+    const bool read = stamp - camera.read >= m_settings.signsEvery || stamp < camera.read;
+    if (!compare && !read) return;
+    const auto picture = decodePicture(sample);
+    if (!picture) return;  // who looks at it is told
+    if (compare || stamp < camera.compared) {
+        camera.compared = stamp;
+        lookForMotion(event, camera, *view, *picture);
+    }
+    if (read) {
+        camera.read = stamp;
+        lookForSigns(event, camera, *view, *picture);
+    }
+}
+
+std::optional<RayHit> CueFinder::meet(const View& view, const Eigen::Vector3d& direction, double halfAngle,
+                                      double farthest) const {
+    return m_seen.meet(rayFrom(view.opticalInOdom, direction), halfAngle, farthest);
+}
+
+void CueFinder::keep(PlacedCue cue, const View& view) {
+    const double height = cue.inMap.z() - view.baseInMap.translation().z();
+    if (height > m_settings.highest && cue.what == VictimSample::Kind::Victim) return;
+    if (height < m_settings.lowest) return;
+    m_found.push_back(std::move(cue));
+}
+
+bool CueFinder::place(PlacedCue cue, const Camera& camera, const View& view, const Eigen::Vector2d& pixel,
+                      int width, int height, double halfAngle, double farthest) {
+    const auto direction = pixelDirection(*camera.info, pixel, width, height);
+    if (!direction) return false;
+    const auto hit = meet(view, *direction, halfAngle, farthest);
+    if (!hit) return false;
+    placeByRay(cue, rayFrom(view.opticalInMap, *direction), *hit, halfAngle + StampJitter * view.turning,
+               view.certain);
+    keep(std::move(cue), view);
+    return true;
+}
+
+void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View& view) {
+    const StreamDescription* stream = m_robot.stream(StreamRole::Thermal, event.sensor);
+    if (stream == nullptr || !stream->thermal.measured) return;
+    const auto& sample = std::get<PictureSample>(event.sample);
+    const auto picture = decodePicture(sample);
+    if (!picture) return;
+    const auto thermal = temperatures(*picture, stream->thermal);
+    if (!thermal) return;
+    for (const HeatBlob& blob : findHeat(*thermal, *camera.info)) {
+        if (blob.kind != HeatBlob::Kind::Body) break;  // bodies come first
+        const auto direction = pixelDirection(*camera.info, blob.centre, thermal->width, thermal->height);
+        if (!direction) continue;
+        const double spread = std::max(degrees(1.8), 0.4 * std::min(blob.width, blob.height));
+        const auto hit = meet(view, *direction, spread, m_settings.farthestHeat);
+        if (!hit) continue;
+        const BodyHeat body = judgeBody(*thermal, blob, hit->range);
+        PlacedCue cue;
+        cue.cue = cueOf(event, "heat", stampOf(event, sample.header));
+        cue.cue.value = blob.mean;
+        cue.cue.confidence = body.likelihood * (0.6 + 0.4 * blob.confidence) * (blob.cut ? 0.7 : 1.0);
+        placeByRay(cue, rayFrom(view.opticalInMap, *direction), *hit,
+                   0.5 * blob.size + StampJitter * view.turning, view.certain);
+        keep(std::move(cue), view);
+    }
+}
+
+void CueFinder::lookForMotion(const Event& event, Camera& camera, const View& view, const Picture& picture) {
+    const auto& sample = std::get<PictureSample>(event.sample);
+    const Time stamp = stampOf(event, sample.header);
+    for (const MotionBlob& blob : camera.motion.look(picture, stamp)) {
+        PlacedCue cue;
+        cue.cue = cueOf(event, "motion", stamp);
+        cue.cue.value = cue.cue.confidence = blob.strength;
+        const double half = angleOf(*camera.info, 0.25 * (blob.right - blob.left + 1), picture.width);
+        (void)place(std::move(cue), camera, view, blob.centre, picture.width, picture.height,
+                    std::max(degrees(2.0), half), m_settings.farthest);
+    }
+}
+
+void CueFinder::lookForSigns(const Event& event, const Camera& camera, const View& view,
+                             const Picture& picture) {
+    const Time stamp = stampOf(event, std::get<PictureSample>(event.sample).header);
+    for (const FoundCode& code : m_codes.read(picture)) {
+        PlacedCue cue;
+        cue.what = VictimSample::Kind::Code;
+        cue.cue = cueOf(event, "code", stamp);
+        cue.cue.text = code.text;
+        cue.cue.confidence = 0.95;
+        const double half = std::max(degrees(2.0), angleOf(*camera.info, 0.5 * code.size, picture.width));
+        (void)place(std::move(cue), camera, view, code.centre, picture.width, picture.height, half,
+                    m_settings.farthest);
+    }
+    for (const HazardPlacard& sign : findHazards(picture)) {
+        PlacedCue cue;
+        cue.what = VictimSample::Kind::Hazard;
+        cue.cue = cueOf(event, "hazard", stamp);
+        cue.cue.text = sign.name;
+        cue.cue.confidence = sign.confidence;
+        const double half = std::max(degrees(2.0), angleOf(*camera.info, 0.3 * sign.size, picture.width));
+        (void)place(std::move(cue), camera, view, sign.centre, picture.width, picture.height, half,
+                    m_settings.farthest);
+    }
+}
+
+void CueFinder::smell(const Event& event, const GasSample& gas) {
+    if (gas.gas != "co2") return;
+    const Time stamp = stampOf(event, gas.header);
+    const auto rise = m_gases[event.sensor].add(stamp, gas.ppm);
+    const auto base = m_tracker.baseInMap(m_tracker.now().stamp);
+    const auto sensor = m_frames.inBase(event.sensor, gas.header.frame, stamp);
+    if (!rise || !base || !sensor) return;
+    PlacedCue cue;
+    cue.cue = cueOf(event, "co2", stamp);
+    cue.cue.value = gas.ppm;
+    cue.cue.confidence = std::clamp(rise->rise() / 500.0, 0.35, 1.0);
+    cue.inMap = *base * sensor->translation();
+    cue.reach = std::clamp(breathReach(rise->rise()), 0.9, 1.8);
+    m_found.push_back(std::move(cue));
+}
+
+void CueFinder::hear(const Event& event, const SightingSample& sightings) {
+    const auto base = m_tracker.baseInMap(m_tracker.now().stamp);
+    const auto motion = m_tracker.motion().at(m_tracker.now().stamp);
+    if (!base || !motion) return;  // they come again with the next one
+    const Pose odomInMap = *base * motion->baseInOdom.inverse();
+    for (const Sighting& one : sightings.sightings) {
+        const auto known = m_sightings.find(one.id);
+        if (!one.position.allFinite()) continue;
+        if (known != m_sightings.end() && known->second.position == one.position &&
+            known->second.kind == one.kind && known->second.text == one.text)
+            continue;
+        m_sightings[one.id] = one;
+        PlacedCue cue;
+        cue.cue = cueOf(event, "sighting", stampOf(event, sightings.header));
+        cue.cue.value = one.value;
+        cue.cue.confidence = one.confidence;
+        cue.cue.text = fmt::format("{} {}", one.kind, one.id);
+        if (one.kind == "code" || one.kind == "hazard") {
+            cue.what = one.kind == "code" ? VictimSample::Kind::Code : VictimSample::Kind::Hazard;
+            cue.cue.kind = one.kind;
+            cue.cue.text = one.text;
+        }
+        cue.inMap = odomInMap * one.position;
+        const double deviation =
+            std::isfinite(one.deviation) ? std::clamp(one.deviation, 0.1, 2.0) : UnknownPlace;
+        cue.covariance = deviation * deviation * Eigen::Matrix3d::Identity();
+        m_found.push_back(std::move(cue));
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/session/victims/cue_finder.h"
+#include "core/mission/event.h"
+#include "core/mission/victims/candidate_book.h"
+#include "core/robot/samples/candidate_sample.h"
+
+namespace leitstand {
+
+/// Searches what all robots say for victims, codes and hazards: finds cues, places them in the map and joins
+/// them into candidates. All that it knows of the map is in events too, so it does on a log what it does
+/// live. Without thread; one at a time.
+class VictimSearch {
+public:
+    VictimSearch(const std::vector<RobotDescription>& robots, const std::string& station,
+                 const CueSettings& cues = {}, const CandidateSettings& candidates = {});
+
+    /// All events of a mission, in order. @p search false: only where robots are is followed.
+    void take(const Event& event, bool search = true);
+    /// Where key scans are: of earlier sessions, or after an undo.
+    void follow(std::span<const ScanPose> poses);
+    /// What was told of a candidate in an earlier session.
+    void restore(const CandidateSample& sample) { m_book.take(sample); }
+    /// Candidates that are new or changed.
+    [[nodiscard]] std::vector<CandidateSample> due(Time now) { return m_book.due(now); }
+
+    /// Told of every cue that counts, before it is joined; for tests and tuning. May be empty.
+    std::function<void(const PlacedCue&)> onCue;
+
+private:
+    struct Scan {
+        std::string robot;
+        Time end{};  ///< robot's clock
+        Pose sensorInBase = Pose::Identity(), scanInMap = Pose::Identity();
+        bool counts = true;
+    };
+    void take(const KeyScanSample& sample);
+    void move(const ScanPose& pose);
+    void correct(const Scan& scan, double certainty);
+    [[nodiscard]] std::uint64_t scanFor(const PlacedCue& cue) const;
+    [[nodiscard]] bool isRobot(const PlacedCue& cue) const;
+
+    std::map<std::string, CueFinder> m_finders;  ///< fixed
+    CandidateBook m_book;
+    std::map<std::uint64_t, Scan> m_scans;
+    std::map<std::string, std::uint64_t> m_newest;  ///< key scan of each robot
+};
+
+}  // namespace leitstand

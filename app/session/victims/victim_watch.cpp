@@ -1,0 +1,106 @@
+#include "app/session/victims/victim_watch.h"
+
+#include <chrono>
+#include <ctime>
+#include <utility>
+#include <variant>
+
+#include "app/session/log/sequencer.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::milliseconds PicturesEvery(150);  ///< of a camera; thermal ones all
+constexpr std::size_t MostPictures = 40;                 ///< that wait
+constexpr std::chrono::milliseconds LongestSilence(500);
+
+std::chrono::nanoseconds threadTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+bool isPicture(const Event& event) {
+    return std::holds_alternative<PictureSample>(event.sample);
+}
+
+/// Whether a search wants to know of it at all.
+bool isWanted(const Event& event) {
+    return isPicture(event) || std::holds_alternative<OdometrySample>(event.sample) ||
+           std::holds_alternative<ImuSample>(event.sample) ||
+           std::holds_alternative<TransformsSample>(event.sample) ||
+           std::holds_alternative<CloudSample>(event.sample) ||
+           std::holds_alternative<RangesSample>(event.sample) ||
+           std::holds_alternative<CameraInfoSample>(event.sample) ||
+           std::holds_alternative<GasSample>(event.sample) ||
+           std::holds_alternative<SightingSample>(event.sample) ||
+           std::holds_alternative<KeyScanSample>(event.sample) ||
+           std::holds_alternative<ScanPosesSample>(event.sample) ||
+           std::holds_alternative<RobotPlaceSample>(event.sample) ||
+           std::holds_alternative<CandidateSample>(event.sample) ||
+           std::holds_alternative<UndoSample>(event.sample);
+}
+
+}  // namespace
+
+VictimWatch::VictimWatch(VictimWatchSetup setup)
+    : m_setup(std::move(setup)), m_search(m_setup.robots, m_setup.station) {
+    m_search.follow(m_setup.earlierPoses);
+    for (const CandidateSample& sample : m_setup.earlier) m_search.restore(sample);
+    m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+VictimWatch::~VictimWatch() = default;
+
+void VictimWatch::end() {
+    m_thread.request_stop();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+std::chrono::nanoseconds VictimWatch::worked() const {
+    const std::lock_guard lock(m_mutex);
+    return m_worked;
+}
+
+void VictimWatch::take(const Event& event) {
+    if (!isWanted(event)) return;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (isPicture(event)) {
+            Time& last = m_taken[{event.robot, event.sensor}];
+            const bool soon = event.role != StreamRole::Thermal && event.received >= last &&
+                              event.received - last < PicturesEvery;
+            if (soon || m_pictures >= MostPictures) return;
+            last = event.received;
+            ++m_pictures;
+        }
+        m_waiting.push_back(event);
+    }
+    m_came.notify_all();
+}
+
+void VictimWatch::run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        std::deque<Event> taken;
+        {
+            std::unique_lock lock(m_mutex);
+            m_worked = threadTime();
+            m_came.wait_for(lock, stop, LongestSilence, [this] { return !m_waiting.empty(); });
+            taken.swap(m_waiting);
+            m_pictures = 0;
+        }
+        const bool may = !m_setup.maySearch || m_setup.maySearch();
+        for (const Event& event : taken) {
+            if (stop.stop_requested()) return;
+            if (std::holds_alternative<UndoSample>(event.sample)) {
+                if (m_setup.poses) m_search.follow(m_setup.poses());
+                continue;
+            }
+            m_search.take(event, may);
+        }
+        if (!may || !m_setup.onCandidate) continue;
+        for (const CandidateSample& candidate : m_search.due(stationTime())) m_setup.onCandidate(candidate);
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/session/victims/victim_search.h"
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+/// What a VictimWatch begins with.
+struct VictimWatchSetup {
+    std::vector<RobotDescription> robots;
+    std::string station;                                      ///< persistent identity
+    std::function<bool()> maySearch;                          ///< whether the station has the map's grant
+    std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
+    std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; after an undo
+    std::vector<ScanPose> earlierPoses;            ///< of the mission's earlier sessions
+    std::vector<CandidateSample> earlier;          ///< likewise
+};
+
+/// VictimSearch on a thread of its own, live. Any thread. Where it cannot keep up, pictures are left out (the
+/// log has them all); nothing else is.
+class VictimWatch {
+public:
+    explicit VictimWatch(VictimWatchSetup setup);
+    ~VictimWatch();
+    VictimWatch(const VictimWatch&) = delete;
+    VictimWatch& operator=(const VictimWatch&) = delete;
+
+    void take(const Event& event);  ///< all events of the mission, in order
+    void end();                     ///< what waits is left; nobody is told anything any more
+    [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
+
+private:
+    using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    void run(const std::stop_token& stop);
+
+    const VictimWatchSetup m_setup;
+    VictimSearch m_search;  ///< of the thread
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::deque<Event> m_waiting;
+    std::map<Camera, Time> m_taken;  ///< newest picture, station's clock
+    std::size_t m_pictures = 0;      ///< that wait
+    std::chrono::nanoseconds m_worked{};
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

@@ -1,0 +1,19 @@
+#include "app/window/live/worked_in.h"
+
+#include <QApplication>
+#include <QDockWidget>
+
+namespace leitstand {
+
+bool isWorkedIn(const QWidget& window) {
+    const QWidget* const active = QApplication::activeWindow();
+    if (active == &window) return true;
+    if (qobject_cast<const QDockWidget*>(active) == nullptr) return false;
+    // A pane that floats is a window of its own: isAncestorOf() does not look beyond.
+    for (const QWidget* owner = active->parentWidget(); owner != nullptr; owner = owner->parentWidget()) {
+        if (owner == &window) return true;
+    }
+    return false;
+}
+
+}  // namespace leitstand

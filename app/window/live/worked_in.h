@@ -1,0 +1,11 @@
+#pragma once
+
+class QWidget;
+
+namespace leitstand {
+
+/// Whether the operator works in @p window now: it has the keyboard, or a pane that floats beside it has.
+/// Dialogs are something else.
+[[nodiscard]] bool isWorkedIn(const QWidget& window);
+
+}  // namespace leitstand

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace leitstand {
+
+/// A square of the map about a place, in cells.
+class SquareGrid {
+public:
+    /// Reaches @p reach [m] to each side of @p middle, in cells of edge @p edge [m].
+    SquareGrid(const Eigen::Vector2d& middle, double reach, double edge);
+
+    /// Empty outside.
+    [[nodiscard]] std::optional<std::size_t> cellOf(const Eigen::Vector2d& point) const;
+    [[nodiscard]] std::size_t cells() const { return m_size * m_size; }
+    /// Calls @p what with the cells around @p cell and with itself.
+    template <class What>
+    void about(std::size_t cell, What what) const {
+        const std::size_t x = cell % m_size, y = cell / m_size;
+        for (std::size_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < m_size; ++v) {
+            for (std::size_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < m_size; ++u) what(v * m_size + u);
+        }
+    }
+
+private:
+    Eigen::Vector2d m_from;
+    double m_edge;
+    std::size_t m_size;
+};
+
+/// How high the floor is about a place: what is low among the points there, also on ramps and where a body
+/// hides it.
+class FloorField {
+public:
+    /// @p points: map frame [m].
+    FloorField(const SquareGrid& grid, std::span<const Eigen::Vector3f> points);
+
+    /// Empty where nobody knows.
+    [[nodiscard]] std::optional<double> heightAt(const Eigen::Vector2d& point) const;
+
+private:
+    SquareGrid m_grid;
+    std::vector<float> m_heights;  ///< by cell; NaN: nobody knows
+};
+
+}  // namespace leitstand

@@ -1,0 +1,198 @@
+#include "core/mission/finds/find_book.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace leitstand {
+namespace {
+
+using Status = VictimSample::Status;
+using SignState = VictimSign::State;
+
+const VictimSample* find(const MissionState& state, const FindKey& key) {
+    const auto found = state.victims->find(key);
+    return found == state.victims->end() ? nullptr : &found->second.victim;
+}
+
+void sayPresent(VictimSign& sign, double value) {
+    if (sign.state == SignState::Unknown) sign.state = SignState::Present;
+    if (std::isnan(sign.value) && sign.state == SignState::Present) sign.value = value;
+}
+
+void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
+    for (const VictimEvidence& one : from) {
+        const bool known =
+            std::any_of(to.evidence.begin(), to.evidence.end(), [&](const VictimEvidence& there) {
+                return there.sequence == one.sequence && there.topic == one.topic;
+            });
+        if (!known) to.evidence.push_back(one);
+    }
+}
+
+/// What @p frozen measured, where nothing else is known.
+void addSigns(VictimSample& to, const FrozenEvidence& frozen) {
+    if (to.kind == VictimSample::Kind::Victim) {
+        if (!std::isnan(frozen.heat)) sayPresent(to.heat, frozen.heat);
+        if (!std::isnan(frozen.co2)) sayPresent(to.co2, frozen.co2);
+        if (frozen.motion) sayPresent(to.motion, Unknown);
+    }
+    if (to.tag.empty()) to.tag = frozen.tag;
+}
+
+void fill(VictimSign& to, const VictimSign& from) {
+    if (to.state == SignState::Unknown && from.state != SignState::Unknown) to = from;
+}
+void fill(std::string& to, const std::string& from) {
+    if (to.empty()) to = from;
+}
+
+void fill(VictimSample& to, const VictimSample& from) {
+    fill(to.form, from.form);
+    fill(to.motion, from.motion);
+    fill(to.heat, from.heat);
+    fill(to.sound, from.sound);
+    fill(to.co2, from.co2);
+    fill(to.situation, from.situation);
+    fill(to.tag, from.tag);
+    fill(to.area, from.area);
+    fill(to.text, from.text);
+    addEvidence(to, from.evidence);
+}
+
+std::optional<VictimSample> changed(const MissionState& state, const FindKey& key, const std::string& station,
+                                    Time now) {
+    const VictimSample* known = find(state, key);
+    if (known == nullptr) return std::nullopt;
+    VictimSample sample = *known;
+    sample.station = station;
+    sample.stamp = now;
+    return sample;
+}
+
+VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std::string& station, Time now) {
+    VictimSample sample;
+    sample.kind = kind;
+    sample.number = nextNumber(state, kind);
+    sample.station = station;
+    sample.stamp = sample.found = now;
+    return sample;
+}
+
+}  // namespace
+
+std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind) {
+    std::uint32_t highest = 0;
+    for (const Decision& decision : *state.decisions) {
+        const auto* sample = std::get_if<VictimSample>(&decision.content);
+        if (sample != nullptr && sample->kind == kind) highest = std::max(highest, sample->number);
+    }
+    return highest + 1;
+}
+
+std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
+                                const Eigen::Vector3d& placeInMap, double reach) {
+    std::optional<FindKey> nearest;
+    for (const auto& [key, entry] : *state.victims) {
+        if (key.first != kind || entry.victim.status == Status::Discarded) continue;
+        const double distance = (positionInMap(state, entry.victim) - placeInMap).norm();
+        if (!(distance < reach)) continue;
+        reach = distance;
+        nearest = key;
+    }
+    return nearest;
+}
+
+VictimSample filed(const MissionState& state, VictimSample::Kind kind, const FrozenEvidence& frozen,
+                   const std::string& station, Time now) {
+    if (const auto known = findNear(state, kind, frozen.positionInMap)) {
+        VictimSample sample = *changed(state, *known, station, now);
+        addSigns(sample, frozen);
+        addEvidence(sample, frozen.evidence);
+        return sample;
+    }
+    VictimSample sample = fresh(state, kind, station, now);
+    sample.found = frozen.found;
+    sample.robot = frozen.robot;
+    sample.autonomous = frozen.autonomous;
+    sample.scan = frozen.scan;
+    sample.positionInScan = frozen.positionInScan;
+    sample.positionInMap = frozen.positionInMap;
+    sample.deviation = frozen.deviation;
+    if (state.info) sample.area = state.info->sample.area;
+    addSigns(sample, frozen);
+    addEvidence(sample, frozen.evidence);
+    return sample;
+}
+
+VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
+                       const std::string& station, Time now) {
+    FrozenEvidence frozen;
+    frozen.found = now;
+    frozen.scan = candidate.scan;
+    frozen.positionInScan = candidate.positionInScan;
+    frozen.positionInMap = positionInMap(state, candidate);
+    frozen.deviation = candidate.deviation;
+    for (const Cue& cue : candidate.cues) {
+        if (frozen.robot.empty()) frozen.robot = cue.robot;
+        if (cue.kind == "heat") frozen.heat = cue.value;
+        if (cue.kind == "co2") frozen.co2 = cue.value;
+        if (cue.kind == "motion") frozen.motion = true;
+        if (cue.kind == "code" || cue.kind == "hazard") fill(frozen.tag, cue.text);
+        const char* kind = cue.kind == "heat"       ? "thermal"
+                           : cue.kind == "co2"      ? "gas"
+                           : cue.kind == "sighting" ? "sighting"
+                                                    : "picture";
+        if (cue.sequence != 0) frozen.evidence.push_back({kind, cue.topic, cue.sequence, cue.stamp});
+    }
+    const auto robot = state.robots.find(frozen.robot);
+    if (robot != state.robots.end() && robot->second->mode)
+        frozen.autonomous = robot->second->mode->sample.autonomous;
+    return filed(state, candidate.kind, frozen, station, now);
+}
+
+std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find, Status status,
+                                       const std::string& station, Time now) {
+    auto sample = changed(state, find, station, now);
+    if (!sample) return std::nullopt;
+    sample->status = status;
+    sample->mergedInto = 0;
+    return sample;
+}
+
+std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find, std::uint32_t into,
+                                       const std::string& station, Time now) {
+    auto sample = changed(state, find, station, now);
+    const VictimSample* target = leitstand::find(state, {find.first, into});
+    if (!sample || target == nullptr || into == find.second || target->status == Status::Discarded)
+        return std::nullopt;
+    sample->status = Status::Discarded;
+    sample->mergedInto = into;
+    return sample;
+}
+
+std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
+                                    const Eigen::Vector3d& placeInMap, const std::string& station, Time now) {
+    auto sample = changed(state, find, station, now);
+    if (!sample || !placeInMap.allFinite()) return std::nullopt;
+    sample->positionInMap = placeInMap;
+    const auto scan = state.keyScans->find(sample->scan);
+    if (scan != state.keyScans->end())
+        sample->positionInScan = scan->second.pose.scanInMap.inverse() * placeInMap;
+    sample->deviation = Unknown;  // a person has put it there
+    return sample;
+}
+
+std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find) {
+    const VictimSample* known = leitstand::find(state, find);
+    if (known == nullptr) return std::nullopt;
+    VictimSample whole = *known;
+    for (const auto& [key, entry] : *state.victims) {
+        const bool part = key.first == find.first && entry.victim.status == Status::Discarded &&
+                          entry.victim.mergedInto == find.second;
+        if (part) fill(whole, entry.victim);
+    }
+    return whole;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+#include "core/mission/mission_state.h"
+
+namespace leitstand {
+
+/// What was frozen when the operator pressed the button: everything that shows a find, and where it is.
+struct FrozenEvidence {
+    Time found{};                                              ///< station's clock
+    std::string robot;                                         ///< that saw it
+    bool autonomous = false;                                   ///< it drove itself
+    std::uint64_t scan = 0;                                    ///< key scan it hangs on; 0: none
+    Eigen::Vector3d positionInScan = Eigen::Vector3d::Zero();  ///< in that scan's frame [m]
+    Eigen::Vector3d positionInMap = Eigen::Vector3d::Zero();   ///< [m]
+    double deviation = Unknown;                                ///< standard deviation of the position [m]
+    double heat = Unknown;                                     ///< of the hot spot [degrees C]
+    double co2 = Unknown;                                      ///< [ppm], where it rose
+    bool motion = false;                                       ///< something moved there
+    std::string tag;                                           ///< content of a code, or a sign's kind
+    std::vector<VictimEvidence> evidence;
+};
+
+/// Finds nearer than this to each other are one [m].
+inline constexpr double SameFind = 0.6;
+
+/// The number that the next find of @p kind gets: one above all that ever were, also undone ones.
+[[nodiscard]] std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind);
+/// The find of @p kind that is nearest to @p placeInMap [m] and within @p reach [m]; not a discarded one.
+[[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
+                                              const Eigen::Vector3d& placeInMap, double reach = SameFind);
+
+/// A new find made of @p frozen, or the one that is there already with what is new.
+[[nodiscard]] VictimSample filed(const MissionState& state, VictimSample::Kind kind,
+                                 const FrozenEvidence& frozen, const std::string& station, Time now);
+/// What @p candidate becomes when the operator files it.
+[[nodiscard]] VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
+                                     const std::string& station, Time now);
+
+/// Changes of a find, each an entry for the log; empty when the mission does not have it.
+[[nodiscard]] std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find,
+                                                     VictimSample::Status status, const std::string& station,
+                                                     Time now);
+/// @p find is part of @p into, which is of its kind.
+[[nodiscard]] std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find,
+                                                     std::uint32_t into, const std::string& station,
+                                                     Time now);
+/// @p find lies at @p placeInMap [m]; it hangs on the scan that it hung on.
+[[nodiscard]] std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
+                                                  const Eigen::Vector3d& placeInMap,
+                                                  const std::string& station, Time now);
+
+/// @p find with what the finds that were merged into it tell beyond it: signs, situation, tag, evidence;
+/// empty when the mission does not have it.
+[[nodiscard]] std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find);
+
+}  // namespace leitstand

@@ -1,0 +1,270 @@
+#include "core/mission/victims/candidate_book.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/mission/victims/candidate.h"
+
+namespace leitstand {
+namespace {
+
+using Kind = VictimSample::Kind;
+
+double flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (a - b).head<2>().norm();
+}
+
+}  // namespace
+
+struct CandidateBook::State {
+    std::string station;
+    CandidateSettings settings;
+    ScanPlaces scans;
+    std::vector<CandidateThing> things;  ///< by age
+    std::vector<CandidateThing> gone;    ///< told, then joined with an older one: to be told once more
+    std::uint32_t newest = 0;
+    std::uint64_t order = 0;
+
+    [[nodiscard]] bool isSame(const CandidateThing& thing, const Eigen::Vector3d& inMap,
+                              const Eigen::Matrix3d& covariance, const std::string& text) const;
+    [[nodiscard]] CandidateThing* thingOf(const PlacedCue& cue);
+    void support(const PlacedCue& cue);
+    void join(CandidateThing& thing);
+    void forget();
+    void forget(const Cue& sighting);
+    [[nodiscard]] CandidateSample sampleOf(const CandidateThing& thing, Time now) const;
+    [[nodiscard]] bool isDue(CandidateThing& thing, Time now);
+};
+
+CandidateBook::CandidateBook(std::string station, const CandidateSettings& settings)
+    : m_state(std::make_unique<State>()) {
+    m_state->station = std::move(station);
+    m_state->settings = settings;
+}
+CandidateBook::~CandidateBook() = default;
+CandidateBook::CandidateBook(CandidateBook&&) noexcept = default;
+CandidateBook& CandidateBook::operator=(CandidateBook&&) noexcept = default;
+
+bool CandidateBook::State::isSame(const CandidateThing& thing, const Eigen::Vector3d& inMap,
+                                  const Eigen::Matrix3d& covariance, const std::string& text) const {
+    const double away = flat(thing.inMap, inMap);
+    if (thing.what == Kind::Code) return thing.text() == text && away < settings.sameCode;
+    if (thing.what == Kind::Hazard) return thing.text() == text && away < settings.sameHazard;
+    if (away < settings.sameVictim) return true;
+    if (away > settings.widestGate) return false;
+    const Eigen::Matrix2d both = (thing.covariance + covariance).topLeftCorner<2, 2>();
+    const Eigen::Vector2d off = (inMap - thing.inMap).head<2>();
+    const double determinant = both.determinant();
+    if (!(determinant > 0.0)) return false;
+    const double squared = (off.x() * (both(1, 1) * off.x() - both(0, 1) * off.y()) +
+                            off.y() * (both(0, 0) * off.y() - both(1, 0) * off.x())) /
+                           determinant;
+    return squared < settings.gate * settings.gate;
+}
+
+CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
+    CandidateThing* nearest = nullptr;
+    for (CandidateThing& thing : things) {
+        if (thing.what != cue.what || !isSame(thing, cue.inMap, cue.covariance, cue.cue.text)) continue;
+        if (nearest == nullptr || flat(thing.inMap, cue.inMap) < flat(nearest->inMap, cue.inMap))
+            nearest = &thing;
+    }
+    return nearest;
+}
+
+void CandidateBook::State::support(const PlacedCue& cue) {
+    // The one that it is most likely of, alone: a lamp beside a victim does not breathe.
+    CandidateThing* best = nullptr;
+    double most = 0.0;
+    for (CandidateThing& thing : things) {
+        const double away = flat(thing.inMap, cue.inMap);
+        if (thing.what != Kind::Victim || away > cue.reach) continue;
+        const double likely = thing.confidence / (0.5 + away);
+        if (likely <= most) continue;
+        most = likely;
+        best = &thing;
+    }
+    if (best == nullptr) return;
+    best->add(cue, scans);
+    best->settle(scans, settings);
+}
+
+void CandidateBook::State::join(CandidateThing& thing) {
+    for (CandidateThing& other : things) {
+        if (&other == &thing || other.what != thing.what || other.dismissed != thing.dismissed) continue;
+        // Only when their middles are near: the gate alone would chain a row of things together.
+        if (flat(other.inMap, thing.inMap) > settings.sameVictim) continue;
+        if (!isSame(other, thing.inMap, thing.covariance, thing.text())) continue;
+        CandidateThing& older = other.order < thing.order ? other : thing;
+        CandidateThing& younger = other.order < thing.order ? thing : other;
+        if (younger.victim != 0) continue;  // the operator has two of them
+        for (auto& [key, look] : younger.looks) {
+            CandidateLook& into = older.looks[key];
+            if (look.cues > into.cues) into = look;
+        }
+        older.settle(scans, settings);
+        if (younger.id != 0) gone.push_back(younger);
+        things.erase(things.begin() + (&younger - things.data()));
+        return;  // references moved; the rest joins with the next cue
+    }
+}
+
+void CandidateBook::State::forget() {
+    if (things.size() <= settings.most) return;
+    const auto least = std::min_element(things.begin(), things.end(), [](const auto& a, const auto& b) {
+        const auto rank = [](const CandidateThing& one) { return one.id != 0 ? 2.0 : one.confidence; };
+        return rank(a) < rank(b);
+    });
+    if (least->id == 0) things.erase(least);
+}
+
+/// What the robot said of the same thing before.
+void CandidateBook::State::forget(const Cue& sighting) {
+    for (CandidateThing& thing : things) {
+        std::erase_if(thing.looks, [&](const auto& look) {
+            return std::get<0>(look.first) == sighting.kind && std::get<1>(look.first) == sighting.robot &&
+                   std::get<3>(look.first) == sighting.text;
+        });
+        thing.settle(scans, settings);
+    }
+    std::erase_if(things, [](const CandidateThing& thing) { return thing.id == 0 && thing.looks.empty(); });
+}
+
+void CandidateBook::add(const PlacedCue& cue) {
+    State& state = *m_state;
+    if (!cue.inMap.allFinite() || !cue.covariance.allFinite()) return;
+    if (cue.reach > 0.0) return state.support(cue);
+    if (cue.cue.kind == "sighting") state.forget(cue.cue);
+    if (cue.cue.kind == "code") {
+        // The tag of a victim near by says more of the victim, and is a code all the same.
+        for (CandidateThing& thing : state.things) {
+            if (thing.what != Kind::Victim || (thing.inMap - cue.inMap).norm() > state.settings.codeNear)
+                continue;
+            thing.add(cue, state.scans);
+            thing.settle(state.scans, state.settings);
+        }
+    }
+    CandidateThing* thing = state.thingOf(cue);
+    if (thing == nullptr) {
+        CandidateThing made;
+        made.what = cue.what;
+        made.order = ++state.order;
+        state.things.push_back(std::move(made));
+        thing = &state.things.back();
+    }
+    thing->add(cue, state.scans);
+    thing->settle(state.scans, state.settings);
+    state.join(*thing);
+    state.forget();
+}
+
+void CandidateBook::scanAt(std::uint64_t id, const Pose& scanInMap) {
+    State& state = *m_state;
+    const auto known = state.scans.find(id);
+    const bool moved = known != state.scans.end() && !known->second.isApprox(scanInMap, 1e-9);
+    state.scans[id] = scanInMap;
+    if (!moved) return;
+    for (CandidateThing& thing : state.things) {
+        const bool seen = std::any_of(thing.looks.begin(), thing.looks.end(),
+                                      [&](const auto& look) { return std::get<2>(look.first) == id; });
+        if (seen) thing.settle(state.scans, state.settings);
+    }
+}
+
+void CandidateBook::take(const CandidateSample& sample) {
+    State& state = *m_state;
+    state.newest = std::max(state.newest, sample.id);
+    for (CandidateThing& thing : state.things) {
+        if (thing.id != sample.id) continue;
+        if (sample.station == state.station && sample.stamp <= thing.last.stamp) return;  // our own
+        thing.victim = sample.victim;
+        thing.dismissed = sample.dismissed;
+        return;
+    }
+    CandidateThing thing;
+    thing.id = sample.id;
+    thing.what = sample.kind;
+    thing.order = ++state.order;
+    thing.victim = sample.victim;
+    thing.dismissed = sample.dismissed;
+    thing.last = sample;
+    thing.told = sample.stamp;
+    for (const Cue& cue : sample.cues) {
+        PlacedCue placed;
+        placed.cue = cue;
+        placed.what = sample.kind;
+        placed.scan = sample.scan;
+        const auto scan = state.scans.find(sample.scan);
+        placed.inMap =
+            scan == state.scans.end() ? sample.positionInMap : scan->second * sample.positionInScan;
+        const double deviation = std::isfinite(sample.deviation) ? sample.deviation : 0.3;
+        placed.covariance = std::max(1e-4, deviation * deviation) * Eigen::Matrix3d::Identity();
+        // As sure as it was then.
+        for (int i = 0; i < state.settings.pictures; ++i) thing.add(placed, state.scans);
+    }
+    if (thing.looks.empty() || !sample.positionInMap.allFinite()) return;
+    thing.inMap = sample.positionInMap;
+    thing.settle(state.scans, state.settings);
+    thing.last.positionInMap = thing.inMap;
+    thing.last.confidence = thing.confidence;
+    state.things.push_back(std::move(thing));
+}
+
+CandidateSample CandidateBook::State::sampleOf(const CandidateThing& thing, Time now) const {
+    CandidateSample sample;
+    sample.stamp = now;
+    sample.station = station;
+    sample.id = thing.id;
+    sample.kind = thing.what;
+    const auto scan = scans.find(thing.scan);
+    sample.scan = scan == scans.end() ? 0 : thing.scan;
+    sample.positionInMap = thing.inMap;
+    sample.positionInScan =
+        scan == scans.end() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(scan->second.inverse() * thing.inMap);
+    sample.deviation = thing.deviation();
+    sample.confidence = thing.confidence;
+    sample.victim = thing.victim;
+    sample.dismissed = thing.dismissed || thing.withdrawn;
+    sample.cues = thing.cues();
+    return sample;
+}
+
+bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
+    if (thing.id == 0) {
+        if (thing.confidence < settings.tell) return false;
+        thing.id = ++newest;
+        return true;
+    }
+    if (thing.dismissed) return false;
+    const bool before = thing.withdrawn;
+    if (thing.victim == 0 && thing.confidence < settings.drop) thing.withdrawn = true;
+    if (thing.confidence >= settings.tell) thing.withdrawn = false;
+    if (std::chrono::duration<double>(now - thing.told).count() < settings.interval) {
+        thing.withdrawn = before;
+        return false;
+    }
+    return before != thing.withdrawn || (thing.inMap - thing.last.positionInMap).norm() > settings.move ||
+           std::abs(thing.confidence - thing.last.confidence) > settings.change ||
+           thing.cues().size() != thing.last.cues.size();
+}
+
+std::vector<CandidateSample> CandidateBook::due(Time now) {
+    State& state = *m_state;
+    std::vector<CandidateSample> samples;
+    for (CandidateThing& thing : std::exchange(state.gone, {})) {
+        thing.dismissed = true;
+        samples.push_back(state.sampleOf(thing, now));
+    }
+    for (CandidateThing& thing : state.things) {
+        if (!state.isDue(thing, now)) continue;
+        thing.last = state.sampleOf(thing, now);
+        thing.told = now;
+        samples.push_back(thing.last);
+    }
+    return samples;
+}
+
+}  // namespace leitstand

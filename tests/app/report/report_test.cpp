@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <fstream>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/io/report/find_lists.h"
+#include "core/io/report/geotiff.h"
+#include "core/io/report/octomap_file.h"
+#include "core/io/scan_source.h"
+#include "core/io/tum.h"
+#include "tests/app/report/sample_mission.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* Name = "RoboCup2013-Deutschland1-Final_1";
+
+ProcessOutcome ctl(std::vector<std::string> arguments) {
+    return runProcess(LEITSTANDCTL, arguments);
+}
+
+Rgb at(const MapPicture& map, double x, double y) {
+    const Eigen::Vector2d pixel = map.pixelOf({x, y});
+    return map.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+}
+
+std::string pdfText(const fs::path& file) {
+    const ProcessOutcome text = runProcess("/usr/bin/pdftotext", {"-layout", file.string(), "-"});
+    EXPECT_EQ(text.exitCode, 0) << "poppler-utils is missing? " << text.err;
+    return text.out;
+}
+
+/// One mission and its report, for all tests: both are only read.
+class Report : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        s_folder = std::make_unique<TemporaryFolder>();
+        writeSampleMission(*s_folder / "final");
+        s_outcome = ctl({"report", mission(), "--out", out().string(), "--json"});
+    }
+    static void TearDownTestSuite() { s_folder.reset(); }
+    static std::string mission() { return (*s_folder / "final").string(); }
+    static fs::path out() { return *s_folder / "out"; }
+    static fs::path file(const std::string& ending) { return out() / (Name + ending); }
+
+    static std::unique_ptr<TemporaryFolder> s_folder;
+    static ProcessOutcome s_outcome;
+};
+std::unique_ptr<TemporaryFolder> Report::s_folder;
+ProcessOutcome Report::s_outcome;
+
+TEST_F(Report, HasAllFilesAndHasReadThemAgain) {
+    ASSERT_EQ(s_outcome.exitCode, 0) << s_outcome.err;
+    const auto json = nlohmann::json::parse(s_outcome.out);
+    EXPECT_EQ(json["name"], Name);
+    EXPECT_EQ(json["victims"], 1);
+    EXPECT_EQ(json["finds"], 5) << "one is discarded";
+    EXPECT_EQ(json["scans"], 3);
+    for (const auto& one : json["files"]) EXPECT_TRUE(one["whole"]) << one;
+    for (const char* ending :
+         {".tif", "_upper.tif", "_victims.csv", "_qr.csv", "_pois.csv", ".bt", ".ply", "_kurt3d.tum", ".pdf"})
+        EXPECT_TRUE(fs::exists(file(ending))) << ending;
+    EXPECT_THAT(s_outcome.err,
+                AllOf(HasSubstr("1 finds are not confirmed"), HasSubstr("V1: its picture is missing")));
+    EXPECT_LT(json["seconds"], 60.0);
+    std::printf("a report of 3 scans takes %.2f s\n", json["seconds"].get<double>());
+}
+
+TEST_F(Report, ChecksumsAreTrue) {
+    const ProcessOutcome sums =
+        runProcess("/bin/sh", {"-c", "cd '" + out().string() + "' && sha256sum --check --strict SHA256SUMS"});
+    EXPECT_EQ(sums.exitCode, 0) << sums.err << sums.out;
+}
+
+TEST_F(Report, TheMapShowsTheRoomAndWhatWasFound) {
+    const auto map = readGeoTiff(file(".tif"));
+    ASSERT_TRUE(map) << map.error().text;
+    EXPECT_EQ(at(*map, 1.5 + 0.14, 1.0), map_colour::Victim);
+    EXPECT_EQ(at(*map, -2.0, -1.5), map_colour::UnconfirmedVictim);
+    EXPECT_EQ(at(*map, 2.5 + 0.17, -1.0), map_colour::Hazard);
+    EXPECT_EQ(at(*map, 0.5, -2.5), map_colour::Code);
+    EXPECT_EQ(at(*map, -1.0, 2.0), map_colour::Object);
+    int walls = 0;
+    for (double x = -1.5; x < 1.5; x += 0.05) walls += at(*map, x, -2.98) == map_colour::Wall ? 1 : 0;
+    EXPECT_GT(walls, 40);
+    EXPECT_TRUE(readGeoTiff(file("_upper.tif")));
+}
+
+TEST_F(Report, ListsHaveWhatIsConfirmed) {
+    const auto victims = readFindList(file("_victims.csv")), codes = readFindList(file("_qr.csv")),
+               pois = readFindList(file("_pois.csv"));
+    ASSERT_TRUE(victims.ok() && codes.ok() && pois.ok());
+    ASSERT_EQ(victims->finds.size(), 1u);
+    EXPECT_EQ(victims->finds[0].text, "V1");
+    EXPECT_EQ(victims->finds[0].position, Eigen::Vector3d(1.5, 1.0, 0.4));
+    EXPECT_EQ(victims->team, "Deutschland1");
+    EXPECT_EQ(victims->mission, "Final 1");
+    ASSERT_EQ(codes->finds.size(), 1u);
+    EXPECT_EQ(codes->finds[0].text, "exit, \"left\"");
+    ASSERT_EQ(pois->finds.size(), 4u);
+    EXPECT_EQ(pois->finds[0].mode, "A");
+    EXPECT_EQ(pois->finds[1].type, "hazmat");
+    EXPECT_EQ(pois->finds[3].text, "valve");
+}
+
+TEST_F(Report, TheTrajectoryIsOdometryPutIntoTheMap) {
+    const auto way = readTum(file("_kurt3d.tum"));
+    ASSERT_TRUE(way) << way.error().text;
+    EXPECT_GT(way->size(), 20u);
+    for (const TimedPose& pose : *way) EXPECT_NEAR(pose.pose.translation().y(), 0.0, 0.1);
+    EXPECT_NEAR(way->front().pose.translation().x(), -1.0, 0.1);
+}
+
+TEST_F(Report, ThePdfTellsAllOfIt) {
+    const std::string text = pdfText(file(".pdf"));
+    for (const char* words : {"RoboCup2013",
+                              "Deutschland1",
+                              "Germany",
+                              "Final 1",
+                              "Leitstand test on Sample",
+                              "kurt3d",
+                              "V1",
+                              "V2",
+                              "H1",
+                              "Q1",
+                              "O1",
+                              "confirmed",
+                              "not confirmed",
+                              "whole body",
+                              "waving",
+                              "36.4 \u00B0C",
+                              "1210 ppm",
+                              "trapped",
+                              "N17",
+                              "orange",
+                              "under a table <left> & cold",
+                              "A (autonomous)",
+                              "The way to V1",
+                              "along the driven trail",
+                              "On the robots",
+                              "0.25 to 0.35 m above the floor",
+                              "hottest 36.0 \u00B0C"})
+        EXPECT_THAT(text, HasSubstr(words));
+    EXPECT_THAT(text, Not(HasSubstr("V3"))) << "discarded";
+}
+
+TEST_F(Report, TheSameMissionMakesTheSameBytes) {
+    const fs::path second = *s_folder / "again";
+    ASSERT_EQ(ctl({"report", mission(), "--out", second.string()}).exitCode, 0);
+    const auto timeless = [](std::string bytes) {
+        bytes = std::regex_replace(bytes, std::regex("/CreationDate \\([^)]*\\)"), "");
+        bytes = std::regex_replace(bytes, std::regex("/ID \\[[^\\]]*\\]"), "");
+        bytes = std::regex_replace(
+            bytes, std::regex("[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}"), "");
+        return std::regex_replace(bytes, std::regex("<xmp:(CreateDate|ModifyDate|MetadataDate)>[^<]*"), "");
+    };
+    for (const auto& entry : fs::directory_iterator(out())) {
+        const std::string name = entry.path().filename().string();
+        if (name == "SHA256SUMS") continue;  // it has the PDF's
+        const bool pdf = entry.path().extension() == ".pdf";
+        const std::string first = readText(entry.path()), next = readText(second / name);
+        EXPECT_TRUE(pdf ? timeless(first) == timeless(next) : first == next) << name;
+    }
+}
+
+TEST_F(Report, ExportsWhatItsEndingSays) {
+    const auto exported = [&](const std::string& name, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"export", mission(), "--out", (*s_folder / name).string()});
+        const ProcessOutcome outcome = ctl(more);
+        EXPECT_EQ(outcome.exitCode, 0) << name << ": " << outcome.err;
+        return *s_folder / name;
+    };
+    EXPECT_TRUE(readOctomap(exported("map.bt")));
+    EXPECT_TRUE(readGeoTiff(exported("map.tif", {"--height", "upper"})));
+    EXPECT_TRUE(readTum(exported("way.tum")));
+    EXPECT_EQ(readFindList(exported("all.csv"))->finds.size(), 4u);
+    EXPECT_EQ(readFindList(exported("x_victims.csv"))->finds.size(), 1u);
+    const auto whole = fs::file_size(exported("map.pcd")),
+               thin = fs::file_size(exported("thin.pcd", {"--reduce", "0.1"}));
+    EXPECT_GT(whole, 3 * thin);
+    exported("map.ply");
+    exported("uos/");
+    EXPECT_TRUE(fs::exists(*s_folder / "uos" / "scan002.3d"));
+    EXPECT_TRUE(fs::exists(*s_folder / "uos" / "scan002.pose"));
+    const ProcessOutcome json = ctl({"export", mission(), "--out", (*s_folder / "j.tum").string(), "--json"});
+    EXPECT_EQ(nlohmann::json::parse(json.out)["files"].size(), 1u);
+}
+
+TEST_F(Report, WrongUseIsTwoAndFailuresAreOne) {
+    EXPECT_EQ(ctl({"report", mission()}).exitCode, 2);
+    EXPECT_EQ(ctl({"export", mission(), "--out", "map.doc"}).exitCode, 2);
+    EXPECT_EQ(ctl({"report", "--help"}).exitCode, 0);
+    const ProcessOutcome absent =
+        ctl({"report", (*s_folder / "absent").string(), "--out", (*s_folder / "o").string()});
+    EXPECT_EQ(absent.exitCode, 1);
+    EXPECT_THAT(absent.err, HasSubstr("absent"));
+    const ProcessOutcome nobody =
+        ctl({"export", mission(), "--out", (*s_folder / "n.tum").string(), "--robot", "nobody"});
+    EXPECT_EQ(nobody.exitCode, 1);
+    EXPECT_THAT(nobody.err, HasSubstr("nobody"));
+    writeText(*s_folder / "afile", "");
+    EXPECT_EQ(ctl({"report", mission(), "--out", (*s_folder / "afile").string()}).exitCode, 1);
+}
+
+TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
+    const TemporaryFolder folder;
+    writeSampleMission(folder / "empty", {.scans = 0, .odometry = 0, .finds = false, .info = false});
+    const ProcessOutcome outcome =
+        ctl({"report", (folder / "empty").string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("there is no map"), HasSubstr("competition or team")));
+    EXPECT_THAT(pdfText(folder / "out" / "Competition-Team-empty.pdf"), HasSubstr("Nothing was filed"));
+    EXPECT_FALSE(fs::exists(folder / "out" / "Competition-Team-empty.bt"));
+}
+
+TEST(ReportOfLittle, ADamagedMissionIsReportedAsFarAsItGoes) {
+    const TemporaryFolder folder;
+    writeSampleMission(folder / "torn");
+    const fs::path log = folder / "torn" / "torn_0.db3";
+    const auto size = fs::file_size(log);
+    fs::resize_file(log, size * 3 / 4);
+    const ProcessOutcome outcome =
+        ctl({"report", (folder / "torn").string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("torn_0.db3"));
+    writeText(log, "no database");
+    const ProcessOutcome nothing =
+        ctl({"report", (folder / "torn").string(), "--out", (folder / "out2").string()});
+    EXPECT_NE(nothing.err, "") << "an error, or the warning that nothing is left";
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,202 @@
+#include "tests/app/report/sample_mission.h"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/session/log/live_mission.h"
+#include "core/mission/station_topics.h"
+#include "core/perception/picture_png.h"
+#include "tests/core/mission/report/report_scene.h"
+#include "tests/support/samples.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand::test {
+namespace {
+
+Time at(double seconds) {
+    return Time(std::chrono::nanoseconds(1'700'000'000'000'000'000LL)) +
+           std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+StreamDescription stream(StreamRole role, const char* topic, const char* type, const char* sensor = "") {
+    StreamDescription made;
+    made.role = role;
+    made.topic = topic;
+    made.type = type;
+    made.sensor = sensor;
+    return made;
+}
+
+RobotDescription kurt() {
+    RobotDescription robot;
+    robot.name = "kurt3d";
+    robot.streams = {
+        stream(StreamRole::Odometry, "/kurt3d/odom", "nav_msgs/msg/Odometry"),
+        stream(StreamRole::Mode, "/kurt3d/mode", "leitstand_msgs/msg/Mode"),
+        stream(StreamRole::Gas, "/kurt3d/co2", "leitstand_msgs/msg/GasConcentration"),
+        stream(StreamRole::Picture, "/kurt3d/left/image/compressed", "sensor_msgs/msg/CompressedImage",
+               "left"),
+        stream(StreamRole::Thermal, "/kurt3d/ir/image/compressed", "sensor_msgs/msg/CompressedImage", "ir")};
+    for (const char* name : {"left", "ir"}) robot.sensors[name].frame = std::string("kurt3d/") + name;
+    return robot;
+}
+
+/// A gradient of colours.
+Picture colours() {
+    Picture picture{.width = 160, .height = 120, .pixel = Picture::Pixel::Rgb8, .bytes = {}};
+    for (int i = 0; i < 160 * 120; ++i) {
+        for (const int value : {i % 160, i / 160, 90}) picture.bytes.push_back(static_cast<std::byte>(value));
+    }
+    return picture;
+}
+
+/// 20 degrees with a warm spot of 36 degrees, in centikelvin.
+Picture warmth() {
+    Picture picture{.width = 80, .height = 60, .pixel = Picture::Pixel::Grey16, .bytes = {}};
+    for (int i = 0; i < 80 * 60; ++i) {
+        const bool warm = std::hypot(i % 80 - 40, i / 80 - 30) < 8;
+        const unsigned value = warm ? 30915 : 29315;
+        picture.bytes.push_back(static_cast<std::byte>(value & 0xff));
+        picture.bytes.push_back(static_cast<std::byte>(value >> 8));
+    }
+    return picture;
+}
+
+class Writer {
+public:
+    explicit Writer(const std::filesystem::path& folder) {
+        LiveMissionSettings settings;
+        settings.folder = folder;
+        settings.robots = {kurt()};
+        settings.version = "test";
+        settings.title = "Sample";
+        auto opened = LiveMission::open(settings);
+        EXPECT_TRUE(opened.ok()) << opened.error().text;
+        m_mission = std::move(opened).value();
+        for (const StreamDescription& one : kurt().streams) m_mission->addTopic(one.topic, one.type, {});
+    }
+    ~Writer() { EXPECT_TRUE(m_mission->close().ok()); }
+
+    /// Receives @p sample on the stream of @p topic; its sequence in the mission.
+    std::uint64_t receive(const Sample& sample, const std::string& topic) {
+        for (const StreamDescription& one : kurt().streams) {
+            if (one.topic != topic) continue;
+            auto cdr = encode(sample, one.type);
+            EXPECT_TRUE(cdr.ok()) << cdr.error().text;
+            m_mission->receive({0, {}, one.topic, one.type, std::move(cdr).value()});
+        }
+        return arrived();
+    }
+    std::uint64_t say(const Sample& sample, std::string_view topic) {
+        const auto said = m_mission->say(sample, topic);
+        EXPECT_TRUE(said.ok()) << said.error().text;
+        return arrived();
+    }
+
+private:
+    /// Waits until the newest event is folded: its sequence.
+    std::uint64_t arrived() {
+        const std::uint64_t before = m_last;
+        while ((m_last = m_mission->state()->sequence) <= before) std::this_thread::yield();
+        return m_last;
+    }
+    std::unique_ptr<LiveMission> m_mission;
+    std::uint64_t m_last = 1;  // the session's begin
+};
+
+PictureSample pictureOf(const Picture& picture, const char* frame, double seconds) {
+    PictureSample sample;
+    sample.header = {at(seconds), frame};
+    sample.compressed = true;
+    sample.encoding = "png";
+    sample.content = sharedBytes(encodePng(picture).value());
+    return sample;
+}
+
+VictimSample find(VictimSample::Kind kind, std::uint32_t number, const Eigen::Vector3d& place) {
+    VictimSample made;
+    made.kind = kind;
+    made.number = number;
+    made.status = VictimSample::Status::Confirmed;
+    made.found = Time(std::chrono::system_clock::now().time_since_epoch());
+    made.robot = "kurt3d";
+    made.positionInMap = place;
+    made.deviation = 0.05;
+    return made;
+}
+
+void sayFinds(Writer& writer) {
+    using Kind = VictimSample::Kind;
+    VictimSample first = find(Kind::Victim, 1, {1.5, 1.0, 0.4});
+    first.autonomous = true;
+    first.form = {VictimSign::State::Present, "whole body"};
+    first.motion = {VictimSign::State::Present, "waving"};
+    first.heat = {VictimSign::State::Present, "", 36.4};
+    first.sound = {VictimSign::State::Absent, ""};
+    first.co2 = {VictimSign::State::Present, "", 1210.0};
+    first.situation = "trapped";
+    first.tag = "N17";
+    first.area = "orange";
+    first.text = "under a table <left> & cold";
+    const auto picture =
+        writer.receive(pictureOf(colours(), "kurt3d/left", 10.0), "/kurt3d/left/image/compressed");
+    const auto heat = writer.receive(pictureOf(warmth(), "kurt3d/ir", 10.1), "/kurt3d/ir/image/compressed");
+    const auto gas = writer.receive(GasSample{{at(10.2), ""}, "co2", 1210.0}, "/kurt3d/co2");
+    first.evidence = {{"picture", "/kurt3d/left/image/compressed", picture, at(10.0)},
+                      {"thermal", "/kurt3d/ir/image/compressed", heat, at(10.1)},
+                      {"gas", "/kurt3d/co2", gas, at(10.2)},
+                      {"picture", "/kurt3d/left/image/compressed", 1'000'000, at(10.0)}};
+    writer.say(first, station_topic::Victims);
+    VictimSample second = find(Kind::Victim, 2, {-2.0, -1.5, 0.3});
+    second.status = VictimSample::Status::Hypothesis;
+    writer.say(second, station_topic::Victims);
+    VictimSample third = find(Kind::Victim, 3, {1.6, 1.0, 0.4});
+    third.status = VictimSample::Status::Discarded;
+    third.mergedInto = 1;
+    writer.say(third, station_topic::Victims);
+    writer.say(find(Kind::Hazard, 1, {2.5, -1.0, 0.5}), station_topic::Victims);
+    VictimSample code = find(Kind::Code, 1, {0.5, -2.5, 0.5});
+    code.tag = "exit, \"left\"";
+    writer.say(code, station_topic::Victims);
+    VictimSample object = find(Kind::Object, 1, {-1.0, 2.0, 0.1});
+    object.text = "valve";
+    writer.say(object, station_topic::Victims);
+}
+
+}  // namespace
+
+void writeSampleMission(const std::filesystem::path& folder, const SampleMission& what) {
+    Writer writer(folder);
+    if (what.info) {
+        MissionInfoSample info;
+        info.competition = "RoboCup2013";
+        info.team = "Deutschland1";
+        info.country = "Germany";
+        info.mission = "Final 1";
+        info.area = "yellow";
+        writer.say(info, station_topic::Mission);
+    }
+    writer.receive(ModeSample{{at(100), ""}, "explore", true, "", {"explore"}}, "/kurt3d/mode");
+    const auto scans = roomScans(what.scans);
+    for (int i = 0; i < what.odometry; ++i) {
+        OdometrySample odometry;
+        // Odometry that begins elsewhere: from 100 s on, a scan every 5 s.
+        odometry.header = {Time(std::chrono::milliseconds(100'000 + 250 * i)), "kurt3d/odom"};
+        odometry.childFrame = "kurt3d/base_link";
+        odometry.baseInOdom = poseFrom({3.0, 4.0 + 0.025 * i, 0.0}, 0, 0, degrees(90));
+        writer.receive(odometry, "/kurt3d/odom");
+    }
+    for (const ReportScan& scan : scans) {
+        KeyScanSample sample;
+        sample.id = scan.id;
+        sample.scan = scan.scan;
+        sample.sensorInBase = scan.sensorInBase;
+        sample.scanInMap = scan.scanInMap;
+        writer.say(sample, station_topic::KeyScans);
+    }
+    if (what.finds) sayFinds(writer);
+}
+
+}  // namespace leitstand::test

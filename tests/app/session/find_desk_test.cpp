@@ -1,0 +1,197 @@
+#include "app/session/finds/find_desk.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mission/fold.h"
+#include "core/perception/picture_encoding.h"
+
+namespace leitstand {
+namespace {
+
+using Kind = VictimSample::Kind;
+using Status = VictimSample::Status;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+Time at(double seconds) {
+    return Time(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds)));
+}
+
+/// Stripes whose edges are blurred over so many pixels.
+SharedBytes raw(int blur) {
+    auto bytes = std::make_shared<std::vector<std::byte>>(64 * 48);
+    for (int i = 0; i < 64 * 48; ++i) {
+        const int phase = i % 64 % 32;
+        const int level = std::clamp((phase < 16 ? phase : 32 - phase) * 255 / blur, 0, 255);
+        (*bytes)[static_cast<std::size_t>(i)] = static_cast<std::byte>(level);
+    }
+    return {bytes, std::span<const std::byte>(*bytes)};
+}
+
+/// What a robot says: pictures of which one is sharp, gas that rises.
+class Robot {
+public:
+    Robot() {
+        m_robot.name = "kurt3d";
+        m_robot.title = "Kurt3D";
+    }
+    [[nodiscard]] const RobotDescription& description() const { return m_robot; }
+
+    [[nodiscard]] Event event(Time when, StreamRole role, const std::string& sensor, Sample sample) {
+        return {++m_sequence, when, "kurt3d", "/kurt3d/" + sensor, role, sensor, std::move(sample)};
+    }
+    [[nodiscard]] Event picture(Time when, int blur) {
+        PictureSample sample;
+        sample.header.stamp = when;
+        sample.encoding = "mono8";
+        sample.width = 64;
+        sample.height = 48;
+        sample.step = 64;
+        sample.content = raw(blur);
+        return event(when, StreamRole::Picture, "left", sample);
+    }
+    [[nodiscard]] Event gas(Time when, double ppm) {
+        GasSample sample;
+        sample.ppm = ppm;
+        return event(when, StreamRole::Gas, "co2", sample);
+    }
+    [[nodiscard]] Event info() {
+        CameraInfoSample info;
+        info.width = 64;
+        info.height = 48;
+        info.intrinsics = {60, 0, 32, 0, 60, 24, 0, 0, 1};
+        return event(at(0), StreamRole::CameraInfo, "left", info);
+    }
+
+private:
+    RobotDescription m_robot;
+    std::uint64_t m_sequence = 1'000;
+};
+
+class FindDeskTest : public testing::Test {
+protected:
+    FindDeskTest() {
+        FindDeskSetup setup;
+        setup.robots = {m_robot.description()};
+        setup.station = "s";
+        setup.mission = [this] {
+            const std::scoped_lock lock(m_mutex);
+            return std::make_shared<const MissionState>(m_state);
+        };
+        setup.say = [this](const VictimSample& sample) {
+            add(sample);
+            return Result<void>();
+        };
+        setup.undo = [this](const UndoSample& sample) {
+            add(sample);
+            return Result<void>();
+        };
+        setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
+            m_asked = chosen;
+            answer(m_place);
+        };
+        setup.robotInMap = [this](const std::string&) { return m_base; };
+        setup.tell = [this](const std::string& text) {
+            const std::scoped_lock lock(m_mutex);
+            m_told.push_back(text);
+        };
+        setup.now = [] { return at(10.0); };
+        m_desk = std::make_unique<FindDesk>(std::move(setup));
+    }
+
+    void add(const Sample& sample) {
+        const std::scoped_lock lock(m_mutex);
+        const std::uint64_t sequence = m_state.sequence + 1;
+        m_state = fold(std::move(m_state),
+                       {sequence, at(10.0), "", "/leitstand/victims", std::nullopt, "", sample});
+    }
+    /// Waits until all that was asked for is filed.
+    void finish() { m_desk.reset(); }
+    const VictimSample& find(std::uint32_t number, Kind kind = Kind::Victim) {
+        return m_state.victims->at({kind, number}).victim;
+    }
+
+    Robot m_robot;
+    std::mutex m_mutex;
+    MissionState m_state;
+    std::optional<PlacedFind> m_place = PlacedFind{0, {2.0, 1.0, 0.4}, 0.1};
+    std::optional<Pose> m_base = Pose::Identity();
+    std::optional<ChosenEvidence> m_asked;
+    std::vector<std::string> m_told;
+    std::unique_ptr<FindDesk> m_desk;
+};
+
+TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(1.0), 1));  // sharp, but long ago
+    m_desk->take(m_robot.picture(at(8.0), 16));
+    const Event sharp = m_robot.picture(at(8.5), 2);
+    m_desk->take(sharp);
+    m_desk->take(m_robot.picture(at(9.9), 14));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(find(1).evidence, SizeIs(1));
+    EXPECT_EQ(find(1).evidence[0].sequence, sharp.sequence);
+    EXPECT_EQ(find(1).positionInMap, Eigen::Vector3d(2.0, 1.0, 0.4));
+    EXPECT_EQ(find(1).found, at(10.0));
+    EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(32.0, 24.0)) << "the middle of the picture that is looked at";
+}
+
+TEST_F(FindDeskTest, WhereTheOperatorPointsToCounts) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->freeze("kurt3d", Kind::Hazard, "left", PicturePoint{"left", {0.25, 0.75}});
+    finish();
+    EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(16.0, 36.0));
+    EXPECT_EQ(find(1, Kind::Hazard).kind, Kind::Hazard);
+}
+
+TEST_F(FindDeskTest, GasCountsWhereItRose) {
+    m_desk->take(m_robot.gas(at(1.0), 420.0));
+    m_desk->take(m_robot.gas(at(9.0), 1'800.0));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    EXPECT_EQ(find(1).co2.value, 1'800.0);
+    EXPECT_EQ(find(1).heat.state, VictimSign::State::Unknown) << "nothing warm was seen";
+}
+
+TEST_F(FindDeskTest, WithoutARangeItIsFiledAheadOfTheRobotAndSaid) {
+    m_place.reset();
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    EXPECT_EQ(find(1).positionInMap.x(), 1.0);
+    EXPECT_GE(find(1).deviation, 0.5);
+    EXPECT_THAT(m_told, testing::Contains(HasSubstr("no range there")));
+}
+
+TEST_F(FindDeskTest, ARobotThatIsNotInTheMapSaysSo) {
+    m_base.reset();
+    m_place.reset();
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(m_told, testing::Contains(HasSubstr("Kurt3D is not in the map yet")));
+}
+
+TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
+    m_desk->take(m_robot.info());
+    m_desk->freezeAt("kurt3d", Kind::Victim, {3.0, 0.0, 0.2});
+    while (!m_desk->newest()) std::this_thread::yield();
+    const FindKey key = *m_desk->newest();
+    ASSERT_TRUE(m_desk->confirm(key));
+    EXPECT_EQ(find(1).status, Status::Confirmed);
+    ASSERT_TRUE(m_desk->undo());
+    EXPECT_EQ(find(1).status, Status::Hypothesis);
+    ASSERT_TRUE(m_desk->undo());
+    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(m_desk->undo().error().text, HasSubstr("nothing on finds"));
+    EXPECT_FALSE(m_desk->confirm(key));
+    EXPECT_FALSE(m_desk->fileCandidate(9));
+}
+
+}  // namespace
+}  // namespace leitstand

@@ -1,0 +1,138 @@
+#include "tests/app/soak/demo_recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/session/station/station.h"
+#include "core/mission/mission_state.h"
+#include "core/mission/robot_state.h"
+#include "tests/app/robots/robot_process.h"
+#include "tests/support/dds/test_domain.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+#include "tests/transport/dds/test_node.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr double Near = 0.5;                 ///< of where it began [m]
+constexpr std::chrono::seconds ToAndFro(5);  ///< of the Crawler, one way
+constexpr std::chrono::seconds WayBack(90);  ///< at most
+constexpr std::chrono::seconds Again(8);     ///< until it is asked again
+constexpr double Gently = 0.1;               ///< [m/s]
+constexpr double Turn = 0.4;                 ///< [rad/s]
+constexpr double Aligned = 0.1;              ///< with how it stood at first [rad]
+
+/// Where @p robot is by its odometry; the origin before it said so.
+Pose placeOf(const Station& station, const std::string& robot) {
+    const auto mission = station.mission();
+    const auto said = mission->robots.find(robot);
+    const bool known = said != mission->robots.end() && said->second->odometry;
+    return known ? said->second->odometry->sample.baseInOdom : Pose::Identity();
+}
+
+/// What Kurt3D does, and why.
+std::string doing(const Station& station) {
+    const auto mode = station.mission()->robots.at("kurt3d")->mode;
+    return mode ? mode->sample.mode + ": " + mode->sample.reason : "nobody knows what";
+}
+
+/// Holds the Crawler's sticks until @p ended, or until @p until.
+template <class Ended>
+void rock(Station& station, Clock::time_point until, Ended ended) {
+    const auto began = Clock::now();
+    (void)waitUntil(
+        [&] {
+            const auto way = (Clock::now() - began) / ToAndFro;
+            const DriveView crawler = station.robot("crawler").drive;
+            const double speed = crawler.needsNeutral ? 0.0 : way % 2 == 0 ? Gently : -Gently;
+            station.push({speed, 0.0, 0.0}, true);
+            return ended();
+        },
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - began));
+}
+
+/// Turns Kurt3D until it heads as at @p home.
+bool align(Station& station, const Pose& home) {
+    const auto error = [&] {
+        const Pose off = home.inverse() * placeOf(station, "kurt3d");
+        return std::atan2(off(1, 0), off(0, 0));
+    };
+    station.focus("kurt3d");
+    if (!station.setMode("kurt3d", "teleoperation")) return false;
+    const bool aligned = waitUntil(
+        [&] {
+            const bool wait = station.robot("kurt3d").drive.needsNeutral;
+            station.push({0.0, 0.0, wait ? 0.0 : error() > 0.0 ? -Turn : Turn}, true);
+            return std::abs(error()) < Aligned;
+        },
+        60s);
+    station.push({});
+    return aligned;
+}
+
+}  // namespace
+
+void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length) {
+    const TestDomain domain;
+    const TemporaryFolder memory;
+    StationSettings settings;
+    settings.domain.domain = domain.number();
+    settings.mission.folder = folder;
+    settings.mission.robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
+    settings.memory = memory / "station.yaml";
+    RobotProcess kurt(domain, "kurt3d", {"--arena", "yellow", "--seed", "7"});
+    RobotProcess crawler(domain, "crawler", {"--arena", "yellow", "--seed", "7"});
+    const auto station = must(Station::open(settings));
+    for (const std::string robot : {"kurt3d", "crawler"}) {
+        const bool there = waitUntil(
+            [&] {
+                station->ask(robot);
+                return station->robot(robot).grant.mine &&
+                       station->robot(robot).link.state == LinkState::Connected;
+            },
+            60s);
+        if (!there) throw std::runtime_error(robot + " is not there");
+    }
+    const Pose home = placeOf(*station, "kurt3d");
+    const auto away = [&] { return (placeOf(*station, "kurt3d").translation() - home.translation()).norm(); };
+    station->focus("crawler");
+    double farthest = 0.0;
+    auto asked = Clock::time_point{};
+    const auto isDue = [&] {  // what it sees on its way may be more important to it
+        const bool due = Clock::now() - asked > Again;
+        if (due) asked = Clock::now();
+        return due;
+    };
+    rock(*station, Clock::now() + length / 2, [&] {
+        if (isDue()) (void)station->setMode("kurt3d", "explore");
+        farthest = std::max(farthest, away());
+        return false;
+    });
+    if (farthest < 1.0) throw std::runtime_error("kurt3d did not explore; it does " + doing(*station));
+    PoseSample goal;
+    goal.header.frame = shippedRobot("kurt3d").odomFrame;
+    goal.poseInFrame = home;
+    asked = {};
+    rock(*station, Clock::now() + WayBack, [&] {
+        if (isDue()) {
+            (void)station->goTo("kurt3d", goal);
+            (void)station->setMode("kurt3d", "explore");
+        }
+        return away() < Near;
+    });
+    if (away() >= Near)
+        throw std::runtime_error(fmt::format("kurt3d is {:.1f} m from where it began, was {:.1f}: {}", away(),
+                                             farthest, doing(*station)));
+    if (!align(*station, home)) throw std::runtime_error("kurt3d did not turn back");
+}
+
+}  // namespace leitstand::test

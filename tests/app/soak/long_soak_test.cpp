@@ -1,0 +1,157 @@
+// An hour of the demo, from a mission that is said again and again at several times its pace.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "app/session/log/mission_replay.h"
+#include "app/session/log/replay_rules.h"
+#include "core/io/bag/bag_reader.h"
+#include "tests/app/soak/demo_recording.h"
+#include "tests/app/soak/station_process.h"
+#include "tests/support/dds/test_domain.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+#include "tests/transport/dds/test_node.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds Recorded(120);  ///< and the way back
+constexpr double Hour = 3600.0;                ///< [s]
+constexpr double Rate = 12.0;                  ///< of the mission's time to real time
+constexpr double MostMegabytes = 1500.0, MostCores = 1.0;
+constexpr double LeastHeard = 0.99;  ///< of what was said, pictures apart
+
+/// A mission that is played in a thread of its own as long as this lives.
+class Playing {
+public:
+    Playing(const std::filesystem::path& mission, int domain, double rate) {
+        ReplaySettings settings;
+        settings.mission = mission;
+        settings.domain.domain = domain;
+        settings.domain.interfaces = {"lo"};
+        settings.rate = rate;
+        settings.loop = true;
+        m_replay = must(MissionReplay::open(settings));
+        m_thread = std::jthread([this](const std::stop_token& stop) {
+            const Progress progress{[this](double fraction) { note(fraction); }, stop};
+            m_outcome = m_replay->play(m_paused, progress);
+        });
+    }
+    /// How much of the mission was said, in rounds.
+    [[nodiscard]] double rounds() const { return m_rounds; }
+    ReplayOutcome end() {
+        m_thread.request_stop();
+        m_thread.join();
+        return m_outcome;
+    }
+
+private:
+    void note(double fraction) {
+        if (fraction < m_fraction) ++m_whole;
+        m_fraction = fraction;
+        m_rounds = m_whole + fraction;
+    }
+
+    std::unique_ptr<MissionReplay> m_replay;
+    std::atomic<bool> m_paused = false;
+    double m_fraction = 0.0, m_whole = 0.0;
+    std::atomic<double> m_rounds = 0.0;
+    ReplayOutcome m_outcome;
+    std::jthread m_thread;
+};
+
+/// Messages in @p mission on topics that a replay says, but pictures; by topic.
+std::map<std::string, std::uint64_t> messagesIn(const std::filesystem::path& mission) {
+    const auto bag = must(BagReader::open(mission));
+    bag->count();
+    std::map<std::string, std::uint64_t> counts;
+    for (const BagTopic& topic : bag->topics()) {
+        if (!isReplayable(topic.info.name, topic.info.type) || topic.info.type.ends_with("Image")) continue;
+        counts[topic.info.name] += topic.messages.value_or(0);
+    }
+    return counts;
+}
+
+/// Cores that @p station uses while a mission is said as fast as it was.
+double coresAtRateOne(const StationProcess& station, const std::filesystem::path& mission, int domain) {
+    Playing playing(mission, domain, 1.0);
+    const auto passed = [began = Clock::now()] {
+        return std::chrono::duration<double>(Clock::now() - began).count();
+    };
+    (void)waitUntil([&] { return passed() > 5.0; }, 10s);  // what comes first is dearer
+    const double before = passed(), used = station.processorSeconds();
+    (void)waitUntil([&] { return passed() > before + 40.0; }, 60s);
+    return (station.processorSeconds() - used) / (passed() - before);
+}
+
+TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOneAndAHalfGigabytes) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const auto demo = folder / "demo";
+    ASSERT_NO_THROW(recordDemo(demo, Recorded));
+    const double length = [&] {
+        const auto bag = must(BagReader::open(demo));
+        return std::chrono::duration<double>(bag->last() - bag->first()).count();
+    }();
+    const StationProcess station(folder.path(), domain.number());
+    ASSERT_TRUE(waitUntil([&] { return station.out().find("recorded into") != std::string::npos; }, 60s));
+    const double coresFirst = coresAtRateOne(station, demo, domain.number());
+
+    std::printf(
+        "%.0f s of the demo, said %.0f times as fast\nminute     MB  cores  cores of the demo's time\n",
+        length, Rate);
+    double most = 0.0, halfWay = 0.0;
+    double used = station.processorSeconds();
+    const double usedAtFirst = used;
+    {
+        Playing playing(demo, domain.number(), Rate);
+        auto at = Clock::now();
+        for (int minute = 5; minute <= 60; minute += 5) {
+            const double until = minute * 60.0;
+            ASSERT_TRUE(waitUntil([&] { return playing.rounds() * length >= until; }, 10min)) << minute;
+            const double seconds = station.processorSeconds() - used, megabytes = station.residentMegabytes();
+            const double wall = std::chrono::duration<double>(Clock::now() - at).count();
+            std::printf("%6d  %5.0f  %5.2f  %5.2f\n", minute, megabytes, seconds / wall, seconds / 300.0);
+            std::fflush(stdout);
+            most = std::max(most, megabytes);
+            if (minute == 30) halfWay = megabytes;
+            used += seconds;
+            at = Clock::now();
+        }
+        const ReplayOutcome outcome = playing.end();
+        EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+    }
+    const double usedForIt = station.processorSeconds() - usedAtFirst;
+    const double coresLast = coresAtRateOne(station, demo, domain.number());
+    std::printf(
+        "at the demo's own pace %.2f cores at first, %.2f after the hour; %.0f s for the hour's samples\n",
+        coresFirst, coresLast, usedForIt);
+    EXPECT_LE(most, MostMegabytes);
+    EXPECT_LE(coresFirst, MostCores);
+    EXPECT_LE(coresLast, MostCores) << "an hour makes the station slower";
+    EXPECT_LE(usedForIt, MostCores * Hour);
+    EXPECT_LE(station.residentMegabytes() - halfWay, 100.0) << "it grows with time";
+
+    const auto said = messagesIn(demo), heard = messagesIn(station.mission());
+    for (const auto& [topic, count] : said) {
+        if (count < 10) continue;  // states that stay
+        const double expected = static_cast<double>(count) * Hour / length;
+        const auto found = heard.find(topic);
+        const double got = found == heard.end() ? 0.0 : static_cast<double>(found->second);
+        EXPECT_GE(got, LeastHeard * expected) << topic;
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test

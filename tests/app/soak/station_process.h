@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tests/support/child_process.h"
+
+namespace leitstand::test {
+
+/// The station as operators start it, on both shipped robots: a process with the real window, drawn nowhere.
+/// Nothing of it is left outside of a folder.
+class StationProcess {
+public:
+    /// Records into @p folder / "mission"; on the loopback device.
+    StationProcess(const std::filesystem::path& folder, int domain);
+
+    [[nodiscard]] std::filesystem::path mission() const { return m_folder / "mission"; }
+    [[nodiscard]] double residentMegabytes() const;  ///< 0 when it has ended
+    [[nodiscard]] double processorSeconds() const;   ///< used so far; infinite when it has ended
+    [[nodiscard]] std::string out() const { return m_process.out(); }
+
+private:
+    std::filesystem::path m_folder;
+    ChildProcess m_process;
+};
+
+}  // namespace leitstand::test

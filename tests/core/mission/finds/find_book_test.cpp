@@ -1,0 +1,161 @@
+#include "core/mission/finds/find_book.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mission/decisions.h"
+#include "core/mission/fold.h"
+
+namespace leitstand {
+namespace {
+
+using Kind = VictimSample::Kind;
+using Status = VictimSample::Status;
+using SignState = VictimSign::State;
+using testing::SizeIs;
+
+const Time Now{std::chrono::seconds(100)};
+
+Event event(std::uint64_t sequence, Sample sample) {
+    return {sequence, Now, "", "/leitstand/victims", std::nullopt, "", std::move(sample)};
+}
+
+/// A mission that files what it is told.
+struct Mission {
+    MissionState state;
+    std::uint64_t sequence = 0;
+
+    void say(const Sample& sample) { state = fold(std::move(state), event(++sequence, sample)); }
+    FindKey file(const FrozenEvidence& frozen, Kind kind = Kind::Victim) {
+        const VictimSample sample = filed(state, kind, frozen, "s", Now);
+        say(sample);
+        return {sample.kind, sample.number};
+    }
+    const VictimSample& at(const FindKey& key) const { return state.victims->at(key).victim; }
+};
+
+FrozenEvidence seenAt(double x) {
+    FrozenEvidence frozen;
+    frozen.found = Now;
+    frozen.robot = "kurt3d";
+    frozen.positionInMap = {x, 0.0, 0.3};
+    frozen.heat = 33.0;
+    frozen.evidence = {{"picture", "/kurt3d/left", static_cast<std::uint64_t>(100 * x) + 1, Now}};
+    return frozen;
+}
+
+TEST(FindBook, WhatIsFrozenIsANewFindOrJoinsTheOneThatIsThere) {
+    Mission mission;
+    EXPECT_EQ(mission.file(seenAt(1.0)), FindKey(Kind::Victim, 1U));
+    EXPECT_EQ(mission.file(seenAt(1.3)), FindKey(Kind::Victim, 1U));
+    EXPECT_EQ(mission.file(seenAt(3.0)), FindKey(Kind::Victim, 2U));
+    EXPECT_EQ(mission.file(seenAt(1.0), Kind::Hazard), FindKey(Kind::Hazard, 1U));
+    const VictimSample& first = mission.at({Kind::Victim, 1U});
+    EXPECT_THAT(first.evidence, SizeIs(2));
+    EXPECT_EQ(first.positionInMap.x(), 1.0) << "the first look counts until the operator moves it";
+    EXPECT_EQ(first.heat.state, SignState::Present);
+    EXPECT_EQ(first.heat.value, 33.0);
+    EXPECT_EQ(first.status, Status::Hypothesis);
+}
+
+TEST(FindBook, TheOperatorsWordStandsAgainstLaterMeasurements) {
+    Mission mission;
+    const auto key = mission.file(seenAt(1.0));
+    VictimSample edited = mission.at(key);
+    edited.heat = {SignState::Absent, "lamp", Unknown};
+    mission.say(edited);
+    mission.file(seenAt(1.0));
+    EXPECT_EQ(mission.at(key).heat.state, SignState::Absent);
+    EXPECT_TRUE(std::isnan(mission.at(key).heat.value));
+}
+
+TEST(FindBook, NumbersAreNeverGivenTwiceNotEvenAfterUndo) {
+    Mission mission;
+    mission.file(seenAt(1.0));
+    mission.say(UndoSample{Now, "s", mission.sequence, "V1"});
+    EXPECT_THAT(*mission.state.victims, SizeIs(0));
+    EXPECT_EQ(mission.file(seenAt(1.0)).second, 2U);
+}
+
+TEST(FindBook, ADiscardedFindIsNotJoined) {
+    Mission mission;
+    const auto key = mission.file(seenAt(1.0));
+    mission.say(*withStatus(mission.state, key, Status::Discarded, "s", Now));
+    EXPECT_EQ(mission.file(seenAt(1.0)).second, 2U);
+}
+
+TEST(FindBook, MergedFindsTellTogetherAndUndoTakesThemApart) {
+    Mission mission;
+    const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
+    VictimSample edited = mission.at(other);
+    edited.tag = "R-17";
+    edited.heat.value = 30.0;
+    mission.say(edited);
+    mission.say(*mergedInto(mission.state, other, one.second, "s", Now));
+    const auto whole = *wholeFind(mission.state, one);
+    EXPECT_EQ(whole.tag, "R-17");
+    EXPECT_EQ(whole.heat.value, 33.0) << "its own word first";
+    EXPECT_THAT(whole.evidence, SizeIs(2));
+    EXPECT_EQ(mission.at(other).status, Status::Discarded);
+    mission.say(UndoSample{Now, "s", mission.sequence, "merge"});
+    EXPECT_THAT(wholeFind(mission.state, one)->evidence, SizeIs(1));
+    EXPECT_EQ(mission.at(other).status, Status::Hypothesis);
+}
+
+TEST(FindBook, NothingIsMergedIntoItselfNothingOrTheDiscarded) {
+    Mission mission;
+    const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
+    EXPECT_FALSE(mergedInto(mission.state, one, one.second, "s", Now));
+    EXPECT_FALSE(mergedInto(mission.state, one, 9, "s", Now));
+    mission.say(*withStatus(mission.state, other, Status::Discarded, "s", Now));
+    EXPECT_FALSE(mergedInto(mission.state, one, other.second, "s", Now));
+    EXPECT_FALSE(withStatus(mission.state, {Kind::Code, 1U}, Status::Confirmed, "s", Now));
+}
+
+TEST(FindBook, AMovedFindStillMovesWithItsScan) {
+    Mission mission;
+    auto scan = std::make_shared<Scan>();
+    scan->robot = "kurt3d";
+    KeyScanSample key;
+    key.id = 4;
+    key.scan = scan;
+    key.scanInMap = Pose(Eigen::Translation3d(1.0, 0.0, 0.0));
+    mission.say(key);
+    FrozenEvidence frozen = seenAt(2.0);
+    frozen.scan = 4;
+    frozen.positionInScan = {1.0, 0.0, 0.3};
+    const auto find = mission.file(frozen);
+    mission.say(*movedTo(mission.state, find, {5.0, 0.0, 0.0}, "s", Now));
+    EXPECT_NEAR(positionInMap(mission.state, mission.at(find)).x(), 5.0, 1e-9);
+    ScanPosesSample poses;
+    poses.poses = {{.scan = 4, .scanInMap = Pose(Eigen::Translation3d(2.0, 0.0, 0.0))}};
+    mission.say(poses);
+    EXPECT_NEAR(positionInMap(mission.state, mission.at(find)).x(), 6.0, 1e-9);
+    EXPECT_FALSE(movedTo(mission.state, find, {NAN, 0.0, 0.0}, "s", Now));
+}
+
+TEST(FindBook, ACandidateIsFiledWithItsCues) {
+    Mission mission;
+    ModeSample mode;
+    mode.autonomous = true;
+    mission.state.robots["kurt3d"].edit().mode = {1, Now, mode};
+    CandidateSample candidate;
+    candidate.id = 1;
+    candidate.positionInMap = {3.0, 1.0, 0.2};
+    candidate.cues = {
+        {.kind = "heat", .robot = "kurt3d", .topic = "/kurt3d/ir", .sequence = 5, .value = 34.0},
+        {.kind = "motion", .robot = "kurt3d", .topic = "/kurt3d/left", .sequence = 6},
+        {.kind = "sighting", .robot = "kurt3d", .topic = "/kurt3d/sightings", .sequence = 7}};
+    const auto sample = filedFrom(mission.state, candidate, "s", Now);
+    EXPECT_EQ(sample.heat.value, 34.0);
+    EXPECT_EQ(sample.motion.state, SignState::Present);
+    EXPECT_EQ(sample.co2.state, SignState::Unknown);
+    EXPECT_TRUE(sample.autonomous);
+    ASSERT_THAT(sample.evidence, SizeIs(3));
+    EXPECT_EQ(sample.evidence[2].kind, "sighting");
+}
+
+}  // namespace
+}  // namespace leitstand

@@ -1,0 +1,91 @@
+#include "core/mission/undo.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mission/fold.h"
+#include "tests/core/mission/event_stream.h"
+
+namespace leitstand {
+namespace {
+
+using test::at;
+using test::event;
+using test::keyScan;
+using Kind = MapDecision::Kind;
+
+/// A mission of two scans, and what the operator does with them.
+class UndoOnMap : public testing::Test {
+protected:
+    UndoOnMap() {
+        add(keyScan(1, 0.0));
+        add(keyScan(2, 1.0));
+    }
+    void add(Sample sample) { m_fold.add(event(++m_sequence, std::move(sample))); }
+    void decide(std::vector<std::uint64_t> scans, ScanTrust trust, const std::string& station = "us") {
+        ScanPosesSample made;
+        made.station = station;
+        made.cause = ScanPosesSample::Cause::Operator;
+        for (const std::uint64_t scan : scans) made.poses.push_back({.scan = scan, .trust = trust});
+        add(made);
+    }
+    [[nodiscard]] const MissionState& state() const { return m_fold.state(); }
+    [[nodiscard]] bool takeBack() {
+        const auto undo = undoOnMap(state(), "us", at(0));
+        if (undo) add(*undo);
+        return undo.has_value();
+    }
+    [[nodiscard]] bool doAgain() {
+        const auto redo = redoOnMap(state(), "us", at(0));
+        if (redo) add(*redo);
+        return redo.has_value();
+    }
+
+    Fold m_fold;
+    std::uint64_t m_sequence = 0;
+};
+
+TEST_F(UndoOnMap, NamesWhatItTakesBack) {
+    EXPECT_FALSE(undoable(state(), "us").has_value());
+    decide({2}, ScanTrust::Certain);
+    decide({1, 2}, ScanTrust::SetAside);
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::SetAside);
+    EXPECT_EQ(undoable(state(), "us")->scans.size(), 2U);
+    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo: 2 scans set aside");
+    ASSERT_TRUE(takeBack());
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Taken);
+    EXPECT_THAT(undoable(state(), "us")->scans, testing::ElementsAre(2));
+    EXPECT_EQ(redoable(state(), "us")->kind, Kind::SetAside);
+    decide({1}, ScanTrust::Uncertain);
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Tried);
+    EXPECT_FALSE(redoable(state(), "us").has_value()) << "something was decided since";
+}
+
+TEST_F(UndoOnMap, TakesAreasAndScansBackInTheirOrderAndDoesThemAgain) {
+    add(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, 0}, {4, 0}, {4, 3}}});
+    decide({1}, ScanTrust::SetAside);
+    add(MapCropSample{.stamp = {}, .station = "us", .polygon = {}, .ceiling = 2.0});
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Crop);
+    ASSERT_TRUE(takeBack());
+    EXPECT_EQ(state().crop->sample.polygon.size(), 3U);
+    ASSERT_TRUE(takeBack());
+    EXPECT_EQ(state().keyScans->at(1).pose.trust, ScanTrust::Certain);
+    ASSERT_TRUE(takeBack());
+    EXPECT_FALSE(state().crop.has_value());
+    EXPECT_FALSE(takeBack());
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(doAgain());
+    EXPECT_FALSE(doAgain());
+    EXPECT_EQ(state().crop->sample.ceiling, 2.0);
+    EXPECT_EQ(state().keyScans->at(1).pose.trust, ScanTrust::SetAside);
+}
+
+TEST_F(UndoOnMap, LeavesOtherStationsAndRegistrationsAlone) {
+    decide({1}, ScanTrust::SetAside, "them");
+    add(MapCropSample{.stamp = {}, .station = "them", .polygon = {}, .ceiling = 2.0});
+    add(test::moved(2, 1.5));
+    EXPECT_FALSE(takeBack());
+    EXPECT_TRUE(undoable(state(), "them").has_value());
+}
+
+}  // namespace
+}  // namespace leitstand

@@ -1,0 +1,248 @@
+#include "tests/simulation/victims/search_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <variant>
+
+namespace leitstand::simulation::test {
+namespace {
+
+constexpr double LookRange = 4.0, CloseRange = 1.2;  // [m]
+constexpr float SkinKelvin = 273.15F + 27.5F;
+constexpr int EnoughLooks = 8;
+
+std::chrono::nanoseconds threadTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+}  // namespace
+
+double fromBody(const Element& element, const Eigen::Vector3d& place) {
+    const Eigen::Vector3d inside = element.pose.inverse() * place;
+    const Eigen::Vector2d over =
+        (inside.head<2>().cwiseAbs() - element.size.head<2>() / 2).cwiseMax(Eigen::Vector2d::Zero());
+    return over.norm();
+}
+
+SearchDrive::SearchDrive(const Arena& arena, const DriveSetup& setup)
+    : driven(arena, setup),
+      m_robot(shippedRobot(setup.kind)),
+      m_cutter(m_robot.name),
+      m_mapper("test", {}),
+      m_frames(m_robot) {
+    m_mapper.setBody(m_robot.name, {m_robot.footprint, m_robot.height});
+    search = std::make_unique<VictimSearch>(std::vector{m_robot}, "test");
+    const auto& elements = arena.elements;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (!elements[i].victim) continue;
+        VictimTruth truth;
+        truth.element = static_cast<int>(i);
+        truth.warm = elements[i].victim->temperature >= 28.0;
+        truth.hidden = elements[i].victim->hidden;
+        victims.push_back(truth);
+    }
+    for (const StreamDescription& stream : m_robot.streams) {
+        if (stream.role != StreamRole::Picture) continue;
+        StreamCommandSample on;
+        on.topic = stream.topic;
+        on.enabled = true;
+        on.rate = 6.0;
+        driven.station->say(StreamRole::StreamCommand, on);
+    }
+    driven.onSample = [this](const HardwareSample& sample) { hear(sample); };
+}
+
+Event SearchDrive::eventOf(const HardwareSample& sample) {
+    Event event;
+    event.sequence = ++m_sequence;
+    event.received = driven.world->now();
+    event.robot = m_robot.name;
+    event.role = sample.role;
+    event.sensor = sample.sensor;
+    if (const StreamDescription* stream = m_robot.stream(sample.role, sample.sensor))
+        event.topic = stream->topic;
+    event.sample = sample.sample;
+    return event;
+}
+
+void SearchDrive::give(const Event& event) {
+    const auto begin = threadTime();
+    search->take(event);
+    if (event.received >= m_due) {
+        m_due = event.received + std::chrono::milliseconds(200);
+        for (const CandidateSample& one : search->due(event.received)) {
+            candidates[one.id] = one;
+            ++updates;
+        }
+    }
+    worked += threadTime() - begin;
+}
+
+void SearchDrive::hear(const HardwareSample& sample) {
+    const Event event = eventOf(sample);
+    m_frames.add(event);
+    map(event);
+    give(event);
+    look(event);
+}
+
+void SearchDrive::map(const Event& event) {
+    const Time now = event.received;
+    const auto& sensors = m_robot.sensors;
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        m_cutter.add(*odometry, now);
+    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+        m_cutter.add(*imu, sensors.at(event.sensor).sensorInBase, now);
+    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        m_cutter.add(*cloud, sensors.at(event.sensor).sensorInBase, now);
+    }
+    for (const LiveScan& scan : m_cutter.take(now)) {
+        const MapUpdate update = m_mapper.add(scan, now);
+        Event told;
+        told.received = now;
+        if (update.keyScan) {
+            if (!m_mapped) {
+                const Pose truth = driven.world->baseInArena(driven.robot, update.keyScan->scan->end);
+                m_mapInArena =
+                    truth * (update.keyScan->scanInMap * update.keyScan->sensorInBase.inverse()).inverse();
+                m_mapped = true;
+            }
+            told.sequence = ++m_sequence;
+            told.sample = *update.keyScan;
+            give(told);
+        }
+        if (update.poses) {
+            told.sequence = ++m_sequence;
+            told.sample = *update.poses;
+            give(told);
+        }
+    }
+}
+
+void SearchDrive::look(const Event& event) {
+    const auto* picture = std::get_if<PictureSample>(&event.sample);
+    if (picture == nullptr) return;
+    const bool infrared = event.role == StreamRole::Thermal;
+    if (!infrared && event.sensor != "left") return;
+    const auto inBase = m_frames.inBase(event.sensor, picture->header.frame, picture->header.stamp);
+    if (!inBase) return;
+    const Pose camera = driven.world->baseInArena(driven.robot, picture->header.stamp) * *inBase;
+    std::map<int, int> rays;
+    for (int across = -18; across <= 18; across += 2) {
+        for (int down = -14; down <= 14; down += 2) {
+            Ray ray;
+            ray.origin = camera.translation().cast<float>();
+            ray.direction =
+                (camera.linear() *
+                 Eigen::Vector3d(std::tan(degrees(across)), std::tan(degrees(down)), 1.0).normalized())
+                    .cast<float>();
+            const Hit hit = driven.world->scene().cast(ray, RayKind::Camera, driven.robot);
+            if (!hit.there() || hit.surface->element < 0) continue;
+            const bool near = hit.distance < (infrared ? LookRange : CloseRange);
+            if (near && (!infrared || hit.surface->temperature > SkinKelvin)) ++rays[hit.surface->element];
+        }
+    }
+    for (VictimTruth& truth : victims) {
+        const auto seen = rays.find(truth.element);
+        if (seen == rays.end() || seen->second < 2) continue;
+        ++(infrared ? truth.looks : truth.closeLooks);
+    }
+}
+
+SearchResult judge(const SearchDrive& drive, const std::string& title) {
+    using Kind = VictimSample::Kind;
+    SearchResult result;
+    const auto& elements = drive.driven.world->arena().elements;
+    std::printf("%s: %d updates of %zu candidates, %.1f %% of a core\n", title.c_str(), drive.updates,
+                drive.candidates.size(),
+                100.0 * std::chrono::duration<double>(drive.worked).count() / drive.driven.world->seconds());
+    std::map<std::uint32_t, bool> used;
+    const auto inArena = [&](const CandidateSample& one) { return drive.mapInArena() * one.positionInMap; };
+    for (const VictimTruth& truth : drive.victims) {
+        const Element& element = elements[static_cast<std::size_t>(truth.element)];
+        const CandidateSample* best = nullptr;
+        for (const auto& [id, one] : drive.candidates) {
+            if (one.kind != Kind::Victim || one.dismissed) continue;
+            const double off = fromBody(element, inArena(one));
+            if (off > 0.5) continue;
+            if (best == nullptr || off < fromBody(element, inArena(*best))) best = &one;
+        }
+        const bool asked = truth.warm && !truth.hidden && truth.looks >= EnoughLooks;
+        std::printf("  %-10s %-8s %4.1f C, %4.0f ppm%s, %3d looks: ", element.name.c_str(),
+                    toString(element.victim->situation).c_str(), element.victim->temperature,
+                    element.victim->co2, element.victim->waving ? ", waves" : "", truth.looks);
+        if (best != nullptr) {
+            const Eigen::Vector3d place = inArena(*best);
+            const double off = fromBody(element, place);
+            std::string kinds;
+            for (const Cue& cue : best->cues) kinds += " " + cue.kind;
+            std::printf("found %2.0f cm off its body (told %2.0f), %3.0f cm from its middle, sure %.2f:%s\n",
+                        100.0 * off, 100.0 * best->deviation,
+                        100.0 * (place - element.pose.translation()).head<2>().norm(), best->confidence,
+                        kinds.c_str());
+            if (asked) result.worst = std::max(result.worst, off);
+            used[best->id] = true;
+        } else {
+            std::printf("%s\n", asked          ? "NOT FOUND"
+                                : truth.hidden ? "hidden"
+                                : !truth.warm  ? "cold: nothing to be seen by heat"
+                                               : "not looked at");
+        }
+        result.lookedAt += asked ? 1 : 0;
+        result.found += asked && best != nullptr ? 1 : 0;
+    }
+    for (const auto& [id, one] : drive.candidates) {
+        const Eigen::Vector3d place = inArena(one);
+        if (one.dismissed) continue;
+        const Element* nearest = nullptr;
+        for (const Element& element : elements) {
+            if (one.kind == Kind::Victim && element.kind == ElementKind::Floor) continue;
+            if (one.kind == Kind::Victim && element.kind == ElementKind::Wall) continue;
+            const bool sign = element.kind == ElementKind::Sign;
+            if (one.kind != Kind::Victim && !sign && !element.victim) continue;
+            if (nearest == nullptr || fromBody(element, place) < fromBody(*nearest, place))
+                nearest = &element;
+        }
+        const double off = nearest == nullptr ? 99.0 : fromBody(*nearest, place);
+        if (one.kind == Kind::Victim) {
+            const bool real = nearest != nullptr && nearest->victim && off < 0.5;
+            if (used.contains(id)) continue;
+            ++result.falseOnes;
+            std::string kinds;
+            for (const Cue& cue : one.cues) kinds += " " + cue.kind;
+            std::printf("  FALSE%s: %.2f %.2f %.2f, sure %.2f, %.0f cm from %s (%.1f C):%s\n",
+                        real ? " (second one of a victim)" : "", place.x(), place.y(), place.z(),
+                        one.confidence, 100.0 * off, nearest == nullptr ? "?" : nearest->name.c_str(),
+                        nearest == nullptr ? 0.0 : nearest->temperature, kinds.c_str());
+            continue;
+        }
+        const std::string text = one.cues.empty() ? "" : one.cues.front().text;
+        const bool code = one.kind == Kind::Code;
+        bool right = false;
+        double nearestSame = 99.0;
+        for (const Element& element : elements) {
+            const std::string says = element.victim ? "qr:" + element.victim->tag : element.text;
+            bool same = code ? says == "qr:" + text : says.starts_with("hazard:");
+            if (!code && same) same = text.find(says.substr(7)) != std::string::npos;
+            if (!same) continue;
+            nearestSame = std::min(nearestSame, (place - element.pose.translation()).head<2>().norm());
+        }
+        right = nearestSame < (code ? 0.6 : 0.4);
+        ++(code ? result.codes : result.hazards);
+        if (!right) ++(code ? result.codesWrong : result.hazardsWrong);
+        std::printf("  %s \"%s\" at %.2f %.2f %.2f, sure %.2f: %s%.0f cm off\n", code ? "code" : "hazard",
+                    text.c_str(), place.x(), place.y(), place.z(), one.confidence, right ? "" : "WRONG, ",
+                    100.0 * nearestSame);
+    }
+    std::printf(
+        "  %d of %d looked at found, worst %.0f cm, %d false; %d codes (%d wrong), %d placards (%d wrong)\n",
+        result.found, result.lookedAt, 100.0 * result.worst, result.falseOnes, result.codes,
+        result.codesWrong, result.hazards, result.hazardsWrong);
+    return result;
+}
+
+}  // namespace leitstand::simulation::test

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include "tests/widgets/panes/shown.h"
+#include "widgets/theme.h"
+#include "widgets/victims/victim_form.h"
+#include "widgets/victims/victims_panel.h"
+
+namespace leitstand::test {
+namespace {
+
+using Kind = VictimSample::Kind;
+
+std::vector<VictimRow> rows() {
+    VictimRow first, second, sign, candidate;
+    first = {{Kind::Victim, 1U},    0,   "V1", "victim", "confirmed", "3.2 m, 40° left",
+             "heat 33 °C · motion", true};
+    second = {{Kind::Victim, 2U},       0, "V2", "victim", "unconfirmed", "12 m, behind",
+              "CO₂ 1800 ppm · no sound"};
+    second.tone = Tone::Attention;
+    sign = {{Kind::Hazard, 1U}, 0, "H1", "hazard", "confirmed", "0.8 m, ahead", "flammable", true};
+    candidate = {{Kind::Victim, 0U}, 4, "?", "victim", "candidate 82 %", "5.1 m, 25° right", "heat 31 °C"};
+    candidate.tone = Tone::Muted;
+    return {first, second, sign, candidate};
+}
+
+VictimSample victim() {
+    VictimSample victim;
+    victim.number = 2;
+    victim.heat = {VictimSign::State::Present, "face", 33.4};
+    victim.sound.state = VictimSign::State::Absent;
+    victim.situation = "void";
+    victim.tag = "R-17";
+    return victim;
+}
+
+class VictimPanes : public testing::TestWithParam<Theme> {
+protected:
+    void SetUp() override { useTheme(GetParam()); }
+    [[nodiscard]] QString named(const char* what) const {
+        return QStringLiteral("victims_%1_%2")
+            .arg(QString::fromLatin1(what),
+                 GetParam() == Theme::Dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    }
+};
+
+TEST_P(VictimPanes, TheListIsReadWhole) {
+    VictimsPanel panel;
+    panel.show(rows());
+    const QImage shown = pictureOf(panel, {560, 220}, named("list"));
+    EXPECT_GT(countOf(shown, coloursOf(GetParam()).attention), 0) << "one is not confirmed";
+    panel.show({});
+    EXPECT_EQ(countOf(pictureOf(panel, {560, 220}, named("calm")), coloursOf(GetParam()).attention), 0);
+}
+
+TEST_P(VictimPanes, TheFormShowsWhatIsKnown) {
+    VictimForm form;
+    form.show(victim());
+    (void)pictureOf(form, {420, 360}, named("form"));
+    EXPECT_TRUE(form.isEnabled());
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, VictimPanes, testing::Values(Theme::Dark, Theme::Light),
+                         [](const auto& one) { return one.param == Theme::Dark ? "Dark" : "Light"; });
+
+TEST(VictimsPanel, AChoiceStaysWhileRowsComeAndGo) {
+    VictimsPanel panel;
+    panel.show(rows());
+    panel.choose({Kind::Victim, 2U});
+    ASSERT_TRUE(panel.chosen());
+    EXPECT_EQ(panel.chosen()->name, QStringLiteral("V2"));
+    auto fewer = rows();
+    fewer.erase(fewer.begin());
+    panel.show(fewer);
+    ASSERT_TRUE(panel.chosen());
+    EXPECT_EQ(panel.chosen()->name, QStringLiteral("V2"));
+}
+
+TEST(VictimForm, ToldAtOnceWhatIsChangedAndNothingElse) {
+    VictimForm form;
+    form.show(victim());
+    QSignalSpy edited(&form, &VictimForm::edited);
+    form.show(victim());
+    EXPECT_EQ(edited.count(), 0) << "showing is no edit";
+    const auto boxes = form.findChildren<QComboBox*>();
+    boxes[0]->setCurrentIndex(0);
+    const int before = edited.count();
+    for (QComboBox* box : boxes) {
+        if (box->accessibleName() == QStringLiteral("Sound")) box->setCurrentIndex(2);
+    }
+    ASSERT_EQ(edited.count(), before + 1);
+    const auto told = edited.back().at(0).value<VictimSample>();
+    EXPECT_EQ(told.sound.state, VictimSign::State::Present);
+    EXPECT_EQ(told.heat.value, 33.4) << "a value that was not touched is not rounded";
+    EXPECT_EQ(told.tag, "R-17");
+}
+
+TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
+    VictimForm form;
+    form.show(victim());
+    form.resize(420, 360);
+    form.QWidget::show();
+    QLineEdit* tag = nullptr;
+    for (QLineEdit* line : form.findChildren<QLineEdit*>()) {
+        if (line->accessibleName() == QStringLiteral("Tag")) tag = line;
+    }
+    ASSERT_NE(tag, nullptr);
+    form.activateWindow();
+    tag->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return tag->hasFocus(); }));
+    tag->setText(QStringLiteral("K-4"));
+    VictimSample newer = victim();
+    newer.text = "said elsewhere";
+    form.show(newer);
+    EXPECT_EQ(tag->text(), QStringLiteral("K-4"));
+    QSignalSpy edited(&form, &VictimForm::edited);
+    QTest::keyClick(tag, Qt::Key_Return);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_EQ(edited[0].at(0).value<VictimSample>().tag, "K-4");
+    EXPECT_EQ(edited[0].at(0).value<VictimSample>().text, "said elsewhere");
+}
+
+TEST(VictimForm, IsFilledInWithoutAMouse) {
+    VictimForm form;
+    form.show(victim());
+    form.resize(420, 360);
+    form.QWidget::show();
+    form.activateWindow();
+    QSignalSpy edited(&form, &VictimForm::edited);
+    form.nextField(1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return form.focusWidget() != nullptr; }));
+    form.change(1);
+    form.change(1);
+    ASSERT_EQ(edited.count(), 2);
+    EXPECT_EQ(edited[1].at(0).value<VictimSample>().form.state, VictimSign::State::Present);
+    VictimSample sign;
+    sign.kind = Kind::Hazard;
+    sign.number = 1;
+    form.show(sign);
+    form.nextField(1);
+    EXPECT_EQ(form.focusWidget()->accessibleName().toStdString(), "Tag") << "a sign has no signs of life";
+}
+
+}  // namespace
+}  // namespace leitstand::test

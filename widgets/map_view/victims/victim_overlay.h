@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "widgets/models/victims/victim_rows.h"
+
+class QPainter;
+
+namespace leitstand {
+
+class MapProjection;
+struct OverlayStyle;
+
+/// Paints finds with their names, the chosen one last and ringed: victims are discs, hazards diamonds, codes
+/// squares, objects hexagons; filled when confirmed, outlined before. Candidates are small dashed rings with
+/// a question mark.
+void paintVictims(QPainter& painter, const MapProjection& projection, const std::vector<VictimRow>& finds,
+                  const std::optional<FindKey>& chosen, const OverlayStyle& style);
+
+}  // namespace leitstand

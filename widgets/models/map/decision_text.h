@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "core/mission/undo.h"
+
+namespace leitstand {
+
+/// A decision on the map in the operator's words, after "Undo": "scan 12 set aside", "3 scans set aside",
+/// "the map's area".
+[[nodiscard]] QString decisionText(const MapDecision& decision);
+
+}  // namespace leitstand

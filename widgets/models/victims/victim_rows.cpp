@@ -1,0 +1,166 @@
+#include "widgets/models/victims/victim_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "core/mission/finds/find_book.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+using Kind = VictimSample::Kind;
+using Status = VictimSample::Status;
+constexpr double LeastShown = 0.5;  // confidence of a candidate
+
+QString tr(const char* text, const char* note = nullptr) {
+    return QCoreApplication::translate("leitstand::Victims", text, note);
+}
+
+void addSign(QStringList& to, const QString& name, const VictimSign& sign, const QString& unit,
+             int decimals) {
+    if (sign.state == VictimSign::State::Unknown) return;
+    if (sign.state == VictimSign::State::Absent) {
+        to += tr("no %1", "a sign of life").arg(name);
+        return;
+    }
+    QString text = name;
+    if (!std::isnan(sign.value)) text += QLatin1Char(' ') + numberText(sign.value, decimals) + unit;
+    if (!sign.text.empty()) text += QLatin1Char(' ') + QString::fromStdString(sign.text);
+    to += text;
+}
+
+QString cueText(const Cue& cue) {
+    if (cue.kind == "heat") {
+        return std::isnan(cue.value) ? tr("heat") : tr("heat %1 °C").arg(numberText(cue.value, 0));
+    }
+    if (cue.kind == "motion") return tr("motion");
+    if (cue.kind == "co2") {
+        return std::isnan(cue.value) ? tr("CO₂") : tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
+    }
+    if (cue.kind == "sighting") return tr("the robot's own");
+    return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard)
+                            : QString::fromStdString(cue.text);
+}
+
+VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimState& entry,
+                const std::optional<Pose>& robotInMap) {
+    const VictimSample whole = wholeFind(mission, key).value_or(entry.victim);
+    VictimRow row;
+    row.find = key;
+    row.name = QString::fromStdString(nameOf(key.first, key.second));
+    row.what = kindText(key.first);
+    row.confirmed = whole.status == Status::Confirmed;
+    row.state = row.confirmed ? tr("confirmed") : tr("unconfirmed");
+    row.tone = row.confirmed ? Tone::Normal : Tone::Attention;
+    row.inMap = positionInMap(mission, entry.victim);
+    row.deviation = whole.deviation;
+    if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
+    row.signs = signsText(whole);
+    return row;
+}
+
+VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
+                const std::optional<Pose>& robotInMap) {
+    VictimRow row;
+    row.find = {candidate.kind, 0};
+    row.candidate = candidate.id;
+    row.name = QStringLiteral("?");
+    row.what = kindText(candidate.kind);
+    row.state = tr("candidate %1").arg(percentText(candidate.confidence));
+    row.tone = Tone::Muted;
+    row.inMap = positionInMap(mission, candidate);
+    row.deviation = candidate.deviation;
+    if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
+    QStringList signs;
+    for (const Cue& cue : candidate.cues) {
+        const QString text = cueText(cue);
+        if (!signs.contains(text)) signs += text;
+    }
+    row.signs = signs.join(QStringLiteral(" · "));
+    return row;
+}
+
+}  // namespace
+
+QString kindText(Kind kind) {
+    switch (kind) {
+        case Kind::Victim:
+            return tr("victim");
+        case Kind::Hazard:
+            return tr("hazard");
+        case Kind::Code:
+            return tr("QR code");
+        case Kind::Object:
+            return tr("object");
+    }
+    return {};
+}
+
+QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place) {
+    const Eigen::Vector3d seen = robotInMap.inverse() * place;
+    const double distance = seen.head<2>().norm();
+    const QString metres = tr("%1 m").arg(numberText(distance, distance < 10.0 ? 1 : 0));
+    const double bearing = std::atan2(seen.y(), seen.x()) * 180.0 / std::numbers::pi;
+    const int degrees = 5 * static_cast<int>(std::lround(std::abs(bearing) / 5.0));
+    if (distance < 0.3) return metres;
+    if (degrees < 10) return tr("%1, ahead").arg(metres);
+    if (degrees > 170) return tr("%1, behind").arg(metres);
+    return (bearing > 0.0 ? tr("%1, %2° left") : tr("%1, %2° right")).arg(metres).arg(degrees);
+}
+
+QString signsText(const VictimSample& find) {
+    QStringList signs;
+    if (find.kind == Kind::Victim) {
+        addSign(signs, tr("form"), find.form, {}, 0);
+        addSign(signs, tr("motion"), find.motion, {}, 0);
+        addSign(signs, tr("heat"), find.heat, tr(" °C"), 0);
+        addSign(signs, tr("sound"), find.sound, {}, 0);
+        addSign(signs, tr("CO₂"), find.co2, tr(" ppm"), 0);
+        if (!find.situation.empty()) signs += QString::fromStdString(find.situation);
+    }
+    if (!find.tag.empty()) signs += QString::fromStdString(find.tag);
+    return signs.join(QStringLiteral(" · "));
+}
+
+std::vector<VictimRow> victimRows(const MissionState& mission, const std::optional<Pose>& robotInMap) {
+    std::vector<VictimRow> rows;
+    for (const auto& [key, entry] : *mission.victims) {
+        if (entry.victim.status != Status::Discarded) rows.push_back(rowOf(mission, key, entry, robotInMap));
+    }
+    std::vector<const CandidateSample*> candidates;
+    for (const auto& [id, entry] : *mission.candidates) {
+        const CandidateSample& one = entry.candidate;
+        if (one.victim != 0 || one.dismissed || !(one.confidence >= LeastShown)) continue;
+        if (!findNear(mission, one.kind, positionInMap(mission, one))) candidates.push_back(&one);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const auto* a, const auto* b) { return a->confidence > b->confidence; });
+    for (const CandidateSample* one : candidates) rows.push_back(rowOf(mission, *one, robotInMap));
+    return rows;
+}
+
+QString victimsTitle(const std::vector<VictimRow>& rows) {
+    int victims = 0, open = 0, others = 0, candidates = 0;
+    for (const VictimRow& row : rows) {
+        if (!row.filed()) {
+            ++candidates;
+        } else if (row.find.first == Kind::Victim) {
+            ++victims;
+            open += row.confirmed ? 0 : 1;
+        } else {
+            ++others;
+        }
+    }
+    QString title = victims == 1 ? tr("1 victim") : tr("%1 victims").arg(victims);
+    if (open > 0) title += tr(", %1 not confirmed").arg(open);
+    if (others > 0) title += tr(" · %1 others").arg(others);
+    if (candidates > 0) title += tr(" · %1 candidates").arg(candidates);
+    return title;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/mission/mission_state.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// A victim, another find, or what the station believes to be one, as a row of a list and as a mark.
+struct VictimRow {
+    FindKey find{VictimSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
+    std::uint32_t candidate = 0;                  ///< CandidateSample::id of one
+    QString name;                                 ///< "V1"; of candidates "?"
+    QString what;                                 ///< "victim", "hazard", "QR code", "object"
+    QString state;                                ///< "confirmed", "unconfirmed", "candidate 82 %"
+    QString where;                                ///< from the robot: "3.2 m, 40° left"
+    QString signs;                                ///< "heat 33 °C · motion"
+    bool confirmed = false;
+    Tone tone = Tone::Normal;
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
+    double deviation = Unknown;                       ///< [m]
+
+    [[nodiscard]] bool filed() const { return candidate == 0; }
+    friend bool operator==(const VictimRow&, const VictimRow&) = default;
+};
+
+/// All that is not discarded, by kind and number, and after them candidates that were neither filed nor
+/// dismissed, the surest first. @p robotInMap: of the selected robot; empty: nobody knows.
+[[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
+                                                const std::optional<Pose>& robotInMap);
+
+/// "3.2 m, 40° left": of @p place as seen from a robot.
+[[nodiscard]] QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place);
+/// What is known of @p find in short: "heat 33 °C · motion · trapped · R-17".
+[[nodiscard]] QString signsText(const VictimSample& find);
+/// "victim", "hazard", "QR code", "object".
+[[nodiscard]] QString kindText(VictimSample::Kind kind);
+/// "2 victims, 1 not confirmed · 3 candidates"; for the list's title.
+[[nodiscard]] QString victimsTitle(const std::vector<VictimRow>& rows);
+
+}  // namespace leitstand

@@ -1,0 +1,195 @@
+#include "widgets/victims/victim_form.h"
+
+#include <cmath>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include "widgets/models/numbers.h"
+#include "widgets/models/victims/victim_rows.h"
+
+namespace leitstand {
+namespace {
+
+void setText(QLineEdit& line, const QString& text) {
+    if (!line.hasFocus() && line.text() != text) line.setText(text);
+}
+
+void setChoice(QComboBox& box, const QString& word) {
+    const int index = box.findData(word);
+    if (index < 0 && !word.isEmpty()) box.addItem(word, word);  // of another program
+    box.setCurrentIndex(box.findData(word));
+}
+
+QComboBox* choiceBox(QWidget& parent, const QString& name, const std::vector<VictimChoice>& choices) {
+    auto* box = new QComboBox(&parent);
+    box->setAccessibleName(name);
+    for (const VictimChoice& choice : choices) box->addItem(choice.text, QString::fromStdString(choice.word));
+    return box;
+}
+
+}  // namespace
+
+VictimForm::VictimForm(QWidget* parent)
+    : QWidget(parent),
+      m_title(new QLabel(this)),
+      m_situation(choiceBox(*this, tr("Situation"), situationChoices())),
+      m_area(choiceBox(*this, tr("Area"), areaChoices())),
+      m_tag(line(tr("Tag"), tr("what is written on it"))),
+      m_text(line(tr("Remarks"), tr("how to get there, what to mind"))) {
+    setAccessibleName(tr("Form of the chosen find"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 4, 8, 8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(2, 1);
+    grid->addWidget(m_title, 0, 0, 1, 4);
+    int row = 1;
+    const auto label = [&](const QString& text, QWidget* field) {
+        auto* name = new QLabel(text, this);
+        name->setBuddy(field);
+        name->setProperty("muted", true);
+        grid->addWidget(name, row, 0);
+    };
+    for (const SignField& field : signFields()) {
+        auto* state = new QComboBox(this);
+        state->setAccessibleName(field.name);
+        using State = VictimSign::State;
+        for (const State one : {State::Unknown, State::Absent, State::Present})
+            state->addItem(signStateText(one), static_cast<int>(one));
+        auto* text = line(tr("%1, in words").arg(field.name), field.placeholder);
+        QLineEdit* value = nullptr;
+        label(field.name, state);
+        grid->addWidget(state, row, 1);
+        grid->addWidget(text, row, 2, 1, field.unit.isEmpty() ? 2 : 1);
+        m_fields.insert(m_fields.end(), {state, text});
+        if (!field.unit.isEmpty()) {
+            value = line(tr("%1, measured").arg(field.name), field.unit);
+            value->setMaximumWidth(88);
+            grid->addWidget(value, row, 3);
+            m_fields.push_back(value);
+        }
+        m_signs.push_back({field, state, text, value});
+        connect(state, &QComboBox::currentIndexChanged, this, &VictimForm::read);
+        ++row;
+    }
+    const auto whole = [&](const QString& text, QWidget* field) {
+        label(text, field);
+        grid->addWidget(field, row++, 1, 1, 3);
+        m_fields.push_back(field);
+    };
+    whole(tr("Situation"), m_situation);
+    whole(tr("Tag"), m_tag);
+    whole(tr("Area"), m_area);
+    whole(tr("Remarks"), m_text);
+    grid->setRowStretch(row, 1);
+    connect(m_situation, &QComboBox::currentIndexChanged, this, &VictimForm::read);
+    connect(m_area, &QComboBox::currentIndexChanged, this, &VictimForm::read);
+    show(std::nullopt);
+}
+
+QLineEdit* VictimForm::line(const QString& name, const QString& placeholder) {
+    auto* made = new QLineEdit(this);
+    made->setAccessibleName(name);
+    made->setPlaceholderText(placeholder);
+    made->setToolTip(name);
+    made->setMaxLength(200);
+    connect(made, &QLineEdit::editingFinished, this, &VictimForm::read);
+    return made;
+}
+
+void VictimForm::setEnabledParts(bool on) {
+    const bool victim = on && m_find->kind == VictimSample::Kind::Victim;
+    for (const Sign& sign : m_signs) {
+        sign.state->setEnabled(victim);
+        sign.text->setEnabled(victim);
+        if (sign.value != nullptr) sign.value->setEnabled(victim);
+    }
+    m_situation->setEnabled(victim);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_area, m_tag, m_text}) field->setEnabled(on);
+}
+
+void VictimForm::show(const std::optional<VictimSample>& find) {
+    m_showing = true;  // what is set here is no wish
+    const bool same = m_find && find && m_find->kind == find->kind && m_find->number == find->number;
+    if (!same && focusWidget() != nullptr && isAncestorOf(focusWidget())) focusWidget()->clearFocus();
+    m_find = find;
+    m_title->setText(find ? tr("%1 · %2").arg(QString::fromStdString(nameOf(find->kind, find->number)),
+                                              kindText(find->kind))
+                          : tr("Choose a find to fill in its form"));
+    setEnabledParts(find.has_value());
+    const VictimSample shown = find.value_or(VictimSample());
+    for (const Sign& sign : m_signs) {
+        const VictimSign& value = shown.*sign.field.sign;
+        sign.state->setCurrentIndex(sign.state->findData(static_cast<int>(value.state)));
+        setText(*sign.text, QString::fromStdString(value.text));
+        if (sign.value != nullptr)
+            setText(*sign.value,
+                    std::isnan(value.value) ? QString() : QLocale().toString(value.value, 'f', 0));
+    }
+    setChoice(*m_situation, QString::fromStdString(shown.situation));
+    setChoice(*m_area, QString::fromStdString(shown.area));
+    setText(*m_tag, QString::fromStdString(shown.tag));
+    setText(*m_text, QString::fromStdString(shown.text));
+    m_showing = false;
+}
+
+void VictimForm::read() {
+    if (m_showing || !m_find) return;
+    VictimSample now = *m_find;
+    bool changed = false;
+    const auto put = [&changed](auto& to, const auto& from) {
+        changed = changed || to != from;
+        to = from;
+    };
+    for (const Sign& sign : m_signs) {
+        VictimSign& value = now.*sign.field.sign;
+        put(value.state, static_cast<VictimSign::State>(sign.state->currentData().toInt()));
+        put(value.text, sign.text->text().trimmed().toStdString());
+        if (sign.value == nullptr) continue;
+        bool number = false;
+        const double measured = QLocale().toDouble(sign.value->text().trimmed(), &number);
+        const double before = value.value;
+        if (number && std::isfinite(measured)) {
+            if (std::isnan(before) || std::lround(before) != std::lround(measured))
+                put(value.value, measured);
+        } else if (sign.value->text().trimmed().isEmpty() && !std::isnan(before)) {
+            value.value = Unknown;
+            changed = true;
+        }
+    }
+    put(now.situation, m_situation->currentData().toString().toStdString());
+    put(now.area, m_area->currentData().toString().toStdString());
+    put(now.tag, m_tag->text().trimmed().toStdString());
+    put(now.text, m_text->text().trimmed().toStdString());
+    if (!changed) return;
+    m_find = now;
+    emit edited(now);
+}
+
+void VictimForm::nextField(int step) {
+    const auto count = static_cast<int>(m_fields.size());
+    int at = step > 0 ? -1 : 0;
+    for (int i = 0; i < count; ++i) {
+        if (m_fields[static_cast<std::size_t>(i)]->hasFocus()) at = i;
+    }
+    for (int i = 0; i < count; ++i) {
+        at = (at + step + count) % count;
+        QWidget* field = m_fields[static_cast<std::size_t>(at)];
+        if (!field->isEnabled()) continue;
+        field->setFocus(Qt::TabFocusReason);
+        return;
+    }
+}
+
+void VictimForm::change(int step) {
+    auto* box = qobject_cast<QComboBox*>(focusWidget());
+    if (box == nullptr || !box->isEnabled() || box->count() == 0) return;
+    box->setCurrentIndex((box->currentIndex() + step + box->count()) % box->count());
+}
+
+}  // namespace leitstand

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QMetaType>
+#include <QWidget>
+
+#include "core/robot/samples/victim_sample.h"
+#include "widgets/models/victims/victim_choices.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace leitstand {
+
+/// The form of one victim or other find: signs of life, situation, tag, area, text. What is changed is told
+/// at once; there is no button to forget. By keyboard: Tab and arrows; by pad: nextField(), change().
+class VictimForm final : public QWidget {
+    Q_OBJECT
+public:
+    explicit VictimForm(QWidget* parent = nullptr);
+
+    /// Shows @p find as it is now; what is being typed stays. Empty: none is chosen.
+    void show(const std::optional<VictimSample>& find);
+    using QWidget::show;
+
+    /// The next (or, negative, previous) field gets the focus.
+    void nextField(int step);
+    /// The field that has the focus gets its next (previous) choice.
+    void change(int step);
+
+    [[nodiscard]] QSize sizeHint() const override { return {360, 320}; }
+
+signals:
+    void edited(const leitstand::VictimSample& find);
+
+private:
+    struct Sign {
+        SignField field;
+        QComboBox* state;
+        QLineEdit *text, *value;
+    };
+    void read();
+    void setEnabledParts(bool on);
+    [[nodiscard]] QLineEdit* line(const QString& name, const QString& placeholder);
+
+    std::optional<VictimSample> m_find;
+    bool m_showing = false;
+    QLabel* m_title;
+    std::vector<Sign> m_signs;
+    QComboBox *m_situation, *m_area;
+    QLineEdit *m_tag, *m_text;
+    std::vector<QWidget*> m_fields;  ///< in the order of Tab
+};
+
+}  // namespace leitstand
+
+Q_DECLARE_METATYPE(leitstand::VictimSample)

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "widgets/models/victims/victim_list_model.h"
+
+class QAction;
+class QHBoxLayout;
+class QLabel;
+class QTableView;
+
+namespace leitstand {
+
+/// Victims, other finds and candidates: what is known of each, and how far and where from the robot.
+class VictimsPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit VictimsPanel(QWidget* parent = nullptr);
+
+    void show(const std::vector<VictimRow>& rows);
+    using QWidget::show;
+    /// Buttons for these commands, below the list.
+    void setCommands(const std::vector<QAction*>& commands);
+    /// The row that is chosen; empty: none.
+    [[nodiscard]] std::optional<VictimRow> chosen() const;
+    void choose(const FindKey& find);
+
+    [[nodiscard]] QSize sizeHint() const override { return {360, 180}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 90}; }
+
+signals:
+    void chosenChanged();
+    void activated();  ///< double click or Return on a row
+
+private:
+    VictimListModel m_model;
+    QLabel *m_title, *m_calm;
+    QTableView* m_table;
+    QHBoxLayout* m_buttons;
+};
+
+}  // namespace leitstand
