@@ -105,9 +105,10 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     const char* what =
         place.cause == Cause::Tracked
             ? (place.certain ? "its laser fits the map again" : "its place in the map is doubted")
-        : place.certain              ? "found in the map"
-        : place.cause == Cause::Slot ? "not found beside the other robot: put it to where it stands, or let the other one see it"
-                                     : "not found there";
+        : place.certain ? "found in the map"
+        : place.cause == Cause::Slot
+            ? "not found beside the other robot: put it to where it stands, or let the other one see it"
+            : "not found there";
     tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
 }
 
