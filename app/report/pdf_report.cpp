@@ -147,7 +147,7 @@ void layOut(Pages& pages, const ReportContent& content) {
     pages.text(overviewHtml(content));
     for (std::size_t band = 0; band < content.maps.size(); ++band) {
         pages.nextPage();
-        pages.text(QStringLiteral("<h2>%1</h2>").arg(mapCaption(content, band).toHtmlEscaped()));
+        pages.text(QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, band).toHtmlEscaped()));
         pages.picture(imageOf(content.maps[band].picture),
                       PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
     }

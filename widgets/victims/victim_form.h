@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include <QMetaType>
 #include <QWidget>
 
 #include "core/robot/samples/victim_sample.h"
@@ -56,5 +55,3 @@ private:
 };
 
 }  // namespace leitstand
-
-Q_DECLARE_METATYPE(leitstand::VictimSample)

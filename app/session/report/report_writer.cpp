@@ -118,13 +118,17 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
 }
 
 void tellWhatIsMissing(const ReportModel& model, std::vector<std::string>& warnings) {
-    const auto unconfirmed = std::count_if(
-        model.finds.begin(), model.finds.end(),
-        [](const ReportFind& find) { return find.sample.status != VictimSample::Status::Confirmed; });
-    if (!model.hasMap()) warnings.emplace_back("there is no map: no scan of the mission counts");
-    if (unconfirmed > 0)
-        warnings.push_back(
-            fmt::format("{} finds are not confirmed: they are in the map, not in the lists", unconfirmed));
+    std::string unconfirmed;
+    for (const ReportFind& find : model.finds) {
+        if (find.sample.status == VictimSample::Status::Confirmed) continue;
+        unconfirmed += fmt::format("{}{}", unconfirmed.empty() ? "" : ", ", find.name);
+    }
+    const bool told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
+        return text.starts_with("there is no map");
+    });
+    if (!model.hasMap() && !told) warnings.emplace_back("there is no map: no scan of the mission counts");
+    if (!unconfirmed.empty())
+        warnings.push_back(fmt::format("not confirmed, so in the map but not in the lists: {}", unconfirmed));
     if (model.facts.team.empty() || model.facts.competition.empty())
         warnings.emplace_back("competition or team are not told: the files are named for what is missing");
 }

@@ -44,6 +44,10 @@ StationAlarms& Station::alarms() {
     return *m_state->alarms;
 }
 
+FindDesk& Station::finds() {
+    return *m_state->finds;
+}
+
 StationMapping& Station::mapping() {
     return *m_state->mapping;
 }

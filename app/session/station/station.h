@@ -21,6 +21,7 @@
 
 namespace leitstand {
 
+class FindDesk;
 class StationAlarms;
 class StationBrakes;
 class StationCameras;
@@ -70,6 +71,7 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
+    [[nodiscard]] FindDesk& finds();          ///< files victims and other finds
     [[nodiscard]] StationAlarms& alarms();    ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
     [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples

@@ -109,6 +109,31 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
     grants->ask(MapGrant);
 }
 
+void Station::State::file() {
+    FindDeskSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    setup.mission = [this] { return mission->state(); };
+    setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
+    setup.undo = [this](const UndoSample& undo) { return mission->say(undo, station_topic::Undo); };
+    setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
+        victims->locate({*chosen.picture, chosen.pixel, chosen.width, chosen.height, chosen.halfAngle},
+                        [answer = std::move(answer)](const std::optional<PlacedCue>& cue) {
+                            if (!cue) return answer(std::nullopt);
+                            answer(PlacedFind{cue->scan, cue->inMap, std::sqrt(cue->covariance.trace() / 3.0)});
+                        });
+    };
+    setup.robotInMap = [this](const std::string& robot) -> std::optional<Pose> {
+        for (const RobotInMap& one : *mapping->robots()) {
+            if (one.robot == robot && one.placed) return one.baseInMap;
+        }
+        return std::nullopt;
+    };
+    setup.tell = [this](const std::string& text) { say(text); };
+    setup.now = [] { return stationTime(); };
+    finds = std::make_unique<FindDesk>(std::move(setup));
+}
+
 void Station::State::watch() {
     StationAlarmsSetup setup;
     setup.robots = settings.mission.robots;

@@ -14,6 +14,7 @@
 #include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
 #include "app/session/station/station_cameras.h"
+#include "app/session/finds/find_desk.h"
 #include "app/session/station/station_clock.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
@@ -37,6 +38,7 @@ struct Station::State {
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<StationClock> clock;
+    std::unique_ptr<FindDesk> finds;
     std::unique_ptr<StationAlarms> alarms;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
@@ -51,6 +53,7 @@ struct Station::State {
     void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
     void watch();
+    void file();
     void listen();
     [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all

@@ -26,6 +26,7 @@
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/victims/victims_feature.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -57,6 +58,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     auto* mapActions = new MapActions(context, *m_map);
     connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
     new ScanFeature(context);
+    m_victims = new VictimsFeature(context, *m_map, *m_cameras);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
@@ -112,6 +114,7 @@ void LiveWindow::connectFeatures() {
     connect(m_cameras, &CameraFeature::told, this, &LiveWindow::tell);
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
+    connect(m_victims, &VictimsFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);

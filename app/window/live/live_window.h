@@ -28,6 +28,7 @@ class PaneDocks;
 class PreflightFeature;
 class RobotsFeature;
 class Selection;
+class VictimsFeature;
 
 /// The window on live robots (design, section 7): a bar with all robots and STOP, below it the panes of its
 /// features, as the layout in use places them. Puts features together; what they do is theirs.
@@ -80,6 +81,7 @@ private:
     LinkFeature* m_link = nullptr;
     AlarmsFeature* m_alarms = nullptr;
     PreflightFeature* m_preflight = nullptr;
+    VictimsFeature* m_victims = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };
 

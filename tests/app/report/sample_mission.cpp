@@ -1,11 +1,19 @@
 #include "tests/app/report/sample_mission.h"
 
 #include <chrono>
-#include <thread>
+#include <cmath>
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "app/session/log/live_mission.h"
+#include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
 #include "core/mission/station_topics.h"
 #include "core/perception/picture_png.h"
 #include "tests/core/mission/report/report_scene.h"
@@ -20,26 +28,15 @@ Time at(double seconds) {
            std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
 }
 
-StreamDescription stream(StreamRole role, const char* topic, const char* type, const char* sensor = "") {
-    StreamDescription made;
-    made.role = role;
-    made.topic = topic;
-    made.type = type;
-    made.sensor = sensor;
-    return made;
-}
-
-RobotDescription kurt() {
-    RobotDescription robot;
-    robot.name = "kurt3d";
-    robot.streams = {
-        stream(StreamRole::Odometry, "/kurt3d/odom", "nav_msgs/msg/Odometry"),
-        stream(StreamRole::Mode, "/kurt3d/mode", "leitstand_msgs/msg/Mode"),
-        stream(StreamRole::Gas, "/kurt3d/co2", "leitstand_msgs/msg/GasConcentration"),
-        stream(StreamRole::Picture, "/kurt3d/left/image/compressed", "sensor_msgs/msg/CompressedImage",
-               "left"),
-        stream(StreamRole::Thermal, "/kurt3d/ir/image/compressed", "sensor_msgs/msg/CompressedImage", "ir")};
-    for (const char* name : {"left", "ir"}) robot.sensors[name].frame = std::string("kurt3d/") + name;
+/// Kurt3D as it is shipped.
+const RobotDescription& kurt() {
+    static const RobotDescription robot = [] {
+        const auto file = findRobotFile("kurt3d");
+        EXPECT_TRUE(file.ok()) << file.error().text;
+        const auto read = readRobot(*file);
+        EXPECT_TRUE(read.ok()) << read.error().text;
+        return *read;
+    }();
     return robot;
 }
 
@@ -64,6 +61,7 @@ Picture warmth() {
     return picture;
 }
 
+/// A station that writes one event after the other.
 class Writer {
 public:
     explicit Writer(const std::filesystem::path& folder) {
@@ -72,38 +70,57 @@ public:
         settings.robots = {kurt()};
         settings.version = "test";
         settings.title = "Sample";
-        auto opened = LiveMission::open(settings);
+        LiveMissionListener listener;
+        listener.onEvent = [this](const Event& event) {
+            const std::lock_guard lock(m_mutex);
+            m_newest[event.topic] = event.sequence;
+            m_arrived.notify_all();
+        };
+        auto opened = LiveMission::open(settings, std::move(listener));
         EXPECT_TRUE(opened.ok()) << opened.error().text;
         m_mission = std::move(opened).value();
-        for (const StreamDescription& one : kurt().streams) m_mission->addTopic(one.topic, one.type, {});
+        for (const StreamDescription& one : kurt().streams) m_mission->addTopic(one.topic, one.type, one.qos);
     }
     ~Writer() { EXPECT_TRUE(m_mission->close().ok()); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
 
     /// Receives @p sample on the stream of @p topic; its sequence in the mission.
     std::uint64_t receive(const Sample& sample, const std::string& topic) {
+        const std::uint64_t before = newestOf(topic);
         for (const StreamDescription& one : kurt().streams) {
             if (one.topic != topic) continue;
             auto cdr = encode(sample, one.type);
             EXPECT_TRUE(cdr.ok()) << cdr.error().text;
             m_mission->receive({0, {}, one.topic, one.type, std::move(cdr).value()});
         }
-        return arrived();
+        return arrived(topic, before);
     }
     std::uint64_t say(const Sample& sample, std::string_view topic) {
+        const std::uint64_t before = newestOf(std::string(topic));
         const auto said = m_mission->say(sample, topic);
         EXPECT_TRUE(said.ok()) << said.error().text;
-        return arrived();
+        return arrived(std::string(topic), before);
     }
 
 private:
-    /// Waits until the newest event is folded: its sequence.
-    std::uint64_t arrived() {
-        const std::uint64_t before = m_last;
-        while ((m_last = m_mission->state()->sequence) <= before) std::this_thread::yield();
-        return m_last;
+    std::uint64_t newestOf(const std::string& topic) {
+        const std::lock_guard lock(m_mutex);
+        return m_newest[topic];
     }
-    std::unique_ptr<LiveMission> m_mission;
-    std::uint64_t m_last = 1;  // the session's begin
+    /// Waits until there is a newer event of @p topic than @p before: its sequence.
+    std::uint64_t arrived(const std::string& topic, std::uint64_t before) {
+        std::unique_lock lock(m_mutex);
+        EXPECT_TRUE(m_arrived.wait_for(lock, std::chrono::seconds(60), [&] {
+            return m_newest[topic] > before;
+        })) << topic;
+        return m_newest[topic];
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_arrived;
+    std::map<std::string, std::uint64_t> m_newest;  ///< sequence by topic
+    std::unique_ptr<LiveMission> m_mission;         // last: its threads use the others
 };
 
 PictureSample pictureOf(const Picture& picture, const char* frame, double seconds) {

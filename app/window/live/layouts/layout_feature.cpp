@@ -18,7 +18,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int FirstKey = Qt::Key_F5, Keys = 4;
+constexpr int FirstKey = Qt::Key_F5, Keys = 5;
 
 QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);

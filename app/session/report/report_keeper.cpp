@@ -1,0 +1,50 @@
+#include "app/session/report/report_keeper.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace leitstand {
+
+struct ReportKeeper::State {
+    Settings settings;
+    std::function<void(const Result<ReportOutcome>&)> onWritten;
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    bool asked = false;
+    std::jthread thread;  // last member: joined first
+
+    void run(const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            {
+                std::unique_lock lock(mutex);
+                wake.wait_for(lock, stop, settings.interval, [this] { return asked; });
+                asked = false;
+            }
+            if (stop.stop_requested()) return;
+            const auto outcome = writeReport(settings.mission, settings.out, settings.options, {{}, stop});
+            if (!stop.stop_requested() && onWritten) onWritten(outcome);
+        }
+    }
+};
+
+ReportKeeper::ReportKeeper(Settings settings, std::function<void(const Result<ReportOutcome>&)> onWritten)
+    : m_state(std::make_unique<State>()) {
+    m_state->settings = std::move(settings);
+    m_state->onWritten = std::move(onWritten);
+    m_state->thread =
+        std::jthread([state = m_state.get()](const std::stop_token& stop) { state->run(stop); });
+}
+
+ReportKeeper::~ReportKeeper() = default;
+
+void ReportKeeper::writeNow() {
+    {
+        const std::lock_guard lock(m_state->mutex);
+        m_state->asked = true;
+    }
+    m_state->wake.notify_all();
+}
+
+}  // namespace leitstand

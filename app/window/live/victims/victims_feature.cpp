@@ -1,0 +1,226 @@
+#include "app/window/live/victims/victims_feature.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/session/finds/find_desk.h"
+#include "app/session/station/station.h"
+#include "app/session/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/map/robot_mark.h"
+#include "widgets/victims/victim_form.h"
+#include "widgets/victims/victims_panel.h"
+
+namespace leitstand {
+namespace {
+
+using Kind = VictimSample::Kind;
+constexpr int TicksARow = 6;  ///< rows are made anew five times a second
+
+}  // namespace
+
+VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, CameraFeature& cameras)
+    : QObject(&context.window),
+      m_context(context),
+      m_map(map),
+      m_cameras(cameras),
+      m_panel(new VictimsPanel(&context.window)),
+      m_form(new VictimForm(&context.window)) {
+    m_panel->setObjectName(QStringLiteral("victimsPane"));
+    m_form->setObjectName(QStringLiteral("formPane"));
+    context.panes.add(QStringLiteral("victims"), tr("Victims"), *m_panel);
+    context.panes.add(QStringLiteral("form"), tr("Form"), *m_form);
+    addFreezing();
+    addDecisions();
+    addPlacing();
+    addForm();
+    m_panel->setCommands({m_actions.at(QStringLiteral("victim.freeze")),
+                          m_actions.at(QStringLiteral("victim.confirm")),
+                          m_actions.at(QStringLiteral("victim.discard"))});
+    connect(m_panel, &VictimsPanel::chosenChanged, this, &VictimsFeature::showForm);
+    connect(m_panel, &VictimsPanel::activated, this, [this] { m_form->nextField(1); });
+    connect(m_form, &VictimForm::edited, this, [this](const VictimSample& find) { answer(desk().edit(find)); });
+    connect(&context.source, &MomentSource::ticked, this, &VictimsFeature::show);
+}
+
+FindDesk& VictimsFeature::desk() const {
+    return m_context.bridge.station().finds();
+}
+
+QAction& VictimsFeature::add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                             const QKeySequence& keys) {
+    const QString name = QString::fromLatin1(id);
+    QAction& action = m_context.commands.add(
+        {.id = name, .menu = CommandMenu::Mission, .text = text, .hint = hint, .keys = keys});
+    action.setIconText(brief);
+    m_actions.emplace(name, &action);
+    return action;
+}
+
+void VictimsFeature::addFreezing() {
+    m_context.commands.separate(CommandMenu::Mission);
+    const auto filing = [this](const char* id, const QString& text, const QString& brief, const QString& hint,
+                               const QKeySequence& keys, Kind kind) {
+        connect(&add(id, text, brief, hint, keys), &QAction::triggered, this, [this, kind] { freeze(kind); });
+    };
+    filing("victim.freeze", tr("&Victim here"), tr("F Victim"),
+           tr("Keeps what the robot sees as a victim: the sharpest pictures, heat, gas, scan and place"),
+           Qt::Key_F, Kind::Victim);
+    connect(&add("victim.confirm", tr("Con&firm the find"), tr("V Confirm"),
+                 tr("Confirms the chosen find, or the one that was filed last; files a chosen candidate"),
+                 Qt::Key_V),
+            &QAction::triggered, this, &VictimsFeature::confirm);
+    filing("victim.hazard", tr("Ha&zard here"), tr("Hazard"), tr("The same for a hazard sign"),
+           QKeySequence(Qt::SHIFT | Qt::Key_H), Kind::Hazard);
+    filing("victim.code", tr("&QR code here"), tr("Code"), tr("The same for a QR code"),
+           QKeySequence(Qt::SHIFT | Qt::Key_Q), Kind::Code);
+    filing("victim.object", tr("&Object here"), tr("Object"), tr("The same for an object of interest"),
+           QKeySequence(Qt::SHIFT | Qt::Key_B), Kind::Object);
+}
+
+void VictimsFeature::addDecisions() {
+    connect(&add("victim.discard", tr("&Discard the find"), tr("Discard"),
+                 tr("Takes the chosen find, or the newest, off the list; undo brings it back"),
+                 QKeySequence(Qt::Key_Delete)),
+            &QAction::triggered, this, [this] {
+                if (const auto find = meant()) answer(desk().discard(*find));
+            });
+    connect(&add("victim.merge", tr("&Merge with the nearest"), tr("Merge"),
+                 tr("The chosen find is the same as the nearest one of its kind, which gets its evidence"), {}),
+            &QAction::triggered, this, &VictimsFeature::merge);
+    connect(&add("victim.undo", tr("Undo the last &entry on finds"), tr("Undo"),
+                 tr("Takes back what was filed, changed, confirmed or discarded last"),
+                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_U)),
+            &QAction::triggered, this, [this] { answer(desk().undo()); });
+}
+
+void VictimsFeature::addPlacing() {
+    QAction& action = m_context.commands.add(
+        {.id = QStringLiteral("victim.move"),
+         .menu = CommandMenu::Mission,
+         .text = tr("Mo&ve the find on the map"),
+         .hint = tr("Click on the map where the chosen find is; without one a new victim is filed there"),
+         .keys = QKeySequence(Qt::SHIFT | Qt::Key_V),
+         .checkable = true});
+    m_actions.emplace(QStringLiteral("victim.move"), &action);
+    connect(&action, &QAction::triggered, this, &VictimsFeature::move);
+}
+
+void VictimsFeature::addForm() {
+    // For gamepads, whose buttons layouts bind to commands.
+    connect(&add("form.next", tr("Form: &next field"), tr("Next"), tr("Of the chosen find's form"), {}),
+            &QAction::triggered, this, [this] { m_form->nextField(1); });
+    connect(&add("form.previous", tr("Form: &previous field"), tr("Previous"),
+                 tr("Of the chosen find's form"), {}),
+            &QAction::triggered, this, [this] { m_form->nextField(-1); });
+    connect(&add("form.change", tr("Form: next &choice"), tr("Change"),
+                 tr("Unknown, absent, present; situations; areas"), {}),
+            &QAction::triggered, this, [this] { m_form->change(1); });
+}
+
+void VictimsFeature::freeze(Kind kind) {
+    desk().freeze(m_context.selection.name().toStdString(), kind, m_cameras.views().sensor(CameraPlace::Large));
+}
+
+std::optional<FindKey> VictimsFeature::meant() const {
+    const auto chosen = m_panel->chosen();
+    return chosen && chosen->filed() ? std::optional(chosen->find) : desk().newest();
+}
+
+void VictimsFeature::confirm() {
+    const auto chosen = m_panel->chosen();
+    if (chosen && !chosen->filed()) return answer(desk().fileCandidate(chosen->candidate));
+    // What was filed after something was chosen is what the second press means.
+    const auto newest = desk().newest();
+    const auto& finds = *m_context.source.moment().mission->victims;
+    const auto entry = newest ? finds.find(*newest) : finds.end();
+    const bool open = entry != finds.end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
+    if (open) return answer(desk().confirm(*newest));
+    if (chosen) return answer(desk().confirm(chosen->find));
+    emit told(tr("Nothing is filed that could be confirmed: F files what the robot sees"));
+}
+
+void VictimsFeature::merge() {
+    const auto find = meant();
+    if (!find) return;
+    const MissionState& mission = *m_context.source.moment().mission;
+    const auto known = mission.victims->find(*find);
+    if (known == mission.victims->end()) return;
+    const Eigen::Vector3d place = positionInMap(mission, known->second.victim);
+    double nearest = std::numeric_limits<double>::infinity();
+    std::uint32_t into = 0;
+    for (const auto& [key, other] : *mission.victims) {
+        if (key.first != find->first || key.second == find->second ||
+            other.victim.status == VictimSample::Status::Discarded)
+            continue;
+        const double distance = (positionInMap(mission, other.victim) - place).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        into = key.second;
+    }
+    if (into == 0) return emit told(tr("There is no other find of this kind to merge it with"));
+    answer(desk().merge(*find, into));
+    emit told(tr("%1 is part of %2 now")
+                  .arg(QString::fromStdString(nameOf(find->first, find->second)),
+                       QString::fromStdString(nameOf(find->first, into))));
+}
+
+void VictimsFeature::move(bool on) {
+    if (!on) return m_map.gestures().disarm();
+    const auto chosen = m_panel->chosen();
+    const std::string robot = m_context.selection.name().toStdString();
+    RobotMark mark = m_map.robots().mark(robot);
+    mark.footprint = {{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
+    mark.height = 0.2;
+    const bool filed = chosen && chosen->filed();
+    m_map.gestures().armPose(
+        *m_actions.at(QStringLiteral("victim.move")), mark,
+        filed ? tr("Click where %1 is · right button: not at all").arg(chosen->name)
+              : tr("Click where the victim is · right button: not at all"),
+        [this, robot, filed, find = filed ? chosen->find : FindKey()](const GroundPose& pose) {
+            if (filed) return answer(desk().move(find, pose.place));
+            desk().freezeAt(robot, Kind::Victim, pose.place);
+        });
+}
+
+void VictimsFeature::answer(const Result<void>& done) {
+    if (!done) emit told(QString::fromStdString(done.error().text));
+}
+
+void VictimsFeature::show(const LiveMoment& moment) {
+    if (m_sinceRows++ % TicksARow != 0) return;
+    const std::string robot = m_context.selection.name().toStdString();
+    std::optional<Pose> baseInMap;
+    for (const RobotInMap& one : *m_context.bridge.station().mapping().robots()) {
+        if (one.robot == robot && one.placed) baseInMap = one.baseInMap;
+    }
+    const auto rows = victimRows(*moment.mission, baseInMap);
+    m_panel->show(rows);
+    if (const auto newest = desk().newest(); newest != m_newest) {
+        m_newest = newest;
+        if (newest) m_panel->choose(*newest);
+    }
+    const auto chosen = m_panel->chosen();
+    m_map.view().setFinds(rows, chosen && chosen->filed() ? std::optional(chosen->find) : std::nullopt);
+    showForm();
+}
+
+void VictimsFeature::showForm() {
+    const auto chosen = m_panel->chosen();
+    const auto& finds = *m_context.source.moment().mission->victims;
+    const auto entry = chosen && chosen->filed() ? finds.find(chosen->find) : finds.end();
+    m_form->show(entry == finds.end() ? std::nullopt : std::optional(entry->second.victim));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+#include "core/mission/mission_state.h"
+#include "widgets/map_view/gestures/ground_pose.h"
+
+class QAction;
+class QKeySequence;
+
+namespace leitstand {
+
+class CameraFeature;
+class FindDesk;
+class MapFeature;
+class VictimForm;
+class VictimsPanel;
+struct LiveMoment;
+
+/// What the operator finds (design, section 7): one key freezes evidence, a second one confirms; the list
+/// ("victims") and the form ("form") for later. All of it is in the mission's log.
+class VictimsFeature final : public QObject {
+    Q_OBJECT
+public:
+    VictimsFeature(const LiveContext& context, MapFeature& map, CameraFeature& cameras);
+
+signals:
+    void told(const QString& text);
+
+private:
+    QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                 const QKeySequence& keys);
+    void addFreezing();
+    void addDecisions();
+    void addForm();
+    void addPlacing();
+    void freeze(VictimSample::Kind kind);
+    void confirm();
+    void merge();
+    void move(bool on);
+    void answer(const Result<void>& done);  ///< tells what went wrong
+    /// The find that a command is about: the chosen one, else the newest.
+    [[nodiscard]] std::optional<FindKey> meant() const;
+    void show(const LiveMoment& moment);
+    void showForm();
+    [[nodiscard]] FindDesk& desk() const;
+
+    LiveContext m_context;
+    MapFeature& m_map;
+    CameraFeature& m_cameras;
+    VictimsPanel* m_panel;
+    VictimForm* m_form;
+    std::map<QString, QAction*> m_actions;
+    std::optional<FindKey> m_newest;  ///< as shown last
+    int m_sinceRows = 0;              ///< ticks
+};
+
+}  // namespace leitstand

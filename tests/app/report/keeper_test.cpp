@@ -1,0 +1,55 @@
+#include <atomic>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/report/report_keeper.h"
+#include "tests/app/report/sample_mission.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+TEST(ReportKeeper, WritesAtItsIntervalAndWhenAsked) {
+    const TemporaryFolder folder;
+    writeSampleMission(folder / "mission", {.scans = 1});
+    std::atomic<int> written = 0, failed = 0;
+    const auto count = [&](const Result<ReportOutcome>& outcome) {
+        ++(outcome.ok() && outcome->whole() ? written : failed);
+    };
+    {
+        ReportKeeper keeper({.mission = folder / "mission",
+                             .out = folder / "out",
+                             .options = {},
+                             .interval = std::chrono::milliseconds(1)},
+                            count);
+        EXPECT_TRUE(waitUntil([&] { return written >= 2; }, std::chrono::seconds(60)));
+    }
+    EXPECT_EQ(failed, 0);
+    written = 0;
+    {
+        ReportKeeper keeper({.mission = folder / "mission",
+                             .out = folder / "out",
+                             .options = {},
+                             .interval = std::chrono::hours(1)},
+                            count);
+        keeper.writeNow();
+        EXPECT_TRUE(waitUntil([&] { return written >= 1; }, std::chrono::seconds(60)));
+    }
+    EXPECT_EQ(written, 1);
+}
+
+TEST(ReportKeeper, TellsWhyThereIsNone) {
+    const TemporaryFolder folder;
+    std::atomic<int> failed = 0;
+    ReportKeeper keeper({.mission = folder / "absent",
+                         .out = folder / "out",
+                         .options = {},
+                         .interval = std::chrono::milliseconds(1)},
+                        [&](const Result<ReportOutcome>& outcome) { failed += outcome.ok() ? 0 : 1; });
+    EXPECT_TRUE(waitUntil([&] { return failed >= 1; }, std::chrono::seconds(60)));
+}
+
+}  // namespace
+}  // namespace leitstand::test
