@@ -18,7 +18,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int FirstKey = Qt::Key_F5, Keys = 5;
+constexpr int FirstKey = Qt::Key_F5, Keys = 4;  // F9 is the preflight's
 
 QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);
