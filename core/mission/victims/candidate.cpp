@@ -119,11 +119,19 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
                std::min(1.0, static_cast<double>(found->second.moments) / settings.moments);
     };
     if (thing.what == VictimSample::Kind::Code) return kinds.contains("code") ? 0.95 : 0.0;
-    if (thing.what != VictimSample::Kind::Victim) return 0.9 * counted("hazard");
+    if (thing.what != VictimSample::Kind::Victim) {
+        // Colours in a square are seldom by chance; half of the moments will do.
+        const auto found = kinds.find("hazard");
+        if (found == kinds.end()) return 0.0;
+        const double often = std::min(1.0, 2.0 * found->second.moments / settings.moments);
+        return often * (0.3 + 0.65 * found->second.mean());
+    }
     const double sighting = kinds.contains("sighting") ? 0.45 * kinds.at("sighting").mean() : 0.0;
     const double warm = std::max(0.85 * counted("heat"), sighting);
     const double motion = 0.45 * std::min(1.0, 1.5 * counted("motion"));
-    const double breath = 0.55 * counted("co2");
+    // Breath near by agrees with what could be a person; a lamp beside a victim stays a lamp.
+    const double agrees = std::min(1.0, std::max(warm, motion) / settings.breathFrom);
+    const double breath = 0.55 * agrees * counted("co2");
     const double tag = kinds.contains("code") ? 0.2 : 0.0;
     return 1.0 - (1.0 - warm) * (1.0 - motion) * (1.0 - breath) * (1.0 - tag);
 }

@@ -1,15 +1,17 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/session/victims/victim_watch.h"
-
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/reachable_floor.h"
 #include "tests/simulation/drives/exploration.h"
@@ -18,6 +20,8 @@
 
 namespace leitstand::simulation::test {
 namespace {
+
+constexpr std::chrono::seconds Patience(60);
 
 /// Kurt3D explores by itself and looks at what it finds.
 SearchResult searchYellow(std::uint64_t seed, double seconds) {
@@ -76,16 +80,18 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
         watch.take(event);
         // A log comes faster than it can be worked through; pictures would be left out.
         if (std::holds_alternative<PictureSample>(event.sample)) {
-            ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() < 20; }));
+            ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() < 20; }, Patience));
         }
     }
-    ASSERT_TRUE(leitstand::test::waitUntil([&] {
-        const std::lock_guard lock(mutex);
-        return std::any_of(told.begin(), told.end(), [&](const auto& one) {
-            const Eigen::Vector3d place = m_drive->mapInArena() * one.second.positionInMap;
-            return one.second.kind == VictimSample::Kind::Victim && fromBody(m_victim, place) < 0.2;
-        });
-    }));
+    ASSERT_TRUE(leitstand::test::waitUntil(
+        [&] {
+            const std::lock_guard lock(mutex);
+            return std::any_of(told.begin(), told.end(), [&](const auto& one) {
+                const Eigen::Vector3d place = m_drive->mapInArena() * one.second.positionInMap;
+                return one.second.kind == VictimSample::Kind::Victim && fromBody(m_victim, place) < 0.2;
+            });
+        },
+        Patience));
     watch.end();
     std::printf("the watch's thread took %.0f ms for 9 s\n",
                 1e-6 * static_cast<double>(watch.worked().count()));
@@ -100,7 +106,7 @@ TEST_F(LookAtAVictim, AStationWithoutTheMapSaysNothing) {
     setup.onCandidate = [&](const CandidateSample&) { ++told; };
     VictimWatch watch(std::move(setup));
     for (const Event& event : m_log) watch.take(event);
-    ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }));
+    ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
     watch.end();
     EXPECT_EQ(told, 0);
 }

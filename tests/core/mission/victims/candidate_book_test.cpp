@@ -108,6 +108,23 @@ TEST(CandidateBook, BreathSupportsTheLikeliestNearbyAlone) {
     EXPECT_NEAR(reader.told[1].positionInMap.x(), 2.0, 0.01) << "where it breathes is not where it lies";
 }
 
+TEST(CandidateBook, ALampStaysOneWhereSomebodyBreathes) {
+    Reader reader;
+    reader.see({.place = {3, 1, 0.3}, .confidence = 0.25}, 20);
+    reader.see({.kind = "sighting", .place = {3, 1, 0}, .confidence = 0.4, .text = "victim 1"}, 1);
+    reader.see({.kind = "co2", .place = {3, 0, 0.3}, .confidence = 1.0}, 20);
+    reader.look(2.0);
+    EXPECT_TRUE(reader.standing().empty());
+}
+
+TEST(CandidateBook, AGlimpseIsNotEnough) {
+    Reader reader;
+    reader.see({}, 2);
+    for (int i = 0; i < 20; ++i) reader.book.add(cueOf({}));  // at one moment
+    reader.look(2.0);
+    EXPECT_TRUE(reader.standing().empty());
+}
+
 TEST(CandidateBook, ViewsRobotsAndPartsOfABodyAreJoined) {
     Reader reader;
     reader.see({.place = {2.0, 1.0, 0.2}, .scan = 1});
