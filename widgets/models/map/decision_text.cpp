@@ -5,9 +5,9 @@
 namespace leitstand {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("DecisionText", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::DecisionText)
+};
 
 }  // namespace
 
@@ -18,15 +18,15 @@ QString decisionText(const MapDecision& decision) {
     const auto number = one ? static_cast<qulonglong>(decision.scans.front()) : count;
     switch (decision.kind) {
         case Kind::Taken:
-            return (one ? tr("scan %1 accepted") : tr("%1 scans accepted")).arg(number);
+            return (one ? Say::tr("scan %1 accepted") : Say::tr("%1 scans accepted")).arg(number);
         case Kind::SetAside:
-            return (one ? tr("scan %1 set aside") : tr("%1 scans set aside")).arg(number);
+            return (one ? Say::tr("scan %1 set aside") : Say::tr("%1 scans set aside")).arg(number);
         case Kind::Tried:
-            return (one ? tr("scan %1 tried again") : tr("%1 scans tried again")).arg(number);
+            return (one ? Say::tr("scan %1 tried again") : Say::tr("%1 scans tried again")).arg(number);
         case Kind::Crop:
             break;
     }
-    return tr("what belongs into the map");
+    return Say::tr("what belongs into the map");
 }
 
 }  // namespace leitstand

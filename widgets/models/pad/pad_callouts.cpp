@@ -12,27 +12,27 @@ namespace {
 
 using Kind = PadControl::Kind;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PadCallouts", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::PadCallouts)
+};
 
 /// In one word for both ends of a stick.
 QString shortName(PadAction action) {
     switch (action) {
         case PadAction::Forward:
         case PadAction::Back:
-            return tr("drive");
+            return Say::tr("drive");
         case PadAction::TurnLeft:
         case PadAction::TurnRight:
-            return tr("turn");
+            return Say::tr("turn");
         case PadAction::SlideLeft:
         case PadAction::SlideRight:
-            return tr("sideways");
+            return Say::tr("sideways");
         case PadAction::PanLeft:
         case PadAction::PanRight:
         case PadAction::TiltUp:
         case PadAction::TiltDown:
-            return tr("cameras");
+            return Say::tr("cameras");
         default:
             return padActionName(action);
     }
@@ -88,7 +88,7 @@ PadCallouts padCallouts(const PadBindings& bindings, const std::vector<PadComman
     };
     PadCallouts callouts;
     callouts.left = {trigger(axis::LeftTrigger), one(button::LeftShoulder),
-                     one(button::Back),          stick(axis::LeftX, tr("Left stick")),
+                     one(button::Back),          stick(axis::LeftX, Say::tr("Left stick")),
                      one(button::LeftStick),     one(button::Up),
                      one(button::Left),          one(button::Right),
                      one(button::Down)};
@@ -99,7 +99,7 @@ PadCallouts padCallouts(const PadBindings& bindings, const std::vector<PadComman
                       one(button::X),
                       one(button::B),
                       one(button::A),
-                      stick(axis::RightX, tr("Right stick")),
+                      stick(axis::RightX, Say::tr("Right stick")),
                       one(button::RightStick)};
     return callouts;
 }

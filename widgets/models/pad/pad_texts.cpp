@@ -7,24 +7,24 @@
 namespace leitstand {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PadTexts", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::PadTexts)
+};
 
 QString standardAxis(const PadControl& control) {
     switch (control.index) {
         case standard_axis::LeftX:
-            return control.negative ? tr("Left stick left") : tr("Left stick right");
+            return control.negative ? Say::tr("Left stick left") : Say::tr("Left stick right");
         case standard_axis::LeftY:
-            return control.negative ? tr("Left stick up") : tr("Left stick down");
+            return control.negative ? Say::tr("Left stick up") : Say::tr("Left stick down");
         case standard_axis::RightX:
-            return control.negative ? tr("Right stick left") : tr("Right stick right");
+            return control.negative ? Say::tr("Right stick left") : Say::tr("Right stick right");
         case standard_axis::RightY:
-            return control.negative ? tr("Right stick up") : tr("Right stick down");
+            return control.negative ? Say::tr("Right stick up") : Say::tr("Right stick down");
         case standard_axis::LeftTrigger:
-            return tr("Left trigger");
+            return Say::tr("Left trigger");
         case standard_axis::RightTrigger:
-            return tr("Right trigger");
+            return Say::tr("Right trigger");
         default:
             return {};
     }
@@ -41,27 +41,27 @@ QString standardButton(int index) {
         case standard_button::Y:
             return QStringLiteral("Y");
         case standard_button::Back:
-            return tr("Back");
+            return Say::tr("Back");
         case standard_button::Guide:
-            return tr("Guide");
+            return Say::tr("Guide");
         case standard_button::Start:
-            return tr("Start");
+            return Say::tr("Start");
         case standard_button::LeftStick:
-            return tr("Left stick pressed");
+            return Say::tr("Left stick pressed");
         case standard_button::RightStick:
-            return tr("Right stick pressed");
+            return Say::tr("Right stick pressed");
         case standard_button::LeftShoulder:
-            return tr("Left shoulder");
+            return Say::tr("Left shoulder");
         case standard_button::RightShoulder:
-            return tr("Right shoulder");
+            return Say::tr("Right shoulder");
         case standard_button::Up:
-            return tr("Cross up");
+            return Say::tr("Cross up");
         case standard_button::Down:
-            return tr("Cross down");
+            return Say::tr("Cross down");
         case standard_button::Left:
-            return tr("Cross left");
+            return Say::tr("Cross left");
         case standard_button::Right:
-            return tr("Cross right");
+            return Say::tr("Cross right");
         default:
             return {};
     }
@@ -72,35 +72,35 @@ QString standardButton(int index) {
 QString padActionName(PadAction action) {
     switch (action) {
         case PadAction::DeadMan:
-            return tr("Hold to drive");
+            return Say::tr("Hold to drive");
         case PadAction::Forward:
-            return tr("Forward");
+            return Say::tr("Forward");
         case PadAction::Back:
-            return tr("Back");
+            return Say::tr("Back");
         case PadAction::TurnLeft:
-            return tr("Turn left");
+            return Say::tr("Turn left");
         case PadAction::TurnRight:
-            return tr("Turn right");
+            return Say::tr("Turn right");
         case PadAction::SlideLeft:
-            return tr("Sideways left");
+            return Say::tr("Sideways left");
         case PadAction::SlideRight:
-            return tr("Sideways right");
+            return Say::tr("Sideways right");
         case PadAction::Turbo:
-            return tr("Turbo");
+            return Say::tr("Turbo");
         case PadAction::Slow:
-            return tr("Slow");
+            return Say::tr("Slow");
         case PadAction::Stop:
-            return tr("STOP all robots");
+            return Say::tr("STOP all robots");
         case PadAction::PanLeft:
-            return tr("Camera left");
+            return Say::tr("Camera left");
         case PadAction::PanRight:
-            return tr("Camera right");
+            return Say::tr("Camera right");
         case PadAction::TiltUp:
-            return tr("Camera up");
+            return Say::tr("Camera up");
         case PadAction::TiltDown:
-            return tr("Camera down");
+            return Say::tr("Camera down");
         case PadAction::WithoutEyes:
-            return tr("Hold: without eyes");
+            return Say::tr("Hold: without eyes");
     }
     return {};
 }
@@ -108,25 +108,26 @@ QString padActionName(PadAction action) {
 QString padActionHint(PadAction action) {
     switch (action) {
         case PadAction::DeadMan:
-            return tr("The robot moves only while this is held; letting it go stops it at once");
+            return Say::tr("The robot moves only while this is held; letting it go stops it at once");
         case PadAction::Turbo:
-            return tr("All of the robot's speed instead of 60 %");
+            return Say::tr("All of the robot's speed instead of 60 %");
         case PadAction::Slow:
-            return tr("A quarter of the robot's speed");
+            return Say::tr("A quarter of the robot's speed");
         case PadAction::WithoutEyes:
-            return tr("While it is held, old or missing pictures do not cap the speed");
+            return Say::tr("While it is held, old or missing pictures do not cap the speed");
         case PadAction::Stop:
-            return tr("Stops all robots, always: without the trigger, and whatever window has the focus");
+            return Say::tr(
+                "Stops all robots, always: without the trigger, and whatever window has the focus");
         case PadAction::SlideLeft:
         case PadAction::SlideRight:
-            return tr("For robots that can drive sideways");
+            return Say::tr("For robots that can drive sideways");
         case PadAction::PanLeft:
         case PadAction::PanRight:
         case PadAction::TiltUp:
         case PadAction::TiltDown:
-            return tr("Turns the cameras, also while the robot stands");
+            return Say::tr("Turns the cameras, also while the robot stands");
         default:
-            return tr("Drives the selected robot while the trigger is held");
+            return Say::tr("Drives the selected robot while the trigger is held");
     }
 }
 
@@ -135,11 +136,11 @@ QString padControlName(const PadControl& control, PadLayout layout) {
     if (control.kind == PadControl::Kind::None) return QStringLiteral("–");
     if (control.kind == PadControl::Kind::Button) {
         const QString name = standard ? standardButton(control.index) : QString();
-        return name.isEmpty() ? tr("Button %1").arg(control.index + 1) : name;
+        return name.isEmpty() ? Say::tr("Button %1").arg(control.index + 1) : name;
     }
     const QString name = standard ? standardAxis(control) : QString();
     if (!name.isEmpty()) return name;
-    return tr("Axis %1 %2")
+    return Say::tr("Axis %1 %2")
         .arg(control.index + 1)
         .arg(control.negative ? QStringLiteral("−") : QStringLiteral("+"));
 }
@@ -147,8 +148,8 @@ QString padControlName(const PadControl& control, PadLayout layout) {
 QString padDriveHint(const PadBindings& bindings) {
     const PadControl& trigger = bindings.at(PadAction::DeadMan);
     if (trigger.kind == PadControl::Kind::None)
-        return tr("Nothing moves: no control is bound to “%1”.").arg(padActionName(PadAction::DeadMan));
-    return tr("Hold “%1” first, then push the stick; let it go and the robot stands.")
+        return Say::tr("Nothing moves: no control is bound to “%1”.").arg(padActionName(PadAction::DeadMan));
+    return Say::tr("Hold “%1” first, then push the stick; let it go and the robot stands.")
         .arg(padControlName(trigger, bindings.layout));
 }
 

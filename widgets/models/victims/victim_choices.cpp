@@ -5,40 +5,43 @@
 namespace leitstand {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("leitstand::Victims", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::VictimChoices)
+};
 
 }  // namespace
 
 std::vector<VictimChoice> situationChoices() {
-    return {{"", tr("unknown")},
-            {"surface", tr("surface: lies open")},
-            {"trapped", tr("trapped: partly covered")},
-            {"void", tr("void: in a hollow")},
-            {"entombed", tr("entombed: covered")}};
+    return {{"", Say::tr("unknown")},
+            {"surface", Say::tr("surface: lies open")},
+            {"trapped", Say::tr("trapped: partly covered")},
+            {"void", Say::tr("void: in a hollow")},
+            {"entombed", Say::tr("entombed: covered")}};
 }
 
 std::vector<VictimChoice> areaChoices() {
-    return {{"", tr("unknown")}, {"yellow", tr("yellow")}, {"orange", tr("orange")}, {"red", tr("red")}};
+    return {{"", Say::tr("unknown")},
+            {"yellow", Say::tr("yellow")},
+            {"orange", Say::tr("orange")},
+            {"red", Say::tr("red")}};
 }
 
 std::vector<SignField> signFields() {
-    return {{&VictimSample::form, tr("Form"), {}, tr("whole body, arm, hand …")},
-            {&VictimSample::motion, tr("Motion"), {}, tr("waving, breathing …")},
-            {&VictimSample::heat, tr("Heat"), tr("°C"), tr("face, hand …")},
-            {&VictimSample::sound, tr("Sound"), {}, tr("calling, tapping …")},
-            {&VictimSample::co2, tr("CO₂"), tr("ppm"), tr("rising, steady …")}};
+    return {{&VictimSample::form, Say::tr("Form"), {}, Say::tr("whole body, arm, hand …")},
+            {&VictimSample::motion, Say::tr("Motion"), {}, Say::tr("waving, breathing …")},
+            {&VictimSample::heat, Say::tr("Heat"), Say::tr("°C"), Say::tr("face, hand …")},
+            {&VictimSample::sound, Say::tr("Sound"), {}, Say::tr("calling, tapping …")},
+            {&VictimSample::co2, Say::tr("CO₂"), Say::tr("ppm"), Say::tr("rising, steady …")}};
 }
 
 QString signStateText(VictimSign::State state) {
     switch (state) {
         case VictimSign::State::Unknown:
-            return tr("unknown");
+            return Say::tr("unknown");
         case VictimSign::State::Absent:
-            return tr("absent");
+            return Say::tr("absent");
         case VictimSign::State::Present:
-            return tr("present");
+            return Say::tr("present");
     }
     return {};
 }

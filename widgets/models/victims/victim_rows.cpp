@@ -17,15 +17,15 @@ using Kind = VictimSample::Kind;
 using Status = VictimSample::Status;
 constexpr double LeastShown = 0.5;  // confidence of a candidate
 
-QString tr(const char* text, const char* note = nullptr) {
-    return QCoreApplication::translate("leitstand::Victims", text, note);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::VictimRows)
+};
 
 void addSign(QStringList& to, const QString& name, const VictimSign& sign, const QString& unit,
              int decimals) {
     if (sign.state == VictimSign::State::Unknown) return;
     if (sign.state == VictimSign::State::Absent) {
-        to += tr("no %1", "a sign of life").arg(name);
+        to += Say::tr("no %1", "a sign of life").arg(name);
         return;
     }
     QString text = name;
@@ -36,13 +36,13 @@ void addSign(QStringList& to, const QString& name, const VictimSign& sign, const
 
 QString cueText(const Cue& cue) {
     if (cue.kind == "heat") {
-        return std::isnan(cue.value) ? tr("heat") : tr("heat %1 °C").arg(numberText(cue.value, 0));
+        return std::isnan(cue.value) ? Say::tr("heat") : Say::tr("heat %1 °C").arg(numberText(cue.value, 0));
     }
-    if (cue.kind == "motion") return tr("motion");
+    if (cue.kind == "motion") return Say::tr("motion");
     if (cue.kind == "co2") {
-        return std::isnan(cue.value) ? tr("CO₂") : tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
+        return std::isnan(cue.value) ? Say::tr("CO₂") : Say::tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
     }
-    if (cue.kind == "sighting") return tr("the robot's own");
+    if (cue.kind == "sighting") return Say::tr("the robot's own");
     return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard)
                             : QString::fromStdString(cue.text);
 }
@@ -55,7 +55,7 @@ VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimSta
     row.name = QString::fromStdString(nameOf(key.first, key.second));
     row.what = kindText(key.first);
     row.confirmed = whole.status == Status::Confirmed;
-    row.state = row.confirmed ? tr("confirmed") : tr("unconfirmed");
+    row.state = row.confirmed ? Say::tr("confirmed") : Say::tr("unconfirmed");
     row.tone = row.confirmed ? Tone::Normal : Tone::Attention;
     row.inMap = positionInMap(mission, entry.victim);
     row.deviation = whole.deviation;
@@ -71,7 +71,7 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
     row.candidate = candidate.id;
     row.name = QStringLiteral("?");
     row.what = kindText(candidate.kind);
-    row.state = tr("candidate %1").arg(percentText(candidate.confidence));
+    row.state = Say::tr("candidate %1").arg(percentText(candidate.confidence));
     row.tone = Tone::Muted;
     row.inMap = positionInMap(mission, candidate);
     row.deviation = candidate.deviation;
@@ -90,13 +90,13 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
 QString kindText(Kind kind) {
     switch (kind) {
         case Kind::Victim:
-            return tr("victim");
+            return Say::tr("victim");
         case Kind::Hazard:
-            return tr("hazard");
+            return Say::tr("hazard");
         case Kind::Code:
-            return tr("QR code");
+            return Say::tr("QR code");
         case Kind::Object:
-            return tr("object");
+            return Say::tr("object");
     }
     return {};
 }
@@ -104,23 +104,23 @@ QString kindText(Kind kind) {
 QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place) {
     const Eigen::Vector3d seen = robotInMap.inverse() * place;
     const double distance = seen.head<2>().norm();
-    const QString metres = tr("%1 m").arg(numberText(distance, distance < 10.0 ? 1 : 0));
+    const QString metres = Say::tr("%1 m").arg(numberText(distance, distance < 10.0 ? 1 : 0));
     const double bearing = std::atan2(seen.y(), seen.x()) * 180.0 / std::numbers::pi;
     const int degrees = 5 * static_cast<int>(std::lround(std::abs(bearing) / 5.0));
     if (distance < 0.3) return metres;
-    if (degrees < 10) return tr("%1, ahead").arg(metres);
-    if (degrees > 170) return tr("%1, behind").arg(metres);
-    return (bearing > 0.0 ? tr("%1, %2° left") : tr("%1, %2° right")).arg(metres).arg(degrees);
+    if (degrees < 10) return Say::tr("%1, ahead").arg(metres);
+    if (degrees > 170) return Say::tr("%1, behind").arg(metres);
+    return (bearing > 0.0 ? Say::tr("%1, %2° left") : Say::tr("%1, %2° right")).arg(metres).arg(degrees);
 }
 
 QString signsText(const VictimSample& find) {
     QStringList signs;
     if (find.kind == Kind::Victim) {
-        addSign(signs, tr("form"), find.form, {}, 0);
-        addSign(signs, tr("motion"), find.motion, {}, 0);
-        addSign(signs, tr("heat"), find.heat, tr(" °C"), 0);
-        addSign(signs, tr("sound"), find.sound, {}, 0);
-        addSign(signs, tr("CO₂"), find.co2, tr(" ppm"), 0);
+        addSign(signs, Say::tr("form"), find.form, {}, 0);
+        addSign(signs, Say::tr("motion"), find.motion, {}, 0);
+        addSign(signs, Say::tr("heat"), find.heat, Say::tr(" °C"), 0);
+        addSign(signs, Say::tr("sound"), find.sound, {}, 0);
+        addSign(signs, Say::tr("CO₂"), find.co2, Say::tr(" ppm"), 0);
         if (!find.situation.empty()) signs += QString::fromStdString(find.situation);
     }
     if (!find.tag.empty()) signs += QString::fromStdString(find.tag);
@@ -156,10 +156,10 @@ QString victimsTitle(const std::vector<VictimRow>& rows) {
             ++others;
         }
     }
-    QString title = victims == 1 ? tr("1 victim") : tr("%1 victims").arg(victims);
-    if (open > 0) title += tr(", %1 not confirmed").arg(open);
-    if (others > 0) title += tr(" · %1 others").arg(others);
-    if (candidates > 0) title += tr(" · %1 candidates").arg(candidates);
+    QString title = victims == 1 ? Say::tr("1 victim") : Say::tr("%1 victims").arg(victims);
+    if (open > 0) title += Say::tr(", %1 not confirmed").arg(open);
+    if (others > 0) title += Say::tr(" · %1 others").arg(others);
+    if (candidates > 0) title += Say::tr(" · %1 candidates").arg(candidates);
     return title;
 }
 

@@ -50,7 +50,8 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
                           m_actions.at(QStringLiteral("victim.discard"))});
     connect(m_panel, &VictimsPanel::chosenChanged, this, &VictimsFeature::showForm);
     connect(m_panel, &VictimsPanel::activated, this, [this] { m_form->nextField(1); });
-    connect(m_form, &VictimForm::edited, this, [this](const VictimSample& find) { answer(desk().edit(find)); });
+    connect(m_form, &VictimForm::edited, this,
+            [this](const VictimSample& find) { answer(desk().edit(find)); });
     connect(&context.source, &MomentSource::ticked, this, &VictimsFeature::show);
 }
 
@@ -96,9 +97,10 @@ void VictimsFeature::addDecisions() {
             &QAction::triggered, this, [this] {
                 if (const auto find = meant()) answer(desk().discard(*find));
             });
-    connect(&add("victim.merge", tr("&Merge with the nearest"), tr("Merge"),
-                 tr("The chosen find is the same as the nearest one of its kind, which gets its evidence"), {}),
-            &QAction::triggered, this, &VictimsFeature::merge);
+    connect(
+        &add("victim.merge", tr("&Merge with the nearest"), tr("Merge"),
+             tr("The chosen find is the same as the nearest one of its kind, which gets its evidence"), {}),
+        &QAction::triggered, this, &VictimsFeature::merge);
     connect(&add("victim.undo", tr("Undo the last &entry on finds"), tr("Undo"),
                  tr("Takes back what was filed, changed, confirmed or discarded last"),
                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_U)),
@@ -130,7 +132,8 @@ void VictimsFeature::addForm() {
 }
 
 void VictimsFeature::freeze(Kind kind) {
-    desk().freeze(m_context.selection.name().toStdString(), kind, m_cameras.views().sensor(CameraPlace::Large));
+    desk().freeze(m_context.selection.name().toStdString(), kind,
+                  m_cameras.views().sensor(CameraPlace::Large));
 }
 
 std::optional<FindKey> VictimsFeature::meant() const {
