@@ -15,7 +15,6 @@ namespace leitstand {
 namespace {
 
 /// The station that has it registers; the others would make a second map of the same scans.
-const GrantId MapGrant{GrantSample::Kind::Map, {}};
 
 }  // namespace
 

@@ -24,6 +24,8 @@
 
 namespace leitstand {
 
+inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
+
 /// All parts of a station, put together and taken apart in the right order.
 struct Station::State {
     StationSettings settings;

@@ -21,9 +21,10 @@ struct CandidateSettings {
     double gate = 3.0;         ///< ... or within so many deviations
     double widestGate = 1.2;   ///< ... but never farther [m]
     double body = 0.12;        ///< deviation by which part of a body is seen [m]
-    double tell = 0.5;         ///< confidence from which a candidate is told
-    double drop = 0.3;         ///< ... below which one that was told is taken back
-    int pictures = 4;          ///< cues of one kind until they count in full
+    double tell = 0.57;        ///< confidence from which a candidate is told
+    double drop = 0.35;        ///< ... below which one that was told is taken back
+    int moments = 6;           ///< half seconds in which cues of one kind came until they count in full
+    double breathFrom = 0.5;   ///< sureness by heat or motion from which CO2 near by agrees in full
     double interval = 1.0;     ///< between updates of a candidate, at least [s]
     double move = 0.03;        ///< a change worth an update [m]
     double change = 0.04;      ///< ... of the confidence
