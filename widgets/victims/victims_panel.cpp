@@ -2,13 +2,13 @@
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/tone_delegate.h"
+#include "widgets/tables/column_fitter.h"
+#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 
@@ -26,16 +26,9 @@ VictimsPanel::VictimsPanel(QWidget* parent)
     m_table->setObjectName(QStringLiteral("finds"));
     m_table->setAccessibleName(tr("Victims, other finds and candidates"));
     m_table->setModel(&m_model);
-    m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    dressTable(*m_table);
     m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    new ColumnFitter(*m_table, {VictimListModel::Signs, VictimListModel::State}, VictimListModel::Signs);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &VictimsPanel::chosenChanged);
     connect(m_table, &QTableView::activated, this, &VictimsPanel::activated);

@@ -5,6 +5,7 @@
 #include "app/session/domain/seen_topics.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/station_state.h"
+#include "core/mission/station_topics.h"
 
 namespace leitstand {
 
@@ -42,6 +43,12 @@ StationClock& Station::clock() {
 
 StationAlarms& Station::alarms() {
     return *m_state->alarms;
+}
+
+Result<void> Station::describe(MissionInfoSample info) {
+    info.stamp = stationTime();
+    info.station = m_state->memory->identity().id;
+    return m_state->mission->say(info, station_topic::Mission);
 }
 
 FindDesk& Station::finds() {

@@ -71,8 +71,10 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
-    [[nodiscard]] FindDesk& finds();          ///< files victims and other finds
-    [[nodiscard]] StationAlarms& alarms();    ///< what the operator has to know
+    /// What the report says of the mission; time and sender are filled in.
+    Result<void> describe(MissionInfoSample info);
+    [[nodiscard]] FindDesk& finds();                            ///< files victims and other finds
+    [[nodiscard]] StationAlarms& alarms();                      ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
     [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples
     [[nodiscard]] std::vector<SeenTopic> heard() const;         ///< what others say and hear in the domain

@@ -12,12 +12,6 @@
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
-namespace {
-
-/// The station that has it registers; the others would make a second map of the same scans.
-
-}  // namespace
-
 Station::State::~State() {
     {
         const std::lock_guard lock(mutex);

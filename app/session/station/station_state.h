@@ -24,6 +24,7 @@
 
 namespace leitstand {
 
+/// The station that has it registers; the others would make a second map of the same scans.
 inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
 
 /// All parts of a station, put together and taken apart in the right order.

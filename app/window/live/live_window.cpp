@@ -23,6 +23,7 @@
 #include "app/window/live/pad/pad_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/preflight/preflight_feature.h"
+#include "app/window/live/report/report_feature.h"
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
@@ -60,6 +61,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
     new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);
+    m_report = new ReportFeature(context);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
@@ -116,6 +118,7 @@ void LiveWindow::connectFeatures() {
     connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
     connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
     connect(m_victims, &VictimsFeature::told, this, &LiveWindow::tell);
+    connect(m_report, &ReportFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);

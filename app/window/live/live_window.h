@@ -26,6 +26,7 @@ class MissionFeature;
 class PadFeature;
 class PaneDocks;
 class PreflightFeature;
+class ReportFeature;
 class RobotsFeature;
 class Selection;
 class VictimsFeature;
@@ -82,6 +83,7 @@ private:
     AlarmsFeature* m_alarms = nullptr;
     PreflightFeature* m_preflight = nullptr;
     VictimsFeature* m_victims = nullptr;
+    ReportFeature* m_report = nullptr;
     QLabel* m_word = nullptr;  ///< newest message
 };
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/io/settings/score_file.h"
+#include "core/mission/score/score.h"
+
+namespace leitstand {
+
+/// The rules of scores that this computer knows, and what a mission would bring by them.
+class ScoreBoard {
+public:
+    ScoreBoard() : m_profiles(scoreProfiles()) {}
+    explicit ScoreBoard(ScoreProfiles profiles) : m_profiles(std::move(profiles)) {}
+
+    [[nodiscard]] const std::vector<ScoreProfile>& profiles() const { return m_profiles.profiles; }
+    /// Why some could not be read.
+    [[nodiscard]] const std::vector<std::string>& problems() const { return m_profiles.problems; }
+    /// The rules that @p mission names, else the newest; null when there are none.
+    [[nodiscard]] const ScoreProfile* profileOf(const MissionState& mission) const {
+        return m_profiles.find(mission.info ? mission.info->sample.profile : std::string());
+    }
+
+private:
+    ScoreProfiles m_profiles;
+};
+
+}  // namespace leitstand

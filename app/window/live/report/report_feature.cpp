@@ -1,0 +1,109 @@
+#include "app/window/live/report/report_feature.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFileDialog>
+#include <QMainWindow>
+
+#include "app/report/pdf_report.h"
+#include "app/session/report/report_keeper.h"
+#include "app/session/station/station.h"
+#include "app/session/station/station_clock.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
+#include "widgets/mission/mission_form.h"
+#include "widgets/score/score_pane.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int TicksAScore = 30;  ///< the score is estimated once a second
+
+}  // namespace
+
+ReportFeature::ReportFeature(const LiveContext& context)
+    : QObject(&context.window), m_context(context), m_score(new ScorePane(&context.window)) {
+    m_score->setObjectName(QStringLiteral("scorePane"));
+    context.panes.add(QStringLiteral("score"), tr("Score"), *m_score);
+    addCommands();
+    for (const std::string& problem : m_board.problems()) emit told(QString::fromStdString(problem));
+    connect(&context.source, &MomentSource::ticked, this, &ReportFeature::show);
+}
+
+ReportFeature::~ReportFeature() = default;
+
+void ReportFeature::addCommands() {
+    CommandTable& commands = m_context.commands;
+    commands.separate(CommandMenu::Mission);
+    connect(
+        &commands.add({.id = QStringLiteral("mission.data"),
+                       .menu = CommandMenu::Mission,
+                       .text = tr("Mission d&ata…"),
+                       .hint = tr("Competition, team, operators, rules of the score: what the report says")}),
+        &QAction::triggered, this, &ReportFeature::askForData);
+    m_keep = &commands.add({.id = QStringLiteral("mission.report"),
+                            .menu = CommandMenu::Mission,
+                            .text = tr("&Report into a folder…"),
+                            .hint = tr("Writes the judges' folder now, and again every minute"),
+                            .keys = QKeySequence(Qt::CTRL | Qt::Key_R),
+                            .checkable = true});
+    connect(m_keep, &QAction::triggered, this, [this](bool on) {
+        if (on) return askForFolder();
+        m_keeper.reset();
+        emit told(tr("The report is not written any more"));
+    });
+}
+
+void ReportFeature::askForData() {
+    MissionForm::Profiles profiles;
+    for (const ScoreProfile& profile : m_board.profiles())
+        profiles.emplace_back(QString::fromStdString(profile.name), QString::fromStdString(profile.title));
+    const auto& known = m_context.source.moment().mission->info;
+    auto* form = new MissionForm(known ? known->sample : MissionInfoSample(), profiles, &m_context.window);
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    connect(form, &MissionForm::wanted, this, [this](const MissionInfoSample& info) {
+        if (const auto said = m_context.bridge.station().describe(info); !said)
+            emit told(QString::fromStdString(said.error().text));
+    });
+    form->show();
+}
+
+void ReportFeature::askForFolder() {
+    m_keep->setChecked(false);
+    auto* dialog = new QFileDialog(&m_context.window, tr("Folder for the report"));
+    dialog->setObjectName(QStringLiteral("reportFolder"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setModal(false);
+    connect(dialog, &QFileDialog::fileSelected, this, &ReportFeature::keep);
+    dialog->show();
+}
+
+void ReportFeature::keep(const QString& folder) {
+    ReportKeeper::Settings settings;
+    settings.mission = m_context.bridge.station().folder();
+    settings.out = folder.toStdString();
+    settings.options.pdf = &pdfOf;
+    settings.options.version = QApplication::applicationVersion().toStdString();
+    m_keeper = std::make_unique<ReportKeeper>(settings, [this, folder](const Result<ReportOutcome>& done) {
+        const QString text = !done ? QString::fromStdString(done.error().text)
+                             : !done->whole()
+                                 ? tr("The report in %1 is not whole: look at its messages").arg(folder)
+                                 : tr("Report written into %1").arg(folder);
+        QMetaObject::invokeMethod(
+            this, [this, text] { emit told(text); }, Qt::QueuedConnection);
+    });
+    m_keep->setChecked(true);
+}
+
+void ReportFeature::show(const LiveMoment& moment) {
+    if (m_sinceScore++ % TicksAScore != 0 || !m_score->isVisible()) return;
+    const ScoreProfile* profile = m_board.profileOf(*moment.mission);
+    if (profile == nullptr) return;
+    m_score->show(
+        scoreText(*profile, score(*profile, *moment.mission), m_context.bridge.station().clock().now()));
+}
+
+}  // namespace leitstand

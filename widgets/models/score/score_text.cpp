@@ -1,0 +1,90 @@
+#include "widgets/models/score/score_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::ScoreText)
+};
+
+constexpr std::size_t MostAdvice = 5;
+
+QString points(double value) {
+    return numberText(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+}
+
+QString itemText(ScoreItem item) {
+    switch (item) {
+        case ScoreItem::Map:
+            return Say::tr("map");
+        case ScoreItem::Location:
+            return Say::tr("place");
+        case ScoreItem::Form:
+            return Say::tr("form");
+        case ScoreItem::Motion:
+            return Say::tr("motion");
+        case ScoreItem::Heat:
+            return Say::tr("heat");
+        case ScoreItem::Sound:
+            return Say::tr("sound");
+        case ScoreItem::Co2:
+            return Say::tr("CO₂");
+        case ScoreItem::Situation:
+            return Say::tr("situation");
+        case ScoreItem::Tag:
+            return Say::tr("tag");
+    }
+    return {};
+}
+
+ScoreLine lineOf(const ScoredFind& find) {
+    QString what = QString::fromStdString(find.name);
+    if (!find.confirmed) return {Say::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
+    if (find.weight != 1.0) what += Say::tr(" · area × %1").arg(numberText(find.weight, 2));
+    if (find.factor != 1.0) what += Say::tr(" · autonomy × %1").arg(numberText(find.factor, 1));
+    return {what, points(find.total), Tone::Normal};
+}
+
+}  // namespace
+
+ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, const MissionClock& clock) {
+    ScoreText text;
+    text.score = Say::tr("%1 points").arg(points(result.score));
+    text.rules = Say::tr("%1 · version %2")
+                     .arg(QString::fromStdString(profile.title), QString::fromStdString(profile.version));
+    if (!profile.unconfirmed.empty())
+        text.rules += Say::tr(" · %1 values unconfirmed").arg(profile.unconfirmed.size());
+    if (clock.left) {
+        const auto minutes = std::chrono::duration_cast<std::chrono::seconds>(*clock.left).count() / 60;
+        text.left = minutes >= 0 ? Say::tr("%1 min left").arg(minutes) : Say::tr("time is over");
+    }
+    for (const ScoredFind& find : result.finds) text.finds.push_back(lineOf(find));
+    const auto bumps = [&](std::uint64_t count, double each, const QString& what) {
+        if (count > 0 && each > 0.0)
+            text.finds.push_back(
+                {what.arg(count), points(-each * static_cast<double>(count)), Tone::Attention});
+    };
+    bumps(result.areaBumps, profile.areaBump, Say::tr("%1 × touched the arena"));
+    bumps(result.victimBumps, profile.victimBump, Say::tr("%1 × touched a victim"));
+    if (result.divisor != 1.0) {
+        text.finds.push_back({Say::tr("operators: %1").arg(result.operators),
+                              QStringLiteral("÷ ") + points(result.divisor), Tone::Muted});
+    }
+    for (const ScoreAdvice& one : result.advice) {
+        if (text.advice.size() == MostAdvice) break;
+        const QString name = QString::fromStdString(one.name);
+        text.advice.push_back({one.item ? Say::tr("%1: %2", "V1: heat").arg(name, itemText(*one.item))
+                                        : Say::tr("%1: confirm").arg(name),
+                               QLatin1Char('+') + points(one.gain), Tone::Normal});
+    }
+    return text;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "core/mission/mission_clock.h"
+#include "core/mission/score/score.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// One line of the score's pane: what, and what it brings.
+struct ScoreLine {
+    QString what;
+    QString points;
+    Tone tone = Tone::Normal;
+    friend bool operator==(const ScoreLine&, const ScoreLine&) = default;
+};
+
+/// The estimate in short.
+struct ScoreText {
+    QString score;                  ///< "74.3 points"
+    QString rules;                  ///< "RoboCup Rescue 2005 · version 1.0 · 6 values unconfirmed"
+    QString left;                   ///< "12 min left"; empty without a limit
+    std::vector<ScoreLine> finds;   ///< what each brings, penalties, operators
+    std::vector<ScoreLine> advice;  ///< what one more thing would bring, largest first, at most five
+    friend bool operator==(const ScoreText&, const ScoreText&) = default;
+};
+
+/// What @p result says by @p profile.
+[[nodiscard]] ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result,
+                                  const MissionClock& clock);
+
+}  // namespace leitstand

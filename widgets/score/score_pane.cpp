@@ -1,0 +1,78 @@
+#include "widgets/score/score_pane.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace leitstand {
+
+ScorePane::ScorePane(QWidget* parent)
+    : QWidget(parent),
+      m_score(new QLabel(this)),
+      m_left(new QLabel(this)),
+      m_rules(new QLabel(this)),
+      m_more(new QLabel(tr("More would bring"))),
+      m_finds(new QFormLayout),
+      m_advice(new QFormLayout) {
+    setAccessibleName(tr("Estimate of the score"));
+    setToolTip(tr("An estimate: judges look at the map, which counts as good here"));
+    QFont large = m_score->font();
+    large.setPointSizeF(1.5 * large.pointSizeF());
+    large.setBold(true);
+    m_score->setFont(large);
+    m_rules->setProperty("muted", true);
+    m_rules->setWordWrap(true);
+    m_more->setProperty("muted", true);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_score, 1);
+    head->addWidget(m_left);
+    auto* lists = new QWidget;
+    auto* columns = new QVBoxLayout(lists);
+    columns->setContentsMargins(0, 0, 0, 0);
+    columns->addLayout(m_finds);
+    columns->addWidget(m_more);
+    columns->addLayout(m_advice);
+    columns->addStretch(1);
+    for (QFormLayout* list : {m_finds, m_advice}) {
+        list->setVerticalSpacing(2);
+        list->setHorizontalSpacing(12);
+        list->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    }
+    auto* area = new QScrollArea(this);
+    area->setWidget(lists);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::TabFocus);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(8, 6, 8, 6);
+    rows->addLayout(head);
+    rows->addWidget(m_rules);
+    rows->addWidget(area, 1);
+}
+
+void ScorePane::fill(QFormLayout& list, const std::vector<ScoreLine>& lines) {
+    while (list.rowCount() > 0) list.removeRow(0);
+    for (const ScoreLine& line : lines) {
+        auto* what = new QLabel(line.what);
+        auto* points = new QLabel(line.points);
+        points->setAlignment(Qt::AlignRight);
+        what->setProperty("muted", line.tone == Tone::Muted);
+        what->setProperty("attention", line.tone == Tone::Attention);
+        list.addRow(what, points);
+    }
+}
+
+void ScorePane::show(const ScoreText& text) {
+    if (text == m_text) return;
+    m_text = text;
+    m_score->setText(text.score);
+    m_left->setText(text.left);
+    m_rules->setText(text.rules);
+    fill(*m_finds, text.finds);
+    fill(*m_advice, text.advice);
+    m_more->setVisible(!text.advice.empty());
+}
+
+}  // namespace leitstand

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/score/score_text.h"
+
+class QFormLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace leitstand {
+
+/// What the mission would bring now: the sum, what each find adds, what would bring more.
+class ScorePane final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ScorePane(QWidget* parent = nullptr);
+
+    void show(const ScoreText& text);
+    using QWidget::show;
+
+    [[nodiscard]] QSize sizeHint() const override { return {280, 240}; }
+
+private:
+    void fill(QFormLayout& list, const std::vector<ScoreLine>& lines);
+
+    ScoreText m_text;
+    QLabel *m_score, *m_left, *m_rules, *m_more;
+    QFormLayout *m_finds, *m_advice;
+};
+
+}  // namespace leitstand
