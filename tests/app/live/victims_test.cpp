@@ -1,0 +1,139 @@
+#include <filesystem>
+
+#include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include <gtest/gtest.h>
+
+#include "app/session/finds/find_desk.h"
+#include "app/session/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
+#include "widgets/mission/mission_form.h"
+#include "widgets/victims/victim_form.h"
+
+namespace leitstand::test {
+namespace {
+
+using Kind = VictimSample::Kind;
+using Status = VictimSample::Status;
+
+/// Finds on robots that are processes, through the real widgets.
+class LiveVictims : public LivePage {
+protected:
+    LiveVictims() {
+        m_window->layouts().use("map");
+        EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    }
+    void trigger(const char* id) {
+        QAction* const action = m_window->commands().find(id);
+        ASSERT_NE(action, nullptr) << id;
+        action->trigger();
+    }
+    [[nodiscard]] const VictimState* victim(std::uint32_t number, Kind kind = Kind::Victim) {
+        m_mission = station().mission();
+        const auto found = m_mission->victims->find({kind, number});
+        return found == m_mission->victims->end() ? nullptr : &found->second;
+    }
+    [[nodiscard]] bool is(std::uint32_t number, Status status) {
+        const VictimState* one = victim(number);
+        return one != nullptr && one->victim.status == status;
+    }
+
+private:
+    MissionStatePtr m_mission;
+};
+
+TEST_F(LiveVictims, OneKeyFreezesAnotherConfirmsTheFormFollowsAndARestartKeepsAll) {
+    press(Qt::Key_F);
+    ASSERT_TRUE(soon([&] { return victim(1) != nullptr; })) << m_window->newest().toStdString();
+    const VictimSample filed = victim(1)->victim;
+    EXPECT_EQ(filed.robot, "kurt3d");
+    EXPECT_NE(filed.scan, 0U) << "it hangs on a scan and moves with it";
+    EXPECT_LT((filed.positionInMap).head<2>().norm(), 12.0);
+    const auto shows = [&](const std::string& kind) {
+        return std::any_of(filed.evidence.begin(), filed.evidence.end(),
+                           [&](const VictimEvidence& one) { return one.kind == kind && one.sequence > 0; });
+    };
+    for (const char* kind : {"picture", "thermal", "gas", "scan", "odometry"})
+        EXPECT_TRUE(shows(kind)) << kind;
+    auto* table = m_window->findChild<QTableView*>("finds");
+    ASSERT_NE(table, nullptr);
+    ASSERT_TRUE(soon([&] { return table->model()->rowCount() >= 1 && table->currentIndex().isValid(); }));
+    press(Qt::Key_V);
+    ASSERT_TRUE(soon([&] { return is(1, Status::Confirmed); }));
+
+    auto* form = m_window->findChild<VictimForm*>("formPane");
+    ASSERT_NE(form, nullptr);
+    ASSERT_TRUE(soon([&] { return form->isVisible(); }));
+    const auto box = [&](const char* name) {
+        for (QComboBox* one : form->findChildren<QComboBox*>()) {
+            if (one->accessibleName() == QLatin1String(name)) return one;
+        }
+        return static_cast<QComboBox*>(nullptr);
+    };
+    ASSERT_TRUE(soon([&] { return box("Situation")->isEnabled(); }));
+    box("Situation")->setCurrentIndex(3);
+    box("Sound")->setCurrentIndex(1);
+    ASSERT_TRUE(soon([&] { return victim(1)->victim.situation == "void"; }));
+    ASSERT_TRUE(soon([&] { return victim(1)->victim.sound.state == VictimSign::State::Absent; }));
+    lookAt("victims_map");
+    m_window->layouts().use("drive");
+    lookAt("victims_drive");
+
+    restart();
+    ASSERT_TRUE(soon([&] { return is(1, Status::Confirmed); })) << "nothing is lost";
+    EXPECT_EQ(victim(1)->victim.situation, "void");
+    trigger("victim.undo");
+    ASSERT_TRUE(soon([&] { return victim(1)->victim.sound.state != VictimSign::State::Absent; }))
+        << "undo goes on after a restart";
+}
+
+TEST_F(LiveVictims, HazardsAreFiledPlacedMergedAndDiscarded) {
+    trigger("victim.hazard");
+    ASSERT_TRUE(soon([&] { return victim(1, Kind::Hazard) != nullptr; })) << m_window->newest().toStdString();
+    EXPECT_EQ(victim(1), nullptr) << "numbers of hazards are their own";
+    station().finds().freezeAt("kurt3d", Kind::Victim, {1.0, 0.0, 0.2});
+    station().finds().freezeAt("kurt3d", Kind::Victim, {2.5, 0.0, 0.2});
+    ASSERT_TRUE(soon([&] { return victim(2) != nullptr; }));
+    auto* table = m_window->findChild<QTableView*>("finds");
+    const auto row = [&](const char* name) {
+        for (int i = 0; i < table->model()->rowCount(); ++i) {
+            if (table->model()->index(i, 0).data().toString() == QLatin1String(name)) return i;
+        }
+        return -1;
+    };
+    ASSERT_TRUE(soon([&] { return row("V2") >= 0; }));
+    table->selectRow(row("V2"));
+    trigger("victim.merge");
+    ASSERT_TRUE(soon([&] { return victim(2)->victim.mergedInto == 1; }));
+    ASSERT_TRUE(soon([&] { return row("V2") < 0; })) << "it is part of V1";
+    ASSERT_TRUE(soon([&] { return row("H1") >= 0; }));
+    table->selectRow(row("H1"));
+    trigger("victim.discard");
+    ASSERT_TRUE(soon([&] { return victim(1, Kind::Hazard)->victim.status == Status::Discarded; }));
+    trigger("victim.undo");
+    ASSERT_TRUE(soon([&] { return victim(1, Kind::Hazard)->victim.status == Status::Hypothesis; }));
+}
+
+TEST_F(LiveVictims, MissionDataAreAskedForWithoutStoppingAnything) {
+    trigger("mission.data");
+    auto* form = m_window->findChild<MissionForm*>("missionForm");
+    ASSERT_NE(form, nullptr);
+    EXPECT_FALSE(form->isModal());
+    for (QLineEdit* line : form->findChildren<QLineEdit*>()) {
+        if (line->accessibleName() == QStringLiteral("Team")) line->setText(QStringLiteral("Osnabrück"));
+    }
+    emit form->wanted(form->info());
+    ASSERT_TRUE(soon([&] { return station().mission()->info.has_value(); }));
+    EXPECT_EQ(station().mission()->info->sample.team, "Osnabrück");
+    EXPECT_EQ(station().mission()->info->sample.profile, "2019")
+        << "the newest rules, until others are chosen";
+}
+
+}  // namespace
+}  // namespace leitstand::test
