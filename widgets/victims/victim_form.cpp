@@ -42,6 +42,10 @@ VictimForm::VictimForm(QWidget* parent)
       m_tag(line(tr("Tag"), tr("what is written on it"))),
       m_text(line(tr("Remarks"), tr("how to get there, what to mind"))) {
     setAccessibleName(tr("Form of the chosen find"));
+    m_situation->setObjectName(QStringLiteral("situation"));
+    m_area->setObjectName(QStringLiteral("area"));
+    m_tag->setObjectName(QStringLiteral("tag"));
+    m_text->setObjectName(QStringLiteral("remarks"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 4, 8, 8);
     grid->setHorizontalSpacing(8);

@@ -11,8 +11,8 @@
 #include "app/window/live/selection.h"
 #include "app/window/review/review_bridge.h"
 #include "widgets/models/timeline/timeline_words.h"
-#include "widgets/review/find_form.h"
 #include "widgets/review/finds_panel.h"
+#include "widgets/victims/victim_form.h"
 
 namespace leitstand {
 
@@ -23,9 +23,13 @@ FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
       m_pen(std::make_unique<ReviewPen>(bridge.player().folder(), bridge.robots(),
                                         "review-" + QSysInfo::machineHostName().toStdString(),
                                         LEITSTAND_VERSION)),
-      m_panel(new FindsPanel(&context.window)) {
+      m_panel(new FindsPanel(&context.window)),
+      m_form(new VictimForm(&context.window)) {
     context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
+    m_form->setObjectName(QStringLiteral("formPane"));
+    context.panes.add(QStringLiteral("form"), tr("Form"), *m_form);
     addCommands();
+    connect(m_form, &VictimForm::edited, this, &FindsFeature::correct);
     connect(m_panel, &FindsPanel::sought, this, [this](Time at) { m_bridge.player().seek(at); });
     connect(m_panel, &FindsPanel::confirmed, this,
             [this](const FindKey& find) { judge(find, VictimSample::Status::Confirmed); });
@@ -73,6 +77,9 @@ void FindsFeature::show() {
     if (!m_bridge.reviewed()) return;
     m_panel->show(findRowsOf(state()));
     m_panel->setUndoable(m_pen->canUndo());
+    const auto chosen = m_panel->chosen();
+    const VictimSample* const known = chosen ? newest(*chosen) : nullptr;
+    m_form->show(known == nullptr ? std::nullopt : std::optional(*known));
 }
 
 void FindsFeature::wrote(const Result<void>& done, const QString& what) {
@@ -94,12 +101,15 @@ void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
 void FindsFeature::openForm(const FindKey& find) {
     const VictimSample* const known = newest(find);
     if (known == nullptr) return emit told(tr("The mission took this find back later"));
-    auto* form = new FindForm(*known, &m_context.window);
-    connect(form, &FindForm::corrected, this, [this](const VictimSample& corrected) {
-        const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
-        wrote(m_pen->correct(corrected), tr("%1 corrected (as finished)").arg(name));
-    });
-    form->show();
+    if (!m_context.panes.isPaneVisible(QStringLiteral("form")))
+        m_context.panes.visibility(QStringLiteral("form"))->trigger();
+    m_form->show(*known);
+    m_form->nextField(1);
+}
+
+void FindsFeature::correct(const VictimSample& corrected) {
+    const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
+    wrote(m_pen->correct(corrected), tr("%1 corrected (as finished)").arg(name));
 }
 
 void FindsFeature::askForNote() {

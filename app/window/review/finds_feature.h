@@ -12,6 +12,7 @@ namespace leitstand {
 
 class FindsPanel;
 class ReviewBridge;
+class VictimForm;
 
 /// What was found ("finds"), as then or as the mission has it now: corrections and notes of the review.
 class FindsFeature final : public QObject {
@@ -34,6 +35,7 @@ private:
     void show();
     void judge(const FindKey& find, VictimSample::Status status);
     void openForm(const FindKey& find);
+    void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
     void wrote(const Result<void>& done, const QString& what);
     [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
@@ -43,6 +45,7 @@ private:
     ReviewBridge& m_bridge;
     std::unique_ptr<ReviewPen> m_pen;
     FindsPanel* m_panel;
+    VictimForm* m_form;
 };
 
 }  // namespace leitstand

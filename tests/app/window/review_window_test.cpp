@@ -7,12 +7,10 @@
 #include <gmock/gmock.h>
 #include <QAction>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -177,17 +175,18 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     ASSERT_TRUE(soon([&] { return finds.topLevelItemCount() == 1; }));
     finds.setCurrentItem(finds.topLevelItem(0));
     find<QToolButton>("editFind").click();
-    find<QComboBox>("situation")
-        .setCurrentIndex(find<QComboBox>("situation").findData(QStringLiteral("trapped")));
-    find<QLineEdit>("tag").setText(QStringLiteral("Anna"));
+    EXPECT_TRUE(m_window->panes().isPaneVisible(QStringLiteral("form")));
+    auto& tag = find<QLineEdit>("tag");
+    ASSERT_TRUE(soon([&] { return tag.isEnabled(); }));
+    tag.setText(QStringLiteral("Anna"));
     lookAt("form");
-    find<QDialog>("findForm").reject();
-    EXPECT_EQ(finds.topLevelItem(0)->text(3), "") << "closed without keeping";
-    find<QToolButton>("editFind").click();
-    auto* const form = m_window->findChildren<QDialog*>(QStringLiteral("findForm")).last();
-    form->findChild<QLineEdit*>(QStringLiteral("tag"))->setText(QStringLiteral("Anna"));
-    form->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
-    EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(3) == QStringLiteral("“Anna”"); }));
+    emit tag.editingFinished();
+    EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(3).contains(QStringLiteral("Anna")); }));
+    auto& situation = find<QComboBox>("situation");
+    situation.setCurrentIndex(situation.findData(QStringLiteral("trapped")));
+    EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(3).contains(QStringLiteral("trapped")); }));
+    find<QToolButton>("undoCorrection").click();
+    EXPECT_TRUE(soon([&] { return !finds.topLevelItem(0)->text(3).contains(QStringLiteral("trapped")); }));
     find<QToolButton>("discardFind").click();
     EXPECT_EQ(finds.topLevelItem(0)->text(1), "discarded");
     find<QToolButton>("undoCorrection").click();
