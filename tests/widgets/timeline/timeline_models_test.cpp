@@ -64,7 +64,9 @@ TEST(TimelineAxis, TicksStandAtRoundTimesApartFromAnother) {
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         EXPECT_EQ(ticks[i].at.time_since_epoch() % 2min, 0s);
         EXPECT_NEAR(ticks[i].place, axis.placeOf(ticks[i].at), 1e-12);
-        if (i > 0) EXPECT_GE(ticks[i].place - ticks[i - 1].place, 0.09);
+        if (i > 0) {
+            EXPECT_GE(ticks[i].place - ticks[i - 1].place, 0.09);
+        }
     }
 }
 
