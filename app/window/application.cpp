@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include <QApplication>
-#include <QLocale>
 
+#include "app/window/language.h"
 #include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
@@ -30,6 +30,13 @@ void dropPlatformRemarks(QtMsgType type, const QMessageLogContext& context, cons
         if (text.contains(QLatin1String(remark))) return;
     }
     std::fprintf(stderr, "%s\n", qUtf8Printable(qFormatLogMessage(type, context, text)));
+}
+
+QString languageOf(const Options& options) {
+    if (!options.language.empty()) return QString::fromStdString(options.language);
+    if (!options.screenshot.empty()) return languages().front().code;  // the same on every machine
+    const QString remembered = loadWindowState().language;
+    return remembered.isEmpty() ? systemLanguage() : remembered;
 }
 
 int takeScreenshot(const Options& options) {
@@ -70,8 +77,7 @@ int runStation(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("leitstand"));
     QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
-    // The texts are English, so the numbers are, too.
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    useLanguage(languageOf(options));
     if (options.live) return runLive(options);
     if (argc == 1) {
         if (const auto last = lastOptions()) return runLive(*last);

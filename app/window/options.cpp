@@ -48,6 +48,9 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     app.add_option("--theme", options.theme, "dark or light")
         ->transform(CLI::CheckedTransformer(themes).description(""))
         ->type_name("THEME");
+    app.add_option("--language", options.language, "en, de or ja (as chosen last, else the user's)")
+        ->check(CLI::IsMember({"en", "de", "ja"}, CLI::ignore_case).description(""))
+        ->type_name("LANGUAGE");
     app.add_option("--size", size, "Size of the screenshot in pixels (1280x800)")
         ->type_name("WxH")
         ->needs(screenshot)

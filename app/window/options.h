@@ -17,6 +17,7 @@ struct Options {
     std::string screenshot;  ///< file to write; empty: none is wanted
     std::optional<MapLook> look;
     std::optional<Theme> theme;
+    std::string language;        ///< "de"; empty: as remembered, else the user's
     bool registerAgain = false;  ///< a mission is registered anew, not reviewed
     QSize size{1280, 800};       ///< of the window on a screenshot [px]
     // The station on live robots:

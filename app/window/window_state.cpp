@@ -103,6 +103,7 @@ WindowState loadWindowState() {
     }
     state.liveGeometry = file.value(QStringLiteral("live/geometry")).toByteArray();
     state.liveLayout = file.value(QStringLiteral("live/layout")).toString();
+    state.language = file.value(QStringLiteral("language")).toString();
     readView(file, state.view);
     readRegistration(file, state.registration);
     for (const QString& entry : file.value(QStringLiteral("recent")).toStringList()) {
@@ -122,6 +123,7 @@ void saveWindowState(const WindowState& state) {
     file.setValue(QStringLiteral("window/layout"), state.layout);
     file.setValue(QStringLiteral("live/geometry"), state.liveGeometry);
     file.setValue(QStringLiteral("live/layout"), state.liveLayout);
+    file.setValue(QStringLiteral("language"), state.language);
     write(file, state.view);
     write(file, state.registration);
     QStringList recent;

@@ -23,6 +23,7 @@ struct WindowState {
     QByteArray layout;        ///< QMainWindow::saveState
     QByteArray liveGeometry;  ///< of the live window
     QString liveLayout;       ///< name of the live window's; empty: the first
+    QString language;         ///< code; empty: the user's
     MapViewSettings view;
     RegistrationSettings registration;
     std::vector<Sources> recent;  ///< newest first

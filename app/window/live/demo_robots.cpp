@@ -39,6 +39,7 @@ DemoRobots::~DemoRobots() {
 
 void DemoRobots::start() {
     if (!m_robots.empty()) return;
+    if (!m_robots.empty()) return;
     for (const char* kind : {"kurt3d", "crawler"}) start(QString::fromLatin1(kind));
 }
 

@@ -26,7 +26,7 @@ public:
     explicit DemoRobots(const DemoSettings& settings, QObject* parent = nullptr);
     ~DemoRobots() override;
 
-    void start();  ///< once
+    void start();  ///< once; nothing when they run
 
 signals:
     /// A robot could not be started, or ended by itself. In the user's language.

@@ -16,6 +16,7 @@
 
 #include "app/session/station/choose_robots.h"
 #include "app/session/station/last_station.h"
+#include "app/window/language.h"
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"
@@ -107,20 +108,19 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
 /// How a window on the station ended.
 struct Ended {
     int status = 0;
-    std::string robot = {};  ///< file of a robot that is wanted too; empty: it is over
+    std::string robot = {};  ///< file of a robot that is wanted too; empty: none is
+    QString language = {};   ///< in which the window is wanted; empty: it is over
 };
 
-/// Shows a window on the station of @p settings until it is closed, or another robot is wanted.
-Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo) {
-    auto bridge = LiveBridge::open(settings);
-    if (!bridge) return complain(bridge.error().text), Ended{1};
+/// Shows a window on @p bridge until it is closed, or something else is wanted.
+Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
     PadMemory pads(picture ? fs::path()
                            : under(QStandardPaths::GenericConfigLocation, QStringLiteral("pads")));
-    LiveWindow window(**bridge, remembered.view, {}, std::move(pads));
+    LiveWindow window(bridge, remembered.view, {}, std::move(pads));
     if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), Ended{2};
     if (demo != nullptr) {
@@ -133,6 +133,12 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
         wanted = file.toStdString();
         QApplication::quit();
     });
+    QString language;
+    QObject::connect(&window, &LiveWindow::languageWanted, &window, [&](const QString& code) {
+        language = code;
+        remembered.language = code;
+        window.close();
+    });
     if (demo == nullptr) window.preflight().openWhenSomethingFails();
     window.resize(remembered.firstSize);
     if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
@@ -141,7 +147,19 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
     QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
     window.show();
     const int status = QApplication::exec();
-    return {status, wanted};
+    return {status, wanted, language};
+}
+
+/// Shows windows on the station of @p settings until one is closed, or another robot is wanted.
+Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo) {
+    auto bridge = LiveBridge::open(settings);
+    if (!bridge) return complain(bridge.error().text), Ended{1};
+    // In another language the window is made anew; robots, mission and driver's grants stay.
+    while (true) {
+        Ended ended = showWindow(**bridge, options, demo);
+        if (ended.language.isEmpty()) return ended;
+        useLanguage(ended.language);
+    }
 }
 
 }  // namespace

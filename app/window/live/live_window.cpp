@@ -10,6 +10,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
+#include "app/window/language.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/drive/drive_feature.h"
@@ -66,6 +67,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
     m_alarms = new AlarmsFeature(context);
+    addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();

@@ -56,6 +56,7 @@ public:
 
 signals:
     void closing();
+    void languageWanted(const QString& code);  ///< for a window made anew
 
 public slots:
     void setDriving(bool on);

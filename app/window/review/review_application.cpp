@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "app/session/review/review_log.h"
+#include "app/window/language.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/main_window.h"
 #include "app/window/review/review_bridge.h"
@@ -71,26 +72,23 @@ void registerAgain(const std::filesystem::path& mission) {
     window->open({mission});
 }
 
-}  // namespace
-
-bool wantsReview(const Options& options) {
-    return !options.registerAgain && options.scans.size() == 1 && isReviewable(options.scans.front());
-}
-
-int runReview(const Options& options) {
-    auto bridge = ReviewBridge::open(options.scans.front());
-    if (!bridge) return complain(bridge.error().text), 1;
+/// Shows a window on @p bridge until it is closed; @p language: in which it is wanted anew, else empty.
+int showWindow(ReviewBridge& bridge, const Options& options, QString& language) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
     if (options.theme) remembered.view.theme = *options.theme;
     remembered.view.follow = MapFollow::Free;
-    ReviewWindow window(**bridge, remembered.view);
+    ReviewWindow window(bridge, remembered.view);
     if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), 2;
-    if (picture) return takePicture(**bridge, window, options);
+    if (picture) return takePicture(bridge, window, options);
     QObject::connect(&window, &ReviewWindow::registerAgainWanted, &window,
-                     [&] { registerAgain((*bridge)->player().folder()); });
+                     [&] { registerAgain(bridge.player().folder()); });
+    QObject::connect(&window, &ReviewWindow::languageWanted, &window, [&](const QString& code) {
+        language = remembered.language = code;
+        window.close();
+    });
     window.resize(remembered.firstSize);
     if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
     QObject::connect(&window, &ReviewWindow::closing, &window, [&] {
@@ -100,6 +98,23 @@ int runReview(const Options& options) {
     });
     window.show();
     return QApplication::exec();
+}
+
+}  // namespace
+
+bool wantsReview(const Options& options) {
+    return !options.registerAgain && options.scans.size() == 1 && isReviewable(options.scans.front());
+}
+
+int runReview(const Options& options) {
+    auto bridge = ReviewBridge::open(options.scans.front());
+    if (!bridge) return complain(bridge.error().text), 1;
+    while (true) {
+        QString language;
+        const int status = showWindow(**bridge, options, language);
+        if (language.isEmpty()) return status;
+        useLanguage(language);
+    }
 }
 
 }  // namespace leitstand

@@ -12,6 +12,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
+#include "app/window/language.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_context.h"
@@ -50,6 +51,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
     new ScanFeature(context);
+    addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();

@@ -45,6 +45,7 @@ public:
 
 signals:
     void closing();
+    void languageWanted(const QString& code);  ///< for a window made anew
     void registerAgainWanted();  ///< the mission's scans, anew
 
 public slots:

@@ -89,7 +89,7 @@ TEST(VictimForm, ToldAtOnceWhatIsChangedAndNothingElse) {
     EXPECT_EQ(edited.count(), 0) << "showing is no edit";
     const auto boxes = form.findChildren<QComboBox*>();
     boxes[0]->setCurrentIndex(0);
-    const int before = edited.count();
+    const auto before = edited.count();
     for (QComboBox* box : boxes) {
         if (box->accessibleName() == QStringLiteral("Sound")) box->setCurrentIndex(2);
     }

@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include "app/window/live/live_context.h"
+#include "core/base/result.h"
 #include "core/mission/mission_state.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 

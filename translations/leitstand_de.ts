@@ -1,0 +1,5312 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>PdfText</name>
+    <message>
+        <source>page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>x is up, y is left; lines of the grid are 0.5 m apart</source>
+        <translation>x zeigt nach oben, y nach links; Rasterlinien im Abstand von 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>ReportText</name>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>A (autonomous)</source>
+        <translation>A (autonom)</translation>
+    </message>
+    <message>
+        <source>T (teleoperated)</source>
+        <translation>T (teleoperiert)</translation>
+    </message>
+    <message>
+        <source>Victim</source>
+        <translation>Opfer</translation>
+    </message>
+    <message>
+        <source>Hazard</source>
+        <translation>Gefahr</translation>
+    </message>
+    <message>
+        <source>QR code</source>
+        <translation>QR-Code</translation>
+    </message>
+    <message>
+        <source>Object of interest</source>
+        <translation>Objekt von Interesse</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1, y %2, z %3 m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Competition</source>
+        <translation>Wettbewerb</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation>Mission</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>%1 by the mission's clock</source>
+        <translation>%1 nach der Missionsuhr</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Operatoren</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Stationen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>%1 scans, %2 m² explored</source>
+        <translation>%1 Scans, %2 m² erkundet</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Scans in the map</source>
+        <translation>Scans in der Karte</translation>
+    </message>
+    <message>
+        <source>Autonomous</source>
+        <translation>Autonom</translation>
+    </message>
+    <message>
+        <source>Teleoperated</source>
+        <translation>Teleoperiert</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Nothing was filed.</source>
+        <translation>Es wurde nichts erfasst.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Place in the map</source>
+        <translation>Ort in der Karte</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>On the robots: driving in autonomous modes, approach to victims, stopping when the link is lost.</source>
+        <translation>Auf den Robotern: Fahren in autonomen Modi, Anfahrt zu Opfern, Anhalten bei Verlust der Funkverbindung.</translation>
+    </message>
+    <message>
+        <source>On the operator station: registration of the scans, this map, cues of victims, this report.</source>
+        <translation>Auf der Bedienstation: Registrierung der Scans, diese Karte, Hinweise auf Opfer, dieser Bericht.</translation>
+    </message>
+    <message>
+        <source>By the operator: everything that is marked T, and every confirmation.</source>
+        <translation>Durch den Operator: alles, was mit T gekennzeichnet ist, und jede Bestätigung.</translation>
+    </message>
+    <message>
+        <source>No robot drove near it: there is no way to tell.</source>
+        <translation>Kein Roboter fuhr in die Nähe: ein Weg lässt sich nicht angeben.</translation>
+    </message>
+    <message>
+        <source>%1 m from the start of %2 along the driven trail, the last %3 m straight on.</source>
+        <translation>%1 m vom Start von %2 entlang der gefahrenen Spur, die letzten %3 m geradeaus.</translation>
+    </message>
+    <message>
+        <source>Report of a rescue mission</source>
+        <translation>Bericht einer Rettungsmission</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>%1 others were discarded or merged.</source>
+        <translation>%1 weitere wurden verworfen oder vereint.</translation>
+    </message>
+    <message>
+        <source>What was computed where</source>
+        <translation>Was wo berechnet wurde</translation>
+    </message>
+    <message>
+        <source>What is missing or doubtful</source>
+        <translation>Was fehlt oder zweifelhaft ist</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>, ± %1 m</source>
+        <translation>, ± %1 m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>%1 m above the floor</source>
+        <translation>%1 m über dem Boden</translation>
+    </message>
+    <message>
+        <source>%1, %2 after the mission's begin</source>
+        <translation>%1, %2 nach Beginn der Mission</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Geräusch</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>Situation</source>
+        <translation>Situation</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Belege</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>Der Weg zu %1</translation>
+    </message>
+    <message>
+        <source>%1: map at %2</source>
+        <translation>%1: Karte bei %2</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>teleoperated</source>
+        <translation>teleoperiert</translation>
+    </message>
+    <message>
+        <source>robot drove, station or operator found</source>
+        <translation>Roboter fuhr, Station oder Operator fand</translation>
+    </message>
+    <message>
+        <source>robot drove and found by itself</source>
+        <translation>Roboter fuhr und fand selbst</translation>
+    </message>
+    <message>
+        <source>Score, estimated</source>
+        <translation>Wertung, geschätzt</translation>
+    </message>
+    <message>
+        <source>Profile %1 (%2), version %3. The quality of the map is the judges' to tell; here it counts as full.</source>
+        <translation>Profil %1 (%2), Version %3. Die Güte der Karte beurteilt die Jury; hier zählt sie voll.</translation>
+    </message>
+    <message>
+        <source>Items</source>
+        <translation>Posten</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Autonomy</source>
+        <translation>Autonomie</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>%1 (not confirmed)</source>
+        <translation>%1 (nicht bestätigt)</translation>
+    </message>
+    <message>
+        <source>%1 of the finds, less %2 for %3 contacts with the arena and %4 with victims, divided by %5 (%6 operators): &lt;b&gt;%7&lt;/b&gt;</source>
+        <translation>%1 aus den Funden, abzüglich %2 für %3 Berührungen der Arena und %4 von Opfern, geteilt durch %5 (%6 Operatoren): &lt;b&gt;%7&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Values of the profile for which no readable source was found: %1.</source>
+        <translation>Werte des Profils, für die keine lesbare Quelle gefunden wurde: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmLine</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>battery: %1 min left</source>
+        <translation>Akku: noch %1 min</translation>
+    </message>
+    <message>
+        <source>battery: %1 % left</source>
+        <translation>Akku: noch %1 %</translation>
+    </message>
+    <message>
+        <source>its clock is %1 s ahead</source>
+        <translation>Uhr geht %1 s vor</translation>
+    </message>
+    <message>
+        <source>its clock is %1 s behind</source>
+        <translation>Uhr geht %1 s nach</translation>
+    </message>
+    <message>
+        <source>tilted: %1 % of where it tips over</source>
+        <translation>geneigt: %1 % der Kippgrenze</translation>
+    </message>
+    <message>
+        <source>rolled over, tilted by %1°</source>
+        <translation>umgekippt, um %1° geneigt</translation>
+    </message>
+    <message>
+        <source>link lost, silent for %1</source>
+        <translation>Funk verloren, seit %1 still</translation>
+    </message>
+    <message>
+        <source>link: %1</source>
+        <translation>Funk: %1</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm</source>
+        <translation>CO₂ %1 ppm</translation>
+    </message>
+    <message>
+        <source>bumped: %1</source>
+        <translation>angestoßen: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>does not answer STOP for %1</source>
+        <translation>antwortet seit %1 nicht auf STOP</translation>
+    </message>
+    <message>
+        <source>camera %1 repeats one picture for %2</source>
+        <translation>Kamera %1 wiederholt seit %2 ein Bild</translation>
+    </message>
+    <message>
+        <source>the grant to drive was lost to %1</source>
+        <translation>Fahrrecht an %1 verloren</translation>
+    </message>
+    <message>
+        <source>uncertain scans to be decided on: %1</source>
+        <translation>unsichere Scans zu entscheiden: %1</translation>
+    </message>
+    <message>
+        <source>log: %1</source>
+        <translation>Log: %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>vorbei seit %1</translation>
+    </message>
+    <message>
+        <source>muted for %1 s</source>
+        <translation>stumm noch %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmListModel</name>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Act</source>
+        <translation>Handeln</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source> · acknowledged</source>
+        <translation> · quittiert</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmPanel</name>
+    <message>
+        <source>No alarms</source>
+        <translation>Keine Alarme</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Alarms, newest first; Return acknowledges the chosen one</source>
+        <translation>Alarme, neueste zuerst; Eingabetaste quittiert den gewählten</translation>
+    </message>
+    <message>
+        <source>⌫ Acknowledge</source>
+        <translation>⌫ Quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledges the newest alarm that is not: its tone ends</source>
+        <translation>Quittiert den neuesten offenen Alarm: sein Ton endet</translation>
+    </message>
+    <message>
+        <source>Acknowledge the newest alarm</source>
+        <translation>Neuesten Alarm quittieren</translation>
+    </message>
+    <message>
+        <source>No tones for one minute; alarms are shown all the same</source>
+        <translation>Eine Minute lang keine Töne; Alarme werden weiterhin angezeigt</translation>
+    </message>
+    <message>
+        <source>Alarms, newest first</source>
+        <translation>Alarme, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Alarms · %1</source>
+        <translation>Alarme · %1</translation>
+    </message>
+    <message>
+        <source>M Mute</source>
+        <translation>M Stumm</translation>
+    </message>
+    <message>
+        <source>M %1</source>
+        <translation>M %1</translation>
+    </message>
+    <message>
+        <source>Mute tones for one minute</source>
+        <translation>Töne eine Minute stumm schalten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmsFeature</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>&amp;Acknowledge the newest alarm</source>
+        <translation>Neuesten &amp;Alarm quittieren</translation>
+    </message>
+    <message>
+        <source>Its tone ends; it stays in the list while it stands</source>
+        <translation>Sein Ton endet; er bleibt in der Liste, solange er besteht</translation>
+    </message>
+    <message>
+        <source>&amp;Mute alarms for a minute</source>
+        <translation>Alarme eine Minute stu&amp;mm</translation>
+    </message>
+    <message>
+        <source>No tones; again: tones at once</source>
+        <translation>Keine Töne; noch einmal: sofort wieder Töne</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AttitudeGauge</name>
+    <message>
+        <source>Attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>The blue line is the horizon. Where it reaches the dots, the robot tips over.</source>
+        <translation>Die blaue Linie ist der Horizont. Wo sie die Punkte erreicht, kippt der Roboter um.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::BottomStrip</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 · %2 of %3</source>
+        <translation>Liest %1 · %2 von %3</translation>
+    </message>
+    <message>
+        <source>Registering %1 · %2 of %3</source>
+        <translation>Registriert %1 · %2 von %3</translation>
+    </message>
+    <message>
+        <source>▲ 1 error</source>
+        <translation>▲ 1 Fehler</translation>
+    </message>
+    <message>
+        <source>▲ %1 errors</source>
+        <translation>▲ %1 Fehler</translation>
+    </message>
+    <message>
+        <source>1 message</source>
+        <translation>1 Meldung</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>%1 Meldungen</translation>
+    </message>
+    <message>
+        <source>No messages</source>
+        <translation>Keine Meldungen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraFeature</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Second camera</source>
+        <translation>Zweite Kamera</translation>
+    </message>
+    <message>
+        <source>Re-&amp;centre cameras</source>
+        <translation>Kameras &amp;zentrieren</translation>
+    </message>
+    <message>
+        <source>All cameras of the robot look ahead</source>
+        <translation>Alle Kameras des Roboters blicken nach vorn</translation>
+    </message>
+    <message>
+        <source>Turns the large camera by 10 degrees; its keys turn it while they are held</source>
+        <translation>Dreht die große Kamera um 10 Grad; ihre Tasten drehen sie, solange sie gehalten werden</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left	Q</source>
+        <translation>Nach &amp;links	Q</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right	E</source>
+        <translation>Nach &amp;rechts	E</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up	PgUp</source>
+        <translation>Nach &amp;oben	PgUp</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down	PgDown</source>
+        <translation>Nach &amp;unten	PgDown</translation>
+    </message>
+    <message>
+        <source>&amp;Next small picture</source>
+        <translation>&amp;Nächstes kleines Bild</translation>
+    </message>
+    <message>
+        <source>Shows the next camera of the robot in the small pane</source>
+        <translation>Zeigt die nächste Kamera des Roboters im kleinen Bild</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange both pictures</source>
+        <translation>Bilder &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>The camera in the small pane gets the large one</source>
+        <translation>Die Kamera des kleinen Bildes kommt ins große</translation>
+    </message>
+    <message>
+        <source>Help in the &amp;dark</source>
+        <translation>Hilfe im &amp;Dunkeln</translation>
+    </message>
+    <message>
+        <source>More contrast in pictures: gently, strongly, not. The log keeps them as they came</source>
+        <translation>Mehr Kontrast in Bildern: leicht, stark, aus. Das Log behält sie, wie sie kamen</translation>
+    </message>
+    <message>
+        <source>Omnidirectional as &amp;panorama</source>
+        <translation>Rundumbild als &amp;Panorama</translation>
+    </message>
+    <message>
+        <source>All around in one strip, ahead in the middle; or as the mirror shows it</source>
+        <translation>Rundum in einem Streifen, vorn in der Mitte; oder wie der Spiegel es zeigt</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;snapshot</source>
+        <translation>&amp;Schnappschuss sichern</translation>
+    </message>
+    <message>
+        <source>The newest large picture, as it came, into the mission's folder snapshots</source>
+        <translation>Das neueste große Bild, wie es kam, in den Ordner snapshots der Mission</translation>
+    </message>
+    <message>
+        <source>Keep a snapshot of the s&amp;mall picture</source>
+        <translation>Schnappschuss vom &amp;kleinen Bild sichern</translation>
+    </message>
+    <message>
+        <source>The same of the small picture</source>
+        <translation>Dasselbe vom kleinen Bild</translation>
+    </message>
+    <message>
+        <source>Infrared in &amp;iron colours</source>
+        <translation>Infrarot in &amp;Eisenfarben</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, &amp;hot is white</source>
+        <translation>Infrarot grau, heiß ist &amp;weiß</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, &amp;hot is black</source>
+        <translation>Infrarot grau, heiß ist s&amp;chwarz</translation>
+    </message>
+    <message>
+        <source>Infrared colours &amp;follow the picture</source>
+        <translation>Infrarot&amp;farben folgen dem Bild</translation>
+    </message>
+    <message>
+        <source>From its coldest to its hottest; otherwise a colour is always the same temperature</source>
+        <translation>Von der kältesten zur heißesten Stelle; sonst steht eine Farbe immer für dieselbe Temperatur</translation>
+    </message>
+    <message>
+        <source>There is no picture to keep yet</source>
+        <translation>Es gibt noch kein Bild zum Sichern</translation>
+    </message>
+    <message>
+        <source>no picture of %1</source>
+        <translation>kein Bild von %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraKeys</name>
+    <message>
+        <source>Q E PgUp PgDn</source>
+        <translation>Q E PgUp PgDn</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraPane</name>
+    <message>
+        <source>colours follow the picture</source>
+        <translation>Farben folgen dem Bild</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
+The blue line is the horizon.</source>
+        <translation>Der Ring zeigt, wie nah Hindernisse sind: blass ist fern, Punkte sind unbekannt, Bernstein ist nah, dick rot-orange direkt am Roboter.
+Die blaue Linie ist der Horizont.</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>pan %1</source>
+        <translation>Schwenk %1</translation>
+    </message>
+    <message>
+        <source>pan %1 left</source>
+        <translation>Schwenk %1 links</translation>
+    </message>
+    <message>
+        <source>pan %1 right</source>
+        <translation>Schwenk %1 rechts</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 unten</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 oben</translation>
+    </message>
+    <message>
+        <source>%1 turns the cameras</source>
+        <translation>%1 dreht die Kameras</translation>
+    </message>
+    <message>
+        <source>asking for the cameras</source>
+        <translation>fragt nach den Kameras</translation>
+    </message>
+    <message>
+        <source>No camera</source>
+        <translation>Keine Kamera</translation>
+    </message>
+    <message>
+        <source>Infrared °C</source>
+        <translation>Infrarot °C</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>Infrarot</translation>
+    </message>
+    <message>
+        <source>Left camera</source>
+        <translation>Linke Kamera</translation>
+    </message>
+    <message>
+        <source>Right camera</source>
+        <translation>Rechte Kamera</translation>
+    </message>
+    <message>
+        <source>Omnidirectional camera</source>
+        <translation>Rundumkamera</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>contrast raised</source>
+        <translation>Kontrast erhöht</translation>
+    </message>
+    <message>
+        <source>contrast raised strongly</source>
+        <translation>Kontrast stark erhöht</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>%1 re-centres</source>
+        <translation>%1 zentriert</translation>
+    </message>
+    <message>
+        <source>left 90°</source>
+        <translation>links 90°</translation>
+    </message>
+    <message>
+        <source>right 90°</source>
+        <translation>rechts 90°</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>hinten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ClockFace</name>
+    <message>
+        <source>Mission clock</source>
+        <translation>Missionsuhr</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ClockText</name>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Mission time %1, %2</source>
+        <translation>Missionszeit %1, %2</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Mission time %1 of %2, %3</source>
+        <translation>Missionszeit %1 von %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CommandTable</name>
+    <message>
+        <source>&amp;Mission</source>
+        <translation>&amp;Mission</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras</source>
+        <translation>&amp;Kameras</translation>
+    </message>
+    <message>
+        <source>M&amp;ap</source>
+        <translation>Kar&amp;te</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionText</name>
+    <message>
+        <source>scan %1 accepted</source>
+        <translation>Scan %1 angenommen</translation>
+    </message>
+    <message>
+        <source>%1 scans accepted</source>
+        <translation>%1 Scans angenommen</translation>
+    </message>
+    <message>
+        <source>scan %1 set aside</source>
+        <translation>Scan %1 ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1 scans set aside</source>
+        <translation>%1 Scans ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>scan %1 tried again</source>
+        <translation>Scan %1 erneut versucht</translation>
+    </message>
+    <message>
+        <source>%1 scans tried again</source>
+        <translation>%1 Scans erneut versucht</translation>
+    </message>
+    <message>
+        <source>what belongs into the map</source>
+        <translation>was in die Karte gehört</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionsFeature</name>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>Scans und Entscheidungen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt doubtful scan</source>
+        <translation>Nächster z&amp;weifelhafter Scan</translation>
+    </message>
+    <message>
+        <source>Goes to the newest scan that waits for a decision, then to older ones</source>
+        <translation>Geht zum neuesten Scan, der auf eine Entscheidung wartet, dann zu älteren</translation>
+    </message>
+    <message>
+        <source>&amp;Accept scan</source>
+        <translation>Scan &amp;annehmen</translation>
+    </message>
+    <message>
+        <source>The chosen scan counts where it stands</source>
+        <translation>Der gewählte Scan gilt dort, wo er steht</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject scan</source>
+        <translation>Scan a&amp;blehnen</translation>
+    </message>
+    <message>
+        <source>The chosen scan is set aside: neither shown nor used</source>
+        <translation>Der gewählte Scan wird ausgeschlossen: weder gezeigt noch verwendet</translation>
+    </message>
+    <message>
+        <source>Re&amp;try scan</source>
+        <translation>Scan &amp;erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Registers the chosen scan again, with the search chosen below</source>
+        <translation>Registriert den gewählten Scan noch einmal, mit der unten gewählten Suche</translation>
+    </message>
+    <message>
+        <source>Retry from a &amp;pose</source>
+        <translation>Erneut ab &amp;Pose</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot was, drag its heading: the chosen scan is registered again from there</source>
+        <translation>Auf der Karte anklicken, wo der Roboter war, Richtung ziehen: der gewählte Scan wird von dort erneut registriert</translation>
+    </message>
+    <message>
+        <source>Re&amp;wind to here</source>
+        <translation>Bis &amp;hierher zurück</translation>
+    </message>
+    <message>
+        <source>Sets aside all scans that entered after the chosen one</source>
+        <translation>Schließt alle Scans aus, die nach dem gewählten hinzukamen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo decision</source>
+        <translation>Entscheidung &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>There is no such decision on the map</source>
+        <translation>Es gibt keine solche Entscheidung auf der Karte</translation>
+    </message>
+    <message>
+        <source>Redo decision</source>
+        <translation>Entscheidung wiederholen</translation>
+    </message>
+    <message>
+        <source>Next ?</source>
+        <translation>Nächster ?</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Erneut</translation>
+    </message>
+    <message>
+        <source>From pose</source>
+        <translation>Ab Pose</translation>
+    </message>
+    <message>
+        <source>Rewind</source>
+        <translation>Bis hier</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wieder</translation>
+    </message>
+    <message>
+        <source>Draw map's a&amp;rea</source>
+        <translation>Karten&amp;umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the corners of what belongs into the map, a double click ends: points of coming scans outside of it stay out</source>
+        <translation>Die Ecken dessen anklicken, was in die Karte gehört, Doppelklick beendet: Punkte künftiger Scans außerhalb bleiben draußen</translation>
+    </message>
+    <message>
+        <source>Map e&amp;verything</source>
+        <translation>A&amp;lles kartieren</translation>
+    </message>
+    <message>
+        <source>Nothing is outside of the map's area any more</source>
+        <translation>Nichts liegt mehr außerhalb des Kartenumrisses</translation>
+    </message>
+    <message>
+        <source>Draw area</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>No scan waits for a decision</source>
+        <translation>Kein Scan wartet auf eine Entscheidung</translation>
+    </message>
+    <message>
+        <source>Click where the robot was at scan %1, drag its heading · right button: not at all</source>
+        <translation>Anklicken, wo der Roboter bei Scan %1 war, Richtung ziehen · rechte Taste: abbrechen</translation>
+    </message>
+    <message>
+        <source>Click the corners of what belongs into the map, double click the last one · right button: takes a corner back</source>
+        <translation>Ecken dessen anklicken, was in die Karte gehört, die letzte doppelt · rechte Taste: nimmt eine Ecke zurück</translation>
+    </message>
+    <message>
+        <source>Takes back: %1</source>
+        <translation>Nimmt zurück: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Decides again: %1</source>
+        <translation>Entscheidet wieder: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>The whole world belongs into the map</source>
+        <translation>Die ganze Welt gehört in die Karte</translation>
+    </message>
+    <message>
+        <source>What is outside the dashed line stays out of the map</source>
+        <translation>Was außerhalb der gestrichelten Linie liegt, bleibt aus der Karte</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionsPanel</name>
+    <message>
+        <source>Nothing above</source>
+        <translation>Nichts über</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>Scans und Entscheidungen</translation>
+    </message>
+    <message>
+        <source>Key scans of the map, newest first</source>
+        <translation>Schlüsselscans der Karte, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Retry with</source>
+        <translation>Erneut mit</translation>
+    </message>
+    <message>
+        <source>How far a retry searches</source>
+        <translation>Wie weit ein neuer Versuch sucht</translation>
+    </message>
+    <message>
+        <source>How far points may be from the map at first: wide finds a scan that is far off, narrow does not mistake one wall for another</source>
+        <translation>Wie weit Punkte anfangs von der Karte entfernt sein dürfen: weit findet einen Scan, der weit daneben liegt, eng verwechselt nicht eine Wand mit einer anderen</translation>
+    </message>
+    <message>
+        <source>wide search, 1.5 m</source>
+        <translation>weite Suche, 1.5 m</translation>
+    </message>
+    <message>
+        <source>widest search, 3 m</source>
+        <translation>weiteste Suche, 3 m</translation>
+    </message>
+    <message>
+        <source>usual search, 0.5 m</source>
+        <translation>übliche Suche, 0.5 m</translation>
+    </message>
+    <message>
+        <source>narrow search, 0.25 m</source>
+        <translation>enge Suche, 0.25 m</translation>
+    </message>
+    <message>
+        <source>Points of coming scans above this height, in the map's frame, stay out of the map: spectators, lamps, the hall's roof</source>
+        <translation>Punkte künftiger Scans über dieser Höhe, im Koordinatensystem der Karte, bleiben aus der Karte: Zuschauer, Lampen, Hallendach</translation>
+    </message>
+    <message>
+        <source>Height above which nothing enters the map</source>
+        <translation>Höhe, über der nichts in die Karte kommt</translation>
+    </message>
+    <message>
+        <source>Choose a scan, or go to the newest doubtful one</source>
+        <translation>Einen Scan wählen oder zum neuesten zweifelhaften gehen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DemoRobots</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>The simulated %1 has ended (%2): %3</source>
+        <translation>Der simulierte %1 wurde beendet (%2): %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DriveFeature</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Drive with keys</source>
+        <translation>Mit &amp;Tasten fahren</translation>
+    </message>
+    <message>
+        <source>W S A D or the arrows drive the selected robot; Shift slow, Ctrl fast, Space halts, G held drives without eyes</source>
+        <translation>W S A D oder Pfeiltasten fahren den gewählten Roboter; Umschalt langsam, Strg schnell, Leertaste hält an, G gehalten fährt ohne Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DriveState</name>
+    <message>
+        <source>stop %1 · %2</source>
+        <translation>STOP %1 · %2</translation>
+    </message>
+    <message>
+        <source>standing · hold %1 for one second to release</source>
+        <translation>steht · zum Freigeben %1 eine Sekunde halten</translation>
+    </message>
+    <message>
+        <source>takes no drive commands</source>
+        <translation>nimmt keine Fahrbefehle an</translation>
+    </message>
+    <message>
+        <source>does not hear drive commands</source>
+        <translation>hört keine Fahrbefehle</translation>
+    </message>
+    <message>
+        <source>the sticks are not on this robot</source>
+        <translation>Steuerung nicht auf diesem Roboter</translation>
+    </message>
+    <message>
+        <source>sticks must be neutral first</source>
+        <translation>erst Sticks loslassen</translation>
+    </message>
+    <message>
+        <source>you drive</source>
+        <translation>Steuerung aktiv</translation>
+    </message>
+    <message>
+        <source>ready: you have the sticks</source>
+        <translation>bereit: Steuerung liegt hier</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>chains %1 · %2 m/s</source>
+        <translation>Ketten %1 · %2 m/s</translation>
+    </message>
+    <message>
+        <source>the chains do not follow</source>
+        <translation>die Ketten folgen nicht</translation>
+    </message>
+    <message>
+        <source>the left chain does not follow</source>
+        <translation>die linke Kette folgt nicht</translation>
+    </message>
+    <message>
+        <source>the right chain does not follow</source>
+        <translation>die rechte Kette folgt nicht</translation>
+    </message>
+    <message>
+        <source>tips at %1</source>
+        <translation>kippt bei %1</translation>
+    </message>
+    <message>
+        <source>tips at %1 · %2</source>
+        <translation>kippt bei %1 · %2</translation>
+    </message>
+    <message>
+        <source>no attitude</source>
+        <translation>keine Lage</translation>
+    </message>
+    <message>
+        <source>roll %1 · pitch %2</source>
+        <translation>Rollen %1 · Nicken %2</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation>lädt</translation>
+    </message>
+    <message>
+        <source>%1 min at this load</source>
+        <translation>%1 min bei dieser Last</translation>
+    </message>
+    <message>
+        <source>%1 h at this load</source>
+        <translation>%1 h bei dieser Last</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>not fitted</source>
+        <translation>nicht verbaut</translation>
+    </message>
+    <message>
+        <source>last 2 min · alarm at %1</source>
+        <translation>letzte 2 min · Alarm ab %1</translation>
+    </message>
+    <message>
+        <source>no data yet</source>
+        <translation>noch keine Daten</translation>
+    </message>
+    <message>
+        <source>%1 asks to drive</source>
+        <translation>%1 möchte fahren</translation>
+    </message>
+    <message>
+        <source>you have the grant</source>
+        <translation>Fahrrecht liegt hier</translation>
+    </message>
+    <message>
+        <source>%1 keeps it</source>
+        <translation>%1 behält es</translation>
+    </message>
+    <message>
+        <source>asked: listens for others</source>
+        <translation>gefragt: horcht auf andere</translation>
+    </message>
+    <message>
+        <source>asked: waits for %1</source>
+        <translation>gefragt: wartet auf %1</translation>
+    </message>
+    <message>
+        <source>%1 took over</source>
+        <translation>%1 hat übernommen</translation>
+    </message>
+    <message>
+        <source>nobody has the grant</source>
+        <translation>niemand hat das Fahrrecht</translation>
+    </message>
+    <message>
+        <source>%1 has it, but is silent</source>
+        <translation>%1 hat es, ist aber still</translation>
+    </message>
+    <message>
+        <source>%1 drives</source>
+        <translation>%1 fährt</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::EnergyCell</name>
+    <message>
+        <source>Battery and link</source>
+        <translation>Akku und Funk</translation>
+    </message>
+    <message>
+        <source>Battery %1 %2, %3
+Link: %4 %5</source>
+        <translation>Akku %1 %2, %3
+Funk: %4 %5</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Funk</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FileCommands</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>&amp;Open scans…</source>
+        <translation>&amp;Scans öffnen…</translation>
+    </message>
+    <message>
+        <source>Adds scan files to the map</source>
+        <translation>Fügt der Karte Scandateien hinzu</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Adds all scans of a folder to the map</source>
+        <translation>Fügt der Karte alle Scans eines Ordners hinzu</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>&amp;Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the map as it is shown, in full detail</source>
+        <translation>Speichert die Karte, wie sie gezeigt wird, in voller Auflösung</translation>
+    </message>
+    <message>
+        <source>&amp;Close scans</source>
+        <translation>Scans s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Empties the map</source>
+        <translation>Leert die Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>B&amp;eenden</translation>
+    </message>
+    <message>
+        <source>Open scans</source>
+        <translation>Scans öffnen</translation>
+    </message>
+    <message>
+        <source>Scans (*.3d *.pcd *.ply *.xyz)</source>
+        <translation>Scans (*.3d *.pcd *.ply *.xyz)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans</source>
+        <translation>Einen Ordner mit Scans öffnen</translation>
+    </message>
+    <message>
+        <source>Save the map's picture</source>
+        <translation>Bild der Karte speichern</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>JPEG pictures (*.jpg)</source>
+        <translation>JPEG-Bilder (*.jpg)</translation>
+    </message>
+    <message>
+        <source>map.png</source>
+        <translation>karte.png</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written</source>
+        <translation>%1: das Bild konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindRow</name>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>hypothesis</source>
+        <translation>Hypothese</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>part of %1</source>
+        <translation>Teil von %1</translation>
+    </message>
+    <message>
+        <source>discarded</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>trapped</source>
+        <translation>eingeklemmt</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message>
+        <source>entombed</source>
+        <translation>verschüttet</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>gelb</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsFeature</name>
+    <message>
+        <source>Finds</source>
+        <translation>Funde</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Write a n&amp;ote…</source>
+        <translation>Notiz s&amp;chreiben…</translation>
+    </message>
+    <message>
+        <source>About the moment that is shown</source>
+        <translation>Zum gezeigten Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Undo what was written</source>
+        <translation>Geschriebenes &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in this review</source>
+        <translation>Nimmt zurück, was in dieser Auswertung zuletzt geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>The mission took this find back later</source>
+        <translation>Die Mission hat diesen Fund später zurückgenommen</translation>
+    </message>
+    <message>
+        <source>%1: %2 (as finished)</source>
+        <translation>%1: %2 (Endstand)</translation>
+    </message>
+    <message>
+        <source>%1 corrected (as finished)</source>
+        <translation>%1 korrigiert (Endstand)</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Zu %1</translation>
+    </message>
+    <message>
+        <source>Noted at %1</source>
+        <translation>Notiert zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsPanel</name>
+    <message>
+        <source>Nothing was found yet</source>
+        <translation>Noch nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Victims and other finds</source>
+        <translation>Opfer und andere Funde</translation>
+    </message>
+    <message>
+        <source>Finds; Return goes to the moment when the chosen one was found</source>
+        <translation>Funde; Eingabetaste geht zum Zeitpunkt, an dem der gewählte gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz…</translation>
+    </message>
+    <message>
+        <source>Writes a note about this moment</source>
+        <translation>Schreibt eine Notiz zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in this review</source>
+        <translation>Nimmt zurück, was in dieser Auswertung zuletzt geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Form…</source>
+        <translation>Formular…</translation>
+    </message>
+    <message>
+        <source>The chosen find's form: what is known of it</source>
+        <translation>Das Formular des gewählten Fundes: was von ihm bekannt ist</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>The chosen find is one</source>
+        <translation>Der gewählte Fund ist einer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The chosen find is none</source>
+        <translation>Der gewählte Fund ist keiner</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Finds</source>
+        <translation>Funde</translation>
+    </message>
+    <message>
+        <source>Finds · %1</source>
+        <translation>Funde · %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Freshness</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>no data yet</source>
+        <translation>noch keine Daten</translation>
+    </message>
+    <message>
+        <source>same for %1</source>
+        <translation>gleich seit %1</translation>
+    </message>
+    <message>
+        <source>the same picture for %1</source>
+        <translation>dasselbe Bild seit %1</translation>
+    </message>
+    <message>
+        <source>no data for %1</source>
+        <translation>keine Daten seit %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GasCell</name>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 %2 %3
+%4</source>
+        <translation>CO₂ %1 %2 %3
+%4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GoTo</name>
+    <message>
+        <source>&amp;Go to a place</source>
+        <translation>Zum &amp;Ziel fahren</translation>
+    </message>
+    <message>
+        <source>Click where the selected robot shall go by itself, drag its heading; a double click on the floor does the same</source>
+        <translation>Anklicken, wohin der gewählte Roboter selbst fahren soll, Richtung ziehen; ein Doppelklick auf den Boden tut dasselbe</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet</source>
+        <translation>%1 ist noch nicht in der Karte</translation>
+    </message>
+    <message>
+        <source>Click where %1 shall go, drag its heading · right button: not at all</source>
+        <translation>Anklicken, wohin %1 fahren soll, Richtung ziehen · rechte Taste: abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is not sent: it was halted</source>
+        <translation>%1 wird nicht geschickt: angehalten</translation>
+    </message>
+    <message>
+        <source>%1 was not sent: its odometry began anew, and nobody knows where</source>
+        <translation>%1 wurde nicht geschickt: die Odometrie begann neu, und niemand weiß wo</translation>
+    </message>
+    <message>
+        <source>%1 was not sent: the grant to drive it is another station's</source>
+        <translation>%1 wurde nicht geschickt: das Fahrrecht hat eine andere Station</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::HelpCommands</name>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>turns the map; while measuring, picks a point</source>
+        <translation>dreht die Karte; beim Messen wählt sie einen Punkt</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left</source>
+        <translation>Mitte, Umschalt+links</translation>
+    </message>
+    <message>
+        <source>shifts the map</source>
+        <translation>verschiebt die Karte</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>Rad, rechte Taste</translation>
+    </message>
+    <message>
+        <source>zooms</source>
+        <translation>zoomt</translation>
+    </message>
+    <message>
+        <source>Arrows, +, −</source>
+        <translation>Pfeiltasten, +, −</translation>
+    </message>
+    <message>
+        <source>turn and zoom; with Shift they shift</source>
+        <translation>drehen und zoomen; mit Umschalt verschieben sie</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>ends measuring</source>
+        <translation>beendet das Messen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>in the scans list: shows or hides the scan</source>
+        <translation>in der Scanliste: zeigt oder verbirgt den Scan</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>next and previous field</source>
+        <translation>nächstes und voriges Feld</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Lists all keys</source>
+        <translation>Listet alle Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Leitstand</source>
+        <translation>Ü&amp;ber Leitstand</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Map and lists</source>
+        <translation>Karte und Listen</translation>
+    </message>
+    <message>
+        <source>About Leitstand</source>
+        <translation>Über Leitstand</translation>
+    </message>
+    <message>
+        <source>Leitstand %1</source>
+        <translation>Leitstand %1</translation>
+    </message>
+    <message>
+        <source>The operator station for rescue robots: registers 3D laser scans into one map and shows it, after the methods of the RoboCup Rescue team Deutschland1.
+
+Apache License 2.0</source>
+        <translation>Die Bedienstation für Rettungsroboter: registriert 3D-Laserscans zu einer Karte und zeigt sie, nach den Methoden des RoboCup-Rescue-Teams Deutschland1.
+
+Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::KeyScanModel</name>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Gilt</translation>
+    </message>
+    <message>
+        <source>Doubts</source>
+        <translation>Zweifel</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Entered</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Set aside by the operator: neither shown nor used.</source>
+        <translation>Vom Operator ausgeschlossen: weder gezeigt noch verwendet.</translation>
+    </message>
+    <message>
+        <source>It fits.</source>
+        <translation>Er passt.</translation>
+    </message>
+    <message>
+        <source>Accepted by the operator.</source>
+        <translation>Vom Operator angenommen.</translation>
+    </message>
+    <message>
+        <source>Overlap %1, pairs %2 mm apart, certainty %3, matched near scan %4</source>
+        <translation>Überlappung %1, Paare %2 mm auseinander, Gewissheit %3, abgeglichen nahe Scan %4</translation>
+    </message>
+    <message>
+        <source>1 key scan</source>
+        <translation>1 Schlüsselscan</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>%1 Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>%1 for you to decide</source>
+        <translation>%1 zu entscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Language</name>
+    <message>
+        <source>The window is made anew in this language</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::LayoutFeature</name>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>S&amp;wap camera and map</source>
+        <translation>Kamera und Karte ta&amp;uschen</translation>
+    </message>
+    <message>
+        <source>Camera and map change places</source>
+        <translation>Kamera und Karte tauschen die Plätze</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange panes</source>
+        <translation>Teilfenster a&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Panes get titles to be dragged by, to another place or out of the window; again to hold them there</source>
+        <translation>Teilfenster erhalten Titel, an denen sie sich verschieben oder aus dem Fenster ziehen lassen; noch einmal hält sie dort fest</translation>
+    </message>
+    <message>
+        <source>Save la&amp;yout as…</source>
+        <translation>La&amp;yout speichern als…</translation>
+    </message>
+    <message>
+        <source>Keeps how panes are now as a layout of one's own</source>
+        <translation>Behält die jetzige Anordnung der Teilfenster als eigenes Layout</translation>
+    </message>
+    <message>
+        <source>&amp;Delete this layout</source>
+        <translation>Dieses Layout lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Deletes the file of a layout of one's own</source>
+        <translation>Löscht die Datei eines eigenen Layouts</translation>
+    </message>
+    <message>
+        <source>&amp;Panes</source>
+        <translation>Teil&amp;fenster</translation>
+    </message>
+    <message>
+        <source>Layout %1</source>
+        <translation>Layout %1</translation>
+    </message>
+    <message>
+        <source>layout %1 binds keys to what is no command: %2</source>
+        <translation>Layout %1 belegt Tasten mit etwas, das kein Befehl ist: %2</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Layout speichern</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>Name des Layouts</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkFeature</name>
+    <message>
+        <source>&amp;Thin link</source>
+        <translation>&amp;Funk sparen</translation>
+    </message>
+    <message>
+        <source>Asks robots for less, so that what matters comes: commands and stop, telemetry, scans, one camera, the rest</source>
+        <translation>Verlangt weniger von den Robotern, damit das Wichtige ankommt: Befehle und STOP, Telemetrie, Scans, eine Kamera, der Rest</translation>
+    </message>
+    <message>
+        <source>THIN LINK (T)</source>
+        <translation>SPARFUNK (T)</translation>
+    </message>
+    <message>
+        <source>Robots are asked for less: other cameras come rarely or not at all</source>
+        <translation>Von den Robotern wird weniger verlangt: andere Kameras kommen selten oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Funk</translation>
+    </message>
+    <message>
+        <source>Thin link: telemetry, scans and one camera come first (T ends it)</source>
+        <translation>Sparfunk: Telemetrie, Scans und eine Kamera kommen zuerst (T beendet ihn)</translation>
+    </message>
+    <message>
+        <source>The link is not thin any more: everything as robots like</source>
+        <translation>Sparfunk beendet: alles nach Wahl der Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkPane</name>
+    <message>
+        <source>Streams of all robots</source>
+        <translation>Datenströme aller Roboter</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Whether the robot sends this stream at all</source>
+        <translation>Ob der Roboter diesen Datenstrom überhaupt sendet</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Samples a second, at most; 0: as the robot likes</source>
+        <translation>Höchstzahl der Werte je Sekunde; 0: nach Wahl des Roboters</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Of JPEG pictures, 1 to 100; 0: as the robot likes</source>
+        <translation>Von JPEG-Bildern, 1 bis 100; 0: nach Wahl des Roboters</translation>
+    </message>
+    <message>
+        <source>Width px</source>
+        <translation>Breite px</translation>
+    </message>
+    <message>
+        <source>Wider pictures are made smaller; 0: as the robot likes</source>
+        <translation>Breitere Bilder werden verkleinert; 0: nach Wahl des Roboters</translation>
+    </message>
+    <message>
+        <source>What all streams of all robots take of the link</source>
+        <translation>Was alle Datenströme aller Roboter vom Funk beanspruchen</translation>
+    </message>
+    <message>
+        <source>Mbit/s</source>
+        <translation>Mbit/s</translation>
+    </message>
+    <message>
+        <source>What a thin link has room for, all robots together</source>
+        <translation>Wofür im Sparfunk Platz ist, alle Roboter zusammen</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Funk %1</translation>
+    </message>
+    <message>
+        <source>Choose a stream</source>
+        <translation>Datenstrom wählen</translation>
+    </message>
+    <message>
+        <source>%1: not settable</source>
+        <translation>%1: nicht einstellbar</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkStatus</name>
+    <message>
+        <source>3D scans</source>
+        <translation>3D-Scans</translation>
+    </message>
+    <message>
+        <source>laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>odometry</source>
+        <translation>Odometrie</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>transforms</source>
+        <translation>Transformationen</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>camera data</source>
+        <translation>Kameradaten</translation>
+    </message>
+    <message>
+        <source>infrared</source>
+        <translation>Infrarot</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>noch nicht gehört</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>degraded</source>
+        <translation>gestört</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>still seit %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 old</source>
+        <translation>%1 %2 alt</translation>
+    </message>
+    <message>
+        <source>%1 %2 late</source>
+        <translation>%1 %2 zu spät</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost</source>
+        <translation>%1 verloren: %2</translation>
+    </message>
+    <message>
+        <source>slow: %1</source>
+        <translation>langsam: %1</translation>
+    </message>
+    <message>
+        <source>no answer for %1</source>
+        <translation>keine Antwort seit %1</translation>
+    </message>
+    <message>
+        <source>%1 loss</source>
+        <translation>%1 Verlust</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LiveWindow</name>
+    <message>
+        <source>Leitstand</source>
+        <translation>Leitstand</translation>
+    </message>
+    <message>
+        <source>Newest message</source>
+        <translation>Neueste Meldung</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 ist nicht verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LookBar</name>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Edge of the voxels</source>
+        <translation>Kantenlänge der Voxel</translation>
+    </message>
+    <message>
+        <source>Heights above the first scan's scanner, in its frame</source>
+        <translation>Höhen über dem Scanner des ersten Scans, in dessen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Heights from</source>
+        <translation>Höhen von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MainWindow</name>
+    <message>
+        <source>Leitstand</source>
+        <translation>Leitstand</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the messages (F9)</source>
+        <translation>Zeigt oder verbirgt die Meldungen (F9)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>&amp;Registrierung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Click two points of the map · Esc ends measuring</source>
+        <translation>Zwei Punkte der Karte anklicken · Esc beendet das Messen</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 scans are registered</source>
+        <translation>%1 Scans registriert</translation>
+    </message>
+    <message>
+        <source>no picture: after %1 s only %2, others are not</source>
+        <translation>kein Bild: nach %1 s nur %2, andere nicht</translation>
+    </message>
+    <message>
+        <source>no picture: %1, but they are not drawn after %2 s</source>
+        <translation>kein Bild: %1, aber nach %2 s nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written</source>
+        <translation>%1: das Bild konnte nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapFeature</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>no scan is registered and drawn</source>
+        <translation>kein Scan ist registriert und gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapPane</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>Time of all registrations, and the lowest overlap of all scans</source>
+        <translation>Zeit aller Registrierungen und die geringste Überlappung aller Scans</translation>
+    </message>
+    <message>
+        <source>Drop scans, a folder of scans or a mission here,
+or choose File ▸ Open scans (Ctrl+O) or Open folder (Ctrl+Shift+O)
+
+F1 lists all keys</source>
+        <translation>Scans, einen Ordner mit Scans oder eine Mission hier ablegen
+oder Datei ▸ Scans öffnen (Strg+O) oder Ordner öffnen (Strg+Umschalt+O) wählen
+
+F1 listet alle Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapReadout</name>
+    <message>
+        <source>floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>unlabelled</source>
+        <translation>ohne Label</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 m · %4 · %5</source>
+        <translation>x %1  y %2  z %3 m · %4 · %5</translation>
+    </message>
+    <message>
+        <source>%1 m · dx %2  dy %3  dz %4</source>
+        <translation>%1 m · dx %2  dy %3  dz %4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapScenery</name>
+    <message>
+        <source>The map cannot be drawn: %1</source>
+        <translation>Die Karte kann nicht gezeichnet werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapSummary</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>3D map · 1 scan · %1 points</source>
+        <translation>3D-Karte · 1 Scan · %1 Punkte</translation>
+    </message>
+    <message>
+        <source>3D map · %1 scans · %2 points</source>
+        <translation>3D-Karte · %1 Scans · %2 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 scans %2</source>
+        <translation>%1 Scans %2</translation>
+    </message>
+    <message>
+        <source>registered in %1 s · overlap %2 · %3</source>
+        <translation>registriert in %1 s · Überlappung %2 · %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapView</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>unlabelled</source>
+        <translation>ohne Label</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>unsicher ?</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <source>%1 m  dx %2 dy %3 dz %4</source>
+        <comment>length of a measurement and its parts along the map's axes</comment>
+        <translation>%1 m  dx %2 dy %3 dz %4</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>Scan %1</translation>
+    </message>
+    <message>
+        <source>%1 m grid</source>
+        <translation>Raster %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MessageListModel</name>
+    <message>
+        <source>▲ Error  %1  %2</source>
+        <translation>▲ Fehler  %1  %2</translation>
+    </message>
+    <message>
+        <source>Note  %1  %2</source>
+        <translation>Hinweis  %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MessagesPanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen message away (Del)</source>
+        <translation>Entfernt die gewählte Meldung (Entf)</translation>
+    </message>
+    <message>
+        <source>Dismiss all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissionFeature</name>
+    <message>
+        <source>&amp;Clock runs</source>
+        <translation>&amp;Uhr läuft</translation>
+    </message>
+    <message>
+        <source>Lets the mission's clock go, or holds it</source>
+        <translation>Lässt die Missionsuhr laufen oder hält sie an</translation>
+    </message>
+    <message>
+        <source>&amp;Length of the mission…</source>
+        <translation>&amp;Dauer der Mission…</translation>
+    </message>
+    <message>
+        <source>How long the mission may last: the clock counts down from it</source>
+        <translation>Wie lange die Mission dauern darf: die Uhr zählt von da herunter</translation>
+    </message>
+    <message>
+        <source>Clock to &amp;zero</source>
+        <translation>Uhr auf Nu&amp;ll</translation>
+    </message>
+    <message>
+        <source>The mission begins now</source>
+        <translation>Die Mission beginnt jetzt</translation>
+    </message>
+    <message>
+        <source>Length of the mission</source>
+        <translation>Dauer der Mission</translation>
+    </message>
+    <message>
+        <source>Minutes; 0: without end</source>
+        <translation>Minuten; 0: ohne Ende</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissionForm</name>
+    <message>
+        <source>Mission data</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Competition</source>
+        <translation>Wettbewerb</translation>
+    </message>
+    <message>
+        <source>RoboCup2026</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Country</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation>Mission</translation>
+    </message>
+    <message>
+        <source>Preliminary1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Operatoren</translation>
+    </message>
+    <message>
+        <source>People who drive; some rules divide the score by them</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Of finds that say nothing else</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rules of the score</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ModeCell</name>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Refuses: this station goes on driving</source>
+        <translation>Lehnt ab: diese Station fährt weiter</translation>
+    </message>
+    <message>
+        <source>Mode of %1</source>
+        <translation>Modus von %1</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Asks for the grant to drive this robot</source>
+        <translation>Fragt nach dem Fahrrecht für diesen Roboter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>Asks no more</source>
+        <translation>Fragt nicht weiter</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Gives the grant to drive up: others may take it</source>
+        <translation>Gibt das Fahrrecht ab: andere können es übernehmen</translation>
+    </message>
+    <message>
+        <source>Give</source>
+        <translation>Geben</translation>
+    </message>
+    <message>
+        <source>Consents: the other station drives</source>
+        <translation>Stimmt zu: die andere Station fährt</translation>
+    </message>
+    <message>
+        <source>%1 mode</source>
+        <translation>Modus %1</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>Nächstes</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ModeLabel</name>
+    <message>
+        <source>TELEOPERATION</source>
+        <translation>TELEOPERATION</translation>
+    </message>
+    <message>
+        <source>MODE UNKNOWN</source>
+        <translation>MODUS UNBEKANNT</translation>
+    </message>
+    <message>
+        <source>the robot tells none</source>
+        <translation>der Roboter meldet keinen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>teleoperation</source>
+        <translation>Teleoperation</translation>
+    </message>
+    <message>
+        <source>safe teleoperation</source>
+        <translation>sichere Teleoperation</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>victim approach</source>
+        <translation>Opferanfahrt</translation>
+    </message>
+    <message>
+        <source>radio remote</source>
+        <translation>Handsender</translation>
+    </message>
+    <message>
+        <source>NOT HEARD YET</source>
+        <translation>NOCH NICHT GEHÖRT</translation>
+    </message>
+    <message>
+        <source>waits for the robot</source>
+        <translation>wartet auf den Roboter</translation>
+    </message>
+    <message>
+        <source>silent for %1 · was in %2</source>
+        <translation>still seit %1 · zuletzt %2</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>still seit %1</translation>
+    </message>
+    <message>
+        <source>LINK LOST</source>
+        <translation>FUNK VERLOREN</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>%1 · OVERRIDE</source>
+        <translation>%1 · ÜBERBRÜCKT</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadCallouts</name>
+    <message>
+        <source>drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>Seitwärts</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <translation>Linker Stick</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <translation>Rechter Stick</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadFeature</name>
+    <message>
+        <source>Select the &amp;next robot</source>
+        <translation>&amp;Nächsten Roboter wählen</translation>
+    </message>
+    <message>
+        <source>Selects the next robot, after the last one the first</source>
+        <translation>Wählt den nächsten Roboter, nach dem letzten den ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Gamepad …</source>
+        <translation>&amp;Gamepad …</translation>
+    </message>
+    <message>
+        <source>Which gamepad drives, and what its controls do</source>
+        <translation>Welches Gamepad fährt und was seine Bedienelemente bewirken</translation>
+    </message>
+    <message>
+        <source>&amp;Controls of the gamepad</source>
+        <translation>Belegung des Game&amp;pads</translation>
+    </message>
+    <message>
+        <source>Shows what each control of the gamepad does</source>
+        <translation>Zeigt, was jedes Bedienelement des Gamepads bewirkt</translation>
+    </message>
+    <message>
+        <source>%1 is plugged in; H shows its controls.</source>
+        <translation>%1 ist angeschlossen; H zeigt die Belegung.</translation>
+    </message>
+    <message>
+        <source>%1 is unplugged.</source>
+        <translation>%1 ist abgezogen.</translation>
+    </message>
+    <message>
+        <source>Let the sticks go first, and the trigger too if that is not enough.</source>
+        <translation>Erst die Sticks loslassen, und auch die Totmanntaste, wenn das nicht genügt.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadInput</name>
+    <message>
+        <source>%1 has no known controls: give it some in the gamepad's dialog.</source>
+        <translation>%1 hat keine bekannte Belegung: im Gamepad-Dialog eine festlegen.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadLegend</name>
+    <message>
+        <source>Controls of the gamepad</source>
+        <translation>Belegung des Gamepads</translation>
+    </message>
+    <message>
+        <source>What the gamepad's controls do; a click closes this</source>
+        <translation>Was die Bedienelemente des Gamepads bewirken; ein Klick schließt dies</translation>
+    </message>
+    <message>
+        <source>Gamepad: none is plugged in</source>
+        <translation>Gamepad: keines angeschlossen</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>Gamepad: %1</translation>
+    </message>
+    <message>
+        <source>The trigger held and the window in front: the pad drives. STOP works always.</source>
+        <translation>Totmanntaste gehalten und Fenster vorn: das Pad fährt. STOP wirkt immer.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadMappingDialog</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>The gamepad that drives; STOP works on all</source>
+        <translation>Das Gamepad, das fährt; STOP wirkt auf allen</translation>
+    </message>
+    <message>
+        <source>Gamepad that drives</source>
+        <translation>Gamepad, das fährt</translation>
+    </message>
+    <message>
+        <source>What the gamepad does, and by which control</source>
+        <translation>Was das Gamepad bewirkt und mit welchem Bedienelement</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Dead zone</source>
+        <translation>&amp;Totzone</translation>
+    </message>
+    <message>
+        <source>Around the middle of a stick nothing moves</source>
+        <translation>Um die Mitte eines Sticks bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>&amp;Fine middle</source>
+        <translation>&amp;Feine Mitte</translation>
+    </message>
+    <message>
+        <source>Sticks are finer around their middle</source>
+        <translation>Sticks sind um ihre Mitte feiner</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger at</source>
+        <translation>Trigger &amp;ab</translation>
+    </message>
+    <message>
+        <source>How far a trigger is pulled until it counts</source>
+        <translation>Wie weit ein Trigger gezogen wird, bis er zählt</translation>
+    </message>
+    <message>
+        <source>Forward ← → back</source>
+        <translation>Vorwärts ← → zurück</translation>
+    </message>
+    <message>
+        <source>Turn left ← → right</source>
+        <translation>Drehen links ← → rechts</translation>
+    </message>
+    <message>
+        <source>Camera left ← → right</source>
+        <translation>Kamera links ← → rechts</translation>
+    </message>
+    <message>
+        <source>Camera up ← → down</source>
+        <translation>Kamera hoch ← → runter</translation>
+    </message>
+    <message>
+        <source>Se&amp;t …</source>
+        <translation>Set&amp;zen …</translation>
+    </message>
+    <message>
+        <source>The next control that you push does what is selected</source>
+        <translation>Das nächste betätigte Bedienelement bewirkt das Gewählte</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>No control does what is selected</source>
+        <translation>Kein Bedienelement bewirkt das Gewählte</translation>
+    </message>
+    <message>
+        <source>&amp;Usual</source>
+        <translation>Ü&amp;blich</translation>
+    </message>
+    <message>
+        <source>What gamepads usually do here; not saved yet</source>
+        <translation>Was Gamepads hier üblicherweise bewirken; noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Use this now, and whenever such a gamepad is plugged in</source>
+        <translation>Dies jetzt verwenden und immer, wenn ein solches Gamepad angeschlossen wird</translation>
+    </message>
+    <message>
+        <source>No gamepad is plugged in</source>
+        <translation>Kein Gamepad ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>Canc&amp;el</source>
+        <translation>Abbr&amp;echen</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Push the control for “%1” now.</source>
+        <translation>Jetzt das Bedienelement für „%1“ betätigen.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadTable</name>
+    <message>
+        <source>“%1” needs a control.</source>
+        <translation>„%1“ braucht ein Bedienelement.</translation>
+    </message>
+    <message>
+        <source>%1 stops all robots, and does nothing else.</source>
+        <translation>%1 hält alle Roboter an und tut sonst nichts.</translation>
+    </message>
+    <message>
+        <source>push it now …</source>
+        <translation>jetzt betätigen …</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>bewirkt</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>Element</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadTexts</name>
+    <message>
+        <source>Left stick left</source>
+        <translation>Linker Stick links</translation>
+    </message>
+    <message>
+        <source>Left stick right</source>
+        <translation>Linker Stick rechts</translation>
+    </message>
+    <message>
+        <source>Left stick up</source>
+        <translation>Linker Stick hoch</translation>
+    </message>
+    <message>
+        <source>Left stick down</source>
+        <translation>Linker Stick runter</translation>
+    </message>
+    <message>
+        <source>Right stick left</source>
+        <translation>Rechter Stick links</translation>
+    </message>
+    <message>
+        <source>Right stick right</source>
+        <translation>Rechter Stick rechts</translation>
+    </message>
+    <message>
+        <source>Right stick up</source>
+        <translation>Rechter Stick hoch</translation>
+    </message>
+    <message>
+        <source>Right stick down</source>
+        <translation>Rechter Stick runter</translation>
+    </message>
+    <message>
+        <source>Left trigger</source>
+        <translation>Linker Trigger</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>Rechter Trigger</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Left stick pressed</source>
+        <translation>Linker Stick gedrückt</translation>
+    </message>
+    <message>
+        <source>Right stick pressed</source>
+        <translation>Rechter Stick gedrückt</translation>
+    </message>
+    <message>
+        <source>Left shoulder</source>
+        <translation>Linke Schulter</translation>
+    </message>
+    <message>
+        <source>Right shoulder</source>
+        <translation>Rechte Schulter</translation>
+    </message>
+    <message>
+        <source>Cross up</source>
+        <translation>Kreuz hoch</translation>
+    </message>
+    <message>
+        <source>Cross down</source>
+        <translation>Kreuz runter</translation>
+    </message>
+    <message>
+        <source>Cross left</source>
+        <translation>Kreuz links</translation>
+    </message>
+    <message>
+        <source>Cross right</source>
+        <translation>Kreuz rechts</translation>
+    </message>
+    <message>
+        <source>Hold to drive</source>
+        <translation>Totmanntaste</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Drehen links</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Drehen rechts</translation>
+    </message>
+    <message>
+        <source>Sideways left</source>
+        <translation>Seitwärts links</translation>
+    </message>
+    <message>
+        <source>Sideways right</source>
+        <translation>Seitwärts rechts</translation>
+    </message>
+    <message>
+        <source>Turbo</source>
+        <translation>Turbo</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
+        <source>STOP all robots</source>
+        <translation>STOP alle Roboter</translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation>Kamera links</translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation>Kamera rechts</translation>
+    </message>
+    <message>
+        <source>Camera up</source>
+        <translation>Kamera hoch</translation>
+    </message>
+    <message>
+        <source>Camera down</source>
+        <translation>Kamera runter</translation>
+    </message>
+    <message>
+        <source>Hold: without eyes</source>
+        <translation>Halten: ohne Sicht</translation>
+    </message>
+    <message>
+        <source>The robot moves only while this is held; letting it go stops it at once</source>
+        <translation>Der Roboter bewegt sich nur, solange sie gehalten wird; Loslassen hält ihn sofort an</translation>
+    </message>
+    <message>
+        <source>All of the robot's speed instead of 60 %</source>
+        <translation>Volles Tempo des Roboters statt 60 %</translation>
+    </message>
+    <message>
+        <source>A quarter of the robot's speed</source>
+        <translation>Ein Viertel des Tempos des Roboters</translation>
+    </message>
+    <message>
+        <source>While it is held, old or missing pictures do not cap the speed</source>
+        <translation>Solange gehalten, begrenzen alte oder fehlende Bilder das Tempo nicht</translation>
+    </message>
+    <message>
+        <source>Stops all robots, always: without the trigger, and whatever window has the focus</source>
+        <translation>Hält alle Roboter an, immer: ohne Totmanntaste und gleich welches Fenster den Fokus hat</translation>
+    </message>
+    <message>
+        <source>For robots that can drive sideways</source>
+        <translation>Für Roboter, die seitwärts fahren können</translation>
+    </message>
+    <message>
+        <source>Turns the cameras, also while the robot stands</source>
+        <translation>Dreht die Kameras, auch wenn der Roboter steht</translation>
+    </message>
+    <message>
+        <source>Drives the selected robot while the trigger is held</source>
+        <translation>Fährt den gewählten Roboter, solange die Totmanntaste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>Knopf %1</translation>
+    </message>
+    <message>
+        <source>Axis %1 %2</source>
+        <translation>Achse %1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing moves: no control is bound to “%1”.</source>
+        <translation>Nichts bewegt sich: „%1“ ist nicht belegt.</translation>
+    </message>
+    <message>
+        <source>Hold “%1” first, then push the stick; let it go and the robot stands.</source>
+        <translation>Erst „%1“ halten, dann den Stick bewegen; beim Loslassen steht der Roboter.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PlaceRobot</name>
+    <message>
+        <source>P&amp;lace a robot</source>
+        <translation>Roboter pla&amp;tzieren</translation>
+    </message>
+    <message>
+        <source>Click on the map where a robot stands that is not in it yet, or the selected one; drag its heading</source>
+        <translation>Auf der Karte anklicken, wo ein Roboter steht, der noch nicht darin ist, oder der gewählte; Richtung ziehen</translation>
+    </message>
+    <message>
+        <source>Click where %1 stands, drag its heading · right button: not at all</source>
+        <translation>Anklicken, wo %1 steht, Richtung ziehen · rechte Taste: abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightFeature</name>
+    <message>
+        <source>&amp;Preflight...</source>
+        <translation>Vor&amp;prüfung...</translation>
+    </message>
+    <message>
+        <source>What is in order before the mission and what is not; brake tests; adding robots</source>
+        <translation>Was vor der Mission in Ordnung ist und was nicht; Bremstests; Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>Vorprüfung</translation>
+    </message>
+    <message>
+        <source>NO WATCHDOG: %1</source>
+        <translation>KEIN WATCHDOG: %1</translation>
+    </message>
+    <message>
+        <source>Failed its brake test and is driven nevertheless: without radio it goes on</source>
+        <translation>Hat den Bremstest nicht bestanden und wird dennoch gefahren: ohne Funk fährt er weiter</translation>
+    </message>
+    <message>
+        <source>%1 is not heard any more</source>
+        <translation>%1 ist nicht mehr zu hören</translation>
+    </message>
+    <message>
+        <source>Robot file</source>
+        <translation>Roboterdatei</translation>
+    </message>
+    <message>
+        <source>Robot files (*.yaml *.yml)</source>
+        <translation>Roboterdateien (*.yaml *.yml)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightList</name>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>%1 MB/s</source>
+        <translation>%1 MB/s</translation>
+    </message>
+    <message>
+        <source>stands after %1 and %2 cm</source>
+        <translation>steht nach %1 und %2 cm</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>clock %1 behind ours</source>
+        <translation>Uhr geht gegen unsere %1 nach</translation>
+    </message>
+    <message>
+        <source>clock %1 ahead of ours</source>
+        <translation>Uhr geht gegen unsere %1 vor</translation>
+    </message>
+    <message>
+        <source>connected, but %1</source>
+        <translation>verbunden, aber %1</translation>
+    </message>
+    <message>
+        <source>connected, round trip %1</source>
+        <translation>verbunden, Umlaufzeit %1</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>still seit %1</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>noch nicht gehört</translation>
+    </message>
+    <message>
+        <source>%1 streams come</source>
+        <translation>%1 Datenströme kommen</translation>
+    </message>
+    <message>
+        <source>never came: %1</source>
+        <translation>kamen nie: %1</translation>
+    </message>
+    <message>
+        <source>do not come any more: %1</source>
+        <translation>kommen nicht mehr: %1</translation>
+    </message>
+    <message>
+        <source>camera pictures are fresh</source>
+        <translation>Kamerabilder sind frisch</translation>
+    </message>
+    <message>
+        <source>no fresh pictures: %1</source>
+        <translation>keine frischen Bilder: %1</translation>
+    </message>
+    <message>
+        <source>its clock is not known yet</source>
+        <translation>seine Uhr ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>this station may drive it</source>
+        <translation>diese Station darf ihn fahren</translation>
+    </message>
+    <message>
+        <source>nobody has the grant to drive</source>
+        <translation>niemand hat das Fahrrecht</translation>
+    </message>
+    <message>
+        <source>%1 has the grant to drive</source>
+        <translation>%1 hat das Fahrrecht</translation>
+    </message>
+    <message>
+        <source>hears no drive commands</source>
+        <translation>hört keine Fahrbefehle</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>brake: %1 without commands</source>
+        <translation>Bremse: %1 ohne Befehle</translation>
+    </message>
+    <message>
+        <source>brake: tested more than a day ago, %1</source>
+        <translation>Bremse: vor mehr als einem Tag getestet, %1</translation>
+    </message>
+    <message>
+        <source>brake: not tested</source>
+        <translation>Bremse: nicht getestet</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, moves without commands; driving is refused</source>
+        <translation>Bremse: DURCHGEFALLEN, fährt ohne Befehle; Fahren wird verweigert</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, and driven nevertheless</source>
+        <translation>Bremse: DURCHGEFALLEN, wird dennoch gefahren</translation>
+    </message>
+    <message>
+        <source>brake: no result (%1)</source>
+        <translation>Bremse: kein Ergebnis (%1)</translation>
+    </message>
+    <message>
+        <source>not secured: anybody in the network may speak</source>
+        <translation>nicht gesichert: jeder im Netz darf mitreden</translation>
+    </message>
+    <message>
+        <source>robot "%1" is heard, and not driven</source>
+        <translation>Roboter "%1" ist zu hören und wird nicht gefahren</translation>
+    </message>
+    <message>
+        <source>network: %1</source>
+        <translation>Netz: %1</translation>
+    </message>
+    <message>
+        <source>network: this computer only</source>
+        <translation>Netz: nur dieser Rechner</translation>
+    </message>
+    <message>
+        <source>disk: room for %1, writes %2</source>
+        <translation>Platte: Platz für %1, schreibt %2</translation>
+    </message>
+    <message>
+        <source>disk: room for %1</source>
+        <translation>Platte: Platz für %1</translation>
+    </message>
+    <message>
+        <source>disk: writes only %1, the log needs %2</source>
+        <translation>Platte: schreibt nur %1, das Log braucht %2</translation>
+    </message>
+    <message>
+        <source>disk: room for %1 only</source>
+        <translation>Platte: Platz nur für %1</translation>
+    </message>
+    <message>
+        <source>nothing is recorded: %1</source>
+        <translation>nichts wird aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>gamepad: %1</source>
+        <translation>Gamepad: %1</translation>
+    </message>
+    <message>
+        <source>no gamepad: keys drive</source>
+        <translation>kein Gamepad: Tasten fahren</translation>
+    </message>
+    <message>
+        <source>Add it below</source>
+        <translation>Unten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Is it on, in this network, and in this domain?</source>
+        <translation>Ist er an, in diesem Netz und in dieser Domäne?</translation>
+    </message>
+    <message>
+        <source>Come nearer, or thin the link (T)</source>
+        <translation>Näher herangehen oder Funk sparen (T)</translation>
+    </message>
+    <message>
+        <source>Is the sensor on? Does the robot's file name its topic?</source>
+        <translation>Ist der Sensor an? Nennt die Roboterdatei sein Topic?</translation>
+    </message>
+    <message>
+        <source>Is the camera on? Its driver may hang</source>
+        <translation>Ist die Kamera an? Ihr Treiber hängt vielleicht</translation>
+    </message>
+    <message>
+        <source>Change the QoS in the robot's file</source>
+        <translation>QoS in der Roboterdatei ändern</translation>
+    </message>
+    <message>
+        <source>Works; set the robot's clock for logs of others</source>
+        <translation>Geht; für Logs anderer die Uhr des Roboters stellen</translation>
+    </message>
+    <message>
+        <source>Wait a moment</source>
+        <translation>Einen Moment warten</translation>
+    </message>
+    <message>
+        <source>Ask for it when you want to drive (F2)</source>
+        <translation>Danach fragen, wenn gefahren werden soll (F2)</translation>
+    </message>
+    <message>
+        <source>Is its drive node running? Right topic and type?</source>
+        <translation>Läuft sein Fahrknoten? Richtiges Topic, richtiger Typ?</translation>
+    </message>
+    <message>
+        <source>Release it: hold its handle beside STOP</source>
+        <translation>Freigeben: seinen Griff neben STOP halten</translation>
+    </message>
+    <message>
+        <source>Test it: hold the button below</source>
+        <translation>Testen: unten den Knopf halten</translation>
+    </message>
+    <message>
+        <source>Give it a watchdog, test again, or drive it nevertheless</source>
+        <translation>Watchdog einrichten, erneut testen oder dennoch fahren</translation>
+    </message>
+    <message>
+        <source>Lost radio means a robot that goes on</source>
+        <translation>Bei Funkverlust fährt der Roboter weiter</translation>
+    </message>
+    <message>
+        <source>Plug the cable in, or choose --interface</source>
+        <translation>Kabel anschließen oder --interface wählen</translation>
+    </message>
+    <message>
+        <source>Make room, or record elsewhere (--mission)</source>
+        <translation>Platz schaffen oder anderswo aufzeichnen (--mission)</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>must be mended</source>
+        <translation>zu beheben</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>zu prüfen</translation>
+    </message>
+    <message>
+        <source>%1 to be mended</source>
+        <translation>%1 zu beheben</translation>
+    </message>
+    <message>
+        <source>%1 to be looked at</source>
+        <translation>%1 zu prüfen</translation>
+    </message>
+    <message>
+        <source>All in order</source>
+        <translation>Alles in Ordnung</translation>
+    </message>
+    <message>
+        <source>Waits for grant and standing ... keep holding</source>
+        <translation>Wartet auf Fahrrecht und Stillstand ... weiter halten</translation>
+    </message>
+    <message>
+        <source>Drives ... keep holding</source>
+        <translation>Fährt ... weiter halten</translation>
+    </message>
+    <message>
+        <source>Says nothing more, and measures ...</source>
+        <translation>Sendet nichts mehr und misst ...</translation>
+    </message>
+    <message>
+        <source>0.6 m must be free ahead</source>
+        <translation>0.6 m müssen vorn frei sein</translation>
+    </message>
+    <message>
+        <source>Passed: %1</source>
+        <translation>Bestanden: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: moves without commands</source>
+        <translation>DURCHGEFALLEN: fährt ohne Befehle</translation>
+    </message>
+    <message>
+        <source>No result: %1</source>
+        <translation>Kein Ergebnis: %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightPage</name>
+    <message>
+        <source>Checks before the mission</source>
+        <translation>Prüfungen vor der Mission</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Neu prüfen</translation>
+    </message>
+    <message>
+        <source>Measures the disk anew; all else is looked at once a second</source>
+        <translation>Misst die Platte neu; alles andere wird jede Sekunde geprüft</translation>
+    </message>
+    <message>
+        <source>Robot whose brake is tested</source>
+        <translation>Roboter, dessen Bremse getestet wird</translation>
+    </message>
+    <message>
+        <source>Hold to test the brake</source>
+        <translation>Halten: Bremse testen</translation>
+    </message>
+    <message>
+        <source>Drives 0.1 m/s ahead for a second at most, then sends nothing and measures when the robot stands. Letting go ends it; Esc stops all.</source>
+        <translation>Fährt höchstens eine Sekunde mit 0.1 m/s voraus, sendet dann nichts mehr und misst, wann der Roboter steht. Loslassen beendet es; Esc hält alle an.</translation>
+    </message>
+    <message>
+        <source>Drive it nevertheless</source>
+        <translation>Dennoch fahren</translation>
+    </message>
+    <message>
+        <source>This robot goes on when the radio is lost. Until the program ends.</source>
+        <translation>Dieser Roboter fährt weiter, wenn der Funk verloren geht. Gilt bis zum Programmende.</translation>
+    </message>
+    <message>
+        <source>Brake test</source>
+        <translation>Bremstest</translation>
+    </message>
+    <message>
+        <source>Robots that are heard and not driven</source>
+        <translation>Roboter, die zu hören sind und nicht gefahren werden</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Writes a first file of the robot and takes it into the station</source>
+        <translation>Schreibt eine erste Datei des Roboters und nimmt ihn in die Station auf</translation>
+    </message>
+    <message>
+        <source>From a file...</source>
+        <translation>Aus Datei...</translation>
+    </message>
+    <message>
+        <source>A robot file (YAML)</source>
+        <translation>Eine Roboterdatei (YAML)</translation>
+    </message>
+    <message>
+        <source>Another robot</source>
+        <translation>Weiterer Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RecordLight</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RecordText</name>
+    <message>
+        <source>Recorded into %1</source>
+        <translation>Aufgezeichnet in %1</translation>
+    </message>
+    <message>
+        <source>%1 MB in this session</source>
+        <translation>%1 MB in dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>rec</source>
+        <translation>rec</translation>
+    </message>
+    <message>
+        <source>the disk lasts %1 min</source>
+        <translation>die Platte reicht %1 min</translation>
+    </message>
+    <message>
+        <source>rec · disk %1 min</source>
+        <translation>rec · Platte %1 min</translation>
+    </message>
+    <message>
+        <source>rec · %1 lost</source>
+        <translation>rec · %1 verloren</translation>
+    </message>
+    <message>
+        <source>%1 events could not be written</source>
+        <translation>%1 Ereignisse konnten nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>keine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationCommands</name>
+    <message>
+        <source>Register &amp;again</source>
+        <translation>&amp;Neu registrieren</translation>
+    </message>
+    <message>
+        <source>Registers all scans anew with the present settings</source>
+        <translation>Registriert alle Scans neu mit den jetzigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends reading and registering</source>
+        <translation>Beendet Lesen und Registrieren</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationPanel</name>
+    <message>
+        <source>M&amp;inimise</source>
+        <translation>M&amp;inimierung</translation>
+    </message>
+    <message>
+        <source>&amp;Nearest points</source>
+        <translation>Nächste Pu&amp;nkte</translation>
+    </message>
+    <message>
+        <source>A&amp;pproximation ε</source>
+        <translation>Näh&amp;erung ε</translation>
+    </message>
+    <message>
+        <source>The point found is at most (1 + ε) times as far as the nearest one (Arya &amp; Mount 1993); 0: exact. Applies to the approximate tree and the forest.</source>
+        <translation>Der gefundene Punkt ist höchstens (1 + ε)-mal so weit entfernt wie der nächste (Arya &amp; Mount 1993); 0: exakt. Gilt für den genäherten Baum und den Wald.</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance m</source>
+        <translation>Max. Ab&amp;stand m</translation>
+    </message>
+    <message>
+        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: "1.5, 0.5" comes home from starts that are up to 1 m and 20° wrong.</source>
+        <translation>Weiter entfernte Punktpaare werden verworfen. Mehrere Werte sind Stufen nacheinander: "1.5, 0.5" findet aus Startposen zurück, die bis zu 1 m und 20° falsch sind.</translation>
+    </message>
+    <message>
+        <source>0.01 to 10 m, each at most the one before: 1.5, 0.5</source>
+        <translation>0.01 bis 10 m, jeder höchstens so groß wie der vorige: 1.5, 0.5</translation>
+    </message>
+    <message>
+        <source>Steps at m&amp;ost</source>
+        <translation>Schritte &amp;höchstens</translation>
+    </message>
+    <message>
+        <source>Iterations of the ICP for a scan, over all stages.</source>
+        <translation>Iterationen des ICP für einen Scan, über alle Stufen.</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>alle Punkte</translation>
+    </message>
+    <message>
+        <source>Voxe&amp;ls</source>
+        <translation>Voxe&amp;l</translation>
+    </message>
+    <message>
+        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
+        <translation>Kantenlänge des Voxelgitters: je Voxel bleibt ein Punkt. 0 verwendet alle Punkte. Ein Gitter von 10 cm verschiebt das Ergebnis um einige Zentimeter und braucht einen Bruchteil der Zeit.</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>Fil&amp;ter</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>&amp;Reichweite</translation>
+    </message>
+    <message>
+        <source>Points nearer than the first (the robot itself) and farther than the second (no echo) take no part.</source>
+        <translation>Punkte, die näher als der erste Wert (der Roboter selbst) oder weiter als der zweite (kein Echo) sind, nehmen nicht teil.</translation>
+    </message>
+    <message>
+        <source>&amp;Start from</source>
+        <translation>Start &amp;bei</translation>
+    </message>
+    <message>
+        <source>Match &amp;against</source>
+        <translation>Ab&amp;gleich mit</translation>
+    </message>
+    <message>
+        <source>all cores</source>
+        <translation>alle Kerne</translation>
+    </message>
+    <message>
+        <source>Thr&amp;eads</source>
+        <translation>Threa&amp;ds</translation>
+    </message>
+    <message>
+        <source>How many processor cores may work at once.</source>
+        <translation>Wie viele Prozessorkerne gleichzeitig arbeiten dürfen.</translation>
+    </message>
+    <message>
+        <source>Defa&amp;ults</source>
+        <translation>&amp;Vorgaben</translation>
+    </message>
+    <message>
+        <source>Puts every setting back to where it was at first.</source>
+        <translation>Setzt jede Einstellung auf den Anfangswert zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationSettings</name>
+    <message>
+        <source>Brute force</source>
+        <translation>Brute Force</translation>
+    </message>
+    <message>
+        <source>Compares every point with every point: exact and very slow (first row of the paper's Table 1). Reduce the points first.</source>
+        <translation>Vergleicht jeden Punkt mit jedem: exakt und sehr langsam (erste Zeile von Tabelle 1 der Veröffentlichung). Zuerst die Punkte reduzieren.</translation>
+    </message>
+    <message>
+        <source>k-d tree</source>
+        <translation>k-d-Baum</translation>
+    </message>
+    <message>
+        <source>Exact search in an optimised k-d tree (Friedman, Bentley &amp; Finkel 1977).</source>
+        <translation>Exakte Suche in einem optimierten k-d-Baum (Friedman, Bentley &amp; Finkel 1977).</translation>
+    </message>
+    <message>
+        <source>Approximate k-d tree</source>
+        <translation>Genäherter k-d-Baum</translation>
+    </message>
+    <message>
+        <source>A k-d tree that may answer a point up to (1 + ε) times as far as the nearest (Arya &amp; Mount 1993).</source>
+        <translation>Ein k-d-Baum, der einen Punkt liefern darf, der bis zu (1 + ε)-mal so weit entfernt ist wie der nächste (Arya &amp; Mount 1993).</translation>
+    </message>
+    <message>
+        <source>Forest, a tree per label</source>
+        <translation>Wald, ein Baum je Label</translation>
+    </message>
+    <message>
+        <source>Floor, wall and ceiling points look for their own kind only, each in an approximate tree of its own (the paper, section 2.2).</source>
+        <translation>Boden-, Wand- und Deckenpunkte suchen nur ihresgleichen, jede Art in einem eigenen genäherten Baum (die Veröffentlichung, Abschnitt 2.2).</translation>
+    </message>
+    <message>
+        <source>Points · SVD</source>
+        <translation>Punkte · SVD</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by singular value decomposition (Arun, Huang &amp; Blostein 1987).</source>
+        <translation>Punkt zu Punkt, geschlossene Lösung durch Singulärwertzerlegung (Arun, Huang &amp; Blostein 1987).</translation>
+    </message>
+    <message>
+        <source>Points · unit quaternion</source>
+        <translation>Punkte · Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by unit quaternions (Horn 1987).</source>
+        <translation>Punkt zu Punkt, geschlossene Lösung durch Einheitsquaternionen (Horn 1987).</translation>
+    </message>
+    <message>
+        <source>Points · orthonormal matrix</source>
+        <translation>Punkte · Orthonormalmatrix</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by orthonormal matrices (Horn, Hilden &amp; Negahdaripour 1988).</source>
+        <translation>Punkt zu Punkt, geschlossene Lösung durch orthonormale Matrizen (Horn, Hilden &amp; Negahdaripour 1988).</translation>
+    </message>
+    <message>
+        <source>Points · dual quaternion</source>
+        <translation>Punkte · duale Quaternion</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by dual quaternions (Walker, Shao &amp; Volz 1991).</source>
+        <translation>Punkt zu Punkt, geschlossene Lösung durch duale Quaternionen (Walker, Shao &amp; Volz 1991).</translation>
+    </message>
+    <message>
+        <source>Point to plane</source>
+        <translation>Punkt zu Ebene</translation>
+    </message>
+    <message>
+        <source>Distances to the planes of the reference: fewer steps on walls and floors (Chen &amp; Medioni 1991).</source>
+        <translation>Abstände zu den Ebenen der Referenz: weniger Schritte an Wänden und Böden (Chen &amp; Medioni 1991).</translation>
+    </message>
+    <message>
+        <source>Plane to plane (GICP)</source>
+        <translation>Ebene zu Ebene (GICP)</translation>
+    </message>
+    <message>
+        <source>Distances between small planes of both scans: fewest steps, hardly depends on the maximum distance (Segal, Haehnel &amp; Thrun 2009).</source>
+        <translation>Abstände zwischen kleinen Ebenen beider Scans: wenigste Schritte, hängt kaum vom maximalen Abstand ab (Segal, Haehnel &amp; Thrun 2009).</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>All points go on to the voxels.</source>
+        <translation>Alle Punkte gehen weiter zu den Voxeln.</translation>
+    </message>
+    <message>
+        <source>Median and reduction</source>
+        <translation>Median und Reduktion</translation>
+    </message>
+    <message>
+        <source>The paper's filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
+        <translation>Der Filter der Veröffentlichung für geordnete Scans: Ausreißer eines Rohscans werden zum Median ihrer Nachbarn, nahe Punkte werden zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>Odometry</source>
+        <translation>Odometrie</translation>
+    </message>
+    <message>
+        <source>Each scan starts where the robot's odometry puts it after the scan before.</source>
+        <translation>Jeder Scan beginnt dort, wohin die Odometrie des Roboters ihn nach dem vorigen Scan setzt.</translation>
+    </message>
+    <message>
+        <source>Pose of the scan before</source>
+        <translation>Pose des vorigen Scans</translation>
+    </message>
+    <message>
+        <source>Each scan starts at the registered pose of the scan before: for scans without odometry.</source>
+        <translation>Jeder Scan beginnt an der registrierten Pose des vorigen: für Scans ohne Odometrie.</translation>
+    </message>
+    <message>
+        <source>Previous scan</source>
+        <translation>Voriger Scan</translation>
+    </message>
+    <message>
+        <source>Each scan is matched against the one before it.</source>
+        <translation>Jeder Scan wird mit dem vorigen abgeglichen.</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>Ganze Karte</translation>
+    </message>
+    <message>
+        <source>Each scan is matched against all scans so far (metascan): slower, drifts less.</source>
+        <translation>Jeder Scan wird mit allen bisherigen abgeglichen (Metascan): langsamer, driftet weniger.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReleaseHandle</name>
+    <message>
+        <source>Hold for one second to let %1 move again.</source>
+        <translation>Eine Sekunde halten, damit %1 wieder fahren darf.</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 freigeben</translation>
+    </message>
+    <message>
+        <source>%1 · hold to release</source>
+        <translation>%1 · halten: freigeben</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReportFeature</name>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mission d&amp;ata…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Competition, team, operators, rules of the score: what the report says</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Report into a folder…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Writes the judges' folder now, and again every minute</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The report is not written any more</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The report in %1 is not whole: look at its messages</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Report written into %1</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewPanes</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewWindow</name>
+    <message>
+        <source>%1 – review – Leitstand</source>
+        <translation>%1 – Auswertung – Leitstand</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>Ne&amp;u registrieren…</translation>
+    </message>
+    <message>
+        <source>Registers the mission's scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <translation>Registriert die Scans der Mission neu, in einem eigenen Fenster, mit eigenen Einstellungen; die Mission bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Newest message</source>
+        <translation>Neueste Meldung</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>AUSWERTUNG · %1</translation>
+    </message>
+    <message>
+        <source>the mission is still read through</source>
+        <translation>die Mission wird noch durchgelesen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotBar</name>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotChip</name>
+    <message>
+        <source>%1 (%2): %3 · link %4</source>
+        <translation>%1 (%2): %3 · Funk %4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotChipButton</name>
+    <message>
+        <source>%1 selects</source>
+        <translation>%1 wählt ihn</translation>
+    </message>
+    <message>
+        <source>Robot %1</source>
+        <translation>Roboter %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotsFeature</name>
+    <message>
+        <source>Select %1	%2</source>
+        <translation>%1 wählen	%2</translation>
+    </message>
+    <message>
+        <source>Select %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop all robots	Esc</source>
+        <translation>&amp;Alle Roboter anhalten	Esc</translation>
+    </message>
+    <message>
+        <source>All robots stand until each is released</source>
+        <translation>Alle Roboter stehen, bis jeder freigegeben ist</translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>&amp;Modus</translation>
+    </message>
+    <message>
+        <source>The robot has told none yet</source>
+        <translation>Der Roboter hat noch keinen gemeldet</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotsOnMap</name>
+    <message>
+        <source>Next way to &amp;follow</source>
+        <translation>Nächste Art zu &amp;folgen</translation>
+    </message>
+    <message>
+        <source>The map stands still, follows the selected robot from behind, or from above</source>
+        <translation>Die Karte steht still, folgt dem gewählten Roboter von hinten oder von oben</translation>
+    </message>
+    <message>
+        <source>Map stands &amp;still</source>
+        <translation>Karte &amp;steht still</translation>
+    </message>
+    <message>
+        <source>The mouse alone moves the map</source>
+        <translation>Nur die Maus bewegt die Karte</translation>
+    </message>
+    <message>
+        <source>Follow from be&amp;hind</source>
+        <translation>Von h&amp;inten folgen</translation>
+    </message>
+    <message>
+        <source>The camera stays behind and above the selected robot; ceilings are hidden</source>
+        <translation>Die Kamera bleibt hinter und über dem gewählten Roboter; Decken sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Follow from a&amp;bove</source>
+        <translation>Von &amp;oben folgen</translation>
+    </message>
+    <message>
+        <source>The camera stays above the selected robot, its heading up; ceilings are hidden</source>
+        <translation>Die Kamera bleibt über dem gewählten Roboter, seine Richtung oben; Decken sind ausgeblendet</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanDoubt</name>
+    <message>
+        <source>little overlap</source>
+        <translation>wenig Überlappung</translation>
+    </message>
+    <message>
+        <source>Little overlap: few of its points meet the map. Where it shows new ground, accept it if its walls go on in line.</source>
+        <translation>Wenig Überlappung: wenige seiner Punkte treffen die Karte. Zeigt er Neuland, annehmen, wenn seine Wände in Flucht weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>bad fit</source>
+        <translation>passt schlecht</translation>
+    </message>
+    <message>
+        <source>Bad fit: points that meet the map lie off it. Retry, or reject it.</source>
+        <translation>Passt schlecht: Punkte, die die Karte treffen, liegen daneben. Erneut versuchen oder ablehnen.</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Jump: it moved otherwise than the wheels say. They may have slipped: look whether walls double.</source>
+        <translation>Sprung: er bewegte sich anders, als die Räder sagen. Vielleicht sind sie durchgedreht: prüfen, ob Wände doppelt erscheinen.</translation>
+    </message>
+    <message>
+        <source>open direction</source>
+        <translation>offene Richtung</translation>
+    </message>
+    <message>
+        <source>Open direction: it fits as well when shifted some way, as in a corridor.</source>
+        <translation>Offene Richtung: in eine Richtung verschoben passt er ebenso gut, wie in einem Gang.</translation>
+    </message>
+    <message>
+        <source>no end</source>
+        <translation>kein Ende</translation>
+    </message>
+    <message>
+        <source>No end: the registration did not settle. Retry with a wider search.</source>
+        <translation>Kein Ende: die Registrierung kam nicht zur Ruhe. Mit weiterer Suche erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>no odometry</source>
+        <translation>keine Odometrie</translation>
+    </message>
+    <message>
+        <source>No odometry: nobody knows how the robot came there. Retry from a pose that you drag.</source>
+        <translation>Keine Odometrie: niemand weiß, wie der Roboter dorthin kam. Erneut versuchen ab einer gezogenen Pose.</translation>
+    </message>
+    <message>
+        <source>too few points</source>
+        <translation>zu wenige Punkte</translation>
+    </message>
+    <message>
+        <source>Too few points: reject it, the next scan says more.</source>
+        <translation>Zu wenige Punkte: ablehnen, der nächste Scan sagt mehr.</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>unsicher ?</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanFeature</name>
+    <message>
+        <source>Virtual scan</source>
+        <translation>Virtueller Scan</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanListModel</name>
+    <message>
+        <source>%1 of them used after range limits, filter and voxels</source>
+        <translation>%1 davon verwendet nach Reichweite, Filter und Voxeln</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>x y z m</source>
+        <translation>x y z m</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>RMS mm</source>
+        <translation>RMS mm</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>Gewissheit</translation>
+    </message>
+    <message>
+        <source>Name of the scan; the box shows or hides it</source>
+        <translation>Name des Scans; das Kästchen zeigt oder verbirgt ihn</translation>
+    </message>
+    <message>
+        <source>Position in the map: metres forward, left and up of the first scan</source>
+        <translation>Position in der Karte: Meter vor, links von und über dem ersten Scan</translation>
+    </message>
+    <message>
+        <source>Heading in the map, to the left of the first scan's</source>
+        <translation>Richtung in der Karte, gegen die des ersten Scans nach links</translation>
+    </message>
+    <message>
+        <source>Points of the scan</source>
+        <translation>Punkte des Scans</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is floor</source>
+        <translation>Anteil der Punkte mit Label, die Boden sind</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is wall</source>
+        <translation>Anteil der Punkte mit Label, die Wand sind</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is ceiling</source>
+        <translation>Anteil der Punkte mit Label, die Decke sind</translation>
+    </message>
+    <message>
+        <source>Iterations of the ICP, over all stages</source>
+        <translation>Iterationen des ICP, über alle Stufen</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the point pairs at the end, in millimetres. Says little about the pose: overlap and certainty say more.</source>
+        <translation>Quadratisches Mittel der Abstände der Punktpaare am Ende, in Millimetern. Sagt wenig über die Pose: Überlappung und Gewissheit sagen mehr.</translation>
+    </message>
+    <message>
+        <source>Share of the scan's points with a partner within 10 cm</source>
+        <translation>Anteil der Punkte des Scans mit einem Partner innerhalb von 10 cm</translation>
+    </message>
+    <message>
+        <source>Whether the pose is held in every direction, from the smallest eigenvalue of the information matrix</source>
+        <translation>Ob die Pose in jeder Richtung gehalten wird, aus dem kleinsten Eigenwert der Informationsmatrix</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>  m</source>
+        <translation>  m</translation>
+    </message>
+    <message>
+        <source>Roll pitch heading</source>
+        <translation>Rollen Nicken Richtung</translation>
+    </message>
+    <message>
+        <source>%1, used %2</source>
+        <translation>%1, verwendet %2</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>Corrected by</source>
+        <translation>Korrigiert um</translation>
+    </message>
+    <message>
+        <source>%1 m, %2</source>
+        <translation>%1 m, %2</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 s, RMS %3 mm</source>
+        <translation>%1 Schritte in %2 s, RMS %3 mm</translation>
+    </message>
+    <message>
+        <source>Trust</source>
+        <translation>Vertrauen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScansPanel</name>
+    <message>
+        <source>Scans of the map</source>
+        <translation>Scans der Karte</translation>
+    </message>
+    <message>
+        <source>Show all scans</source>
+        <translation>Alle Scans zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all scans</source>
+        <translation>Alle Scans verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScorePane</name>
+    <message>
+        <source>More would bring</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Estimate of the score</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>An estimate: judges look at the map, which counts as good here</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ScoreText</name>
+    <message>
+        <source>map</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>place</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Geräusch</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>situation</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>tag</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1, not confirmed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · area × %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · autonomy × %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 · version %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · %1 values unconfirmed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>time is over</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 × touched the arena</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 × touched a victim</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>operators: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>V1: heat</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: confirm</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::SightLine</name>
+    <message>
+        <source>the picture is %1 old</source>
+        <translation>das Bild ist %1 alt</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>es gibt kein Bild</translation>
+    </message>
+    <message>
+        <source>it is the same picture for %1</source>
+        <translation>seit %1 dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>the scan of the way is %1 old</source>
+        <translation>der Scan des Weges ist %1 alt</translation>
+    </message>
+    <message>
+        <source>there is no scan of the way</source>
+        <translation>es gibt keinen Scan des Weges</translation>
+    </message>
+    <message>
+        <source>no camera, no scanner: you must see it</source>
+        <translation>keine Kamera, kein Scanner: nur mit Blickkontakt</translation>
+    </message>
+    <message>
+        <source>override: driving without eyes · %1</source>
+        <translation>überbrückt: Fahrt ohne Sicht · %1</translation>
+    </message>
+    <message>
+        <source>override held: nothing caps the speed</source>
+        <translation>überbrückt: nichts begrenzt das Tempo</translation>
+    </message>
+    <message>
+        <source>%1: drive by the virtual scan</source>
+        <translation>%1: nach dem virtuellen Scan fahren</translation>
+    </message>
+    <message>
+        <source>creep speed: %1</source>
+        <translation>Kriechtempo: %1</translation>
+    </message>
+    <message>
+        <source>held: %1 · hold G to drive without eyes</source>
+        <translation>gehalten: %1 · G halten, um ohne Sicht zu fahren</translation>
+    </message>
+    <message>
+        <source>override: driving without eyes</source>
+        <translation>überbrückt: Fahrt ohne Sicht</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>überbrückt</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>creep speed</source>
+        <translation>Kriechtempo</translation>
+    </message>
+    <message>
+        <source>full speed</source>
+        <translation>volles Tempo</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StickGauge</name>
+    <message>
+        <source>Tick: the stick as it is held; shade: dead zone; bar: what comes of it</source>
+        <translation>Strich: der Stick, wie er gehalten wird; Schatten: Totzone; Balken: was daraus wird</translation>
+    </message>
+    <message>
+        <source>%1 and opposite</source>
+        <translation>%1 und Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StopButton</name>
+    <message>
+        <source>STOP ALL</source>
+        <translation>STOP ALLE</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Stop all robots</source>
+        <translation>Alle Roboter anhalten</translation>
+    </message>
+    <message>
+        <source>Stops all robots and holds them until each is released (Esc, always and everywhere).
+A function of this program, no certified emergency stop.</source>
+        <translation>Hält alle Roboter an, bis jeder freigegeben ist (Esc, immer und überall).
+Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StopLine</name>
+    <message>
+        <source>held by zeros</source>
+        <translation>durch Nullen gehalten</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>sent · no answer for %1</source>
+        <translation>gesendet · keine Antwort seit %1</translation>
+    </message>
+    <message>
+        <source>acknowledged · moves</source>
+        <translation>quittiert · bewegt sich</translation>
+    </message>
+    <message>
+        <source>acknowledged · motion unknown</source>
+        <translation>quittiert · Bewegung unbekannt</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>releasing</source>
+        <translation>gibt frei</translation>
+    </message>
+    <message>
+        <source>The release did nothing: %1</source>
+        <translation>Die Freigabe blieb ohne Wirkung: %1</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero.</source>
+        <translation>Der Roboter kennt kein STOP: er wird durch Fahrbefehle null gehalten.</translation>
+    </message>
+    <message>
+        <source>Stopped by the robot's own button.</source>
+        <translation>Durch den eigenen Knopf des Roboters gestoppt.</translation>
+    </message>
+    <message>
+        <source>Stopped by another station.</source>
+        <translation>Von einer anderen Station gestoppt.</translation>
+    </message>
+    <message>
+        <source>Only who has the grant to drive can release it.</source>
+        <translation>Freigeben kann nur, wer das Fahrrecht hat.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StreamTable</name>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Rate Hz</source>
+        <translation>Rate Hz</translation>
+    </message>
+    <message>
+        <source>kbit/s</source>
+        <translation>kbit/s</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Samples a second as they come, and as the robot makes them</source>
+        <translation>Werte je Sekunde, wie sie ankommen und wie der Roboter sie erzeugt</translation>
+    </message>
+    <message>
+        <source>What the stream takes of the link, without what is sent again</source>
+        <translation>Was der Datenstrom vom Funk beansprucht, ohne erneut Gesendetes</translation>
+    </message>
+    <message>
+        <source>Since the newest sample arrived</source>
+        <translation>Seit der neueste Wert ankam</translation>
+    </message>
+    <message>
+        <source>Samples of the last 10 s that never arrived</source>
+        <translation>Werte der letzten 10 s, die nie ankamen</translation>
+    </message>
+    <message>
+        <source>What the station asks of the stream; nothing: as the robot likes</source>
+        <translation>Was die Station vom Datenstrom verlangt; nichts: nach Wahl des Roboters</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on change</source>
+        <translation>bei Änderung</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>quality %1</source>
+        <translation>Qualität %1</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>thin: %1</source>
+        <translation>gespart: %1</translation>
+    </message>
+    <message>
+        <source> · not yet</source>
+        <translation> · noch nicht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 Mbit/s</source>
+        <translation>%1 von %2 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ThermalOverlay</name>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 person?</source>
+        <translation>%1 Person?</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Timeline</name>
+    <message>
+        <source>%1 confirmed</source>
+        <translation>%1 bestätigt</translation>
+    </message>
+    <message>
+        <source>%1 discarded</source>
+        <translation>%1 verworfen</translation>
+    </message>
+    <message>
+        <source>%1 filed</source>
+        <translation>%1 erfasst</translation>
+    </message>
+    <message>
+        <source>a victim</source>
+        <translation>ein Opfer</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Geräusch</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>a code</source>
+        <translation>einen Code</translation>
+    </message>
+    <message>
+        <source>a hazard sign</source>
+        <translation>ein Gefahrzeichen</translation>
+    </message>
+    <message>
+        <source>the robot saw %1</source>
+        <translation>der Roboter sah %1</translation>
+    </message>
+    <message>
+        <source>the robot saw %1: %2</source>
+        <translation>der Roboter sah %1: %2</translation>
+    </message>
+    <message>
+        <source>alarm: %1</source>
+        <translation>Alarm: %1</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>rückgängig</translation>
+    </message>
+    <message>
+        <source>undone: %1</source>
+        <translation>rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>decision on scans</source>
+        <translation>Entscheidung über Scans</translation>
+    </message>
+    <message>
+        <source>mode: %1</source>
+        <translation>Modus: %1</translation>
+    </message>
+    <message>
+        <source>mode: %1 (%2)</source>
+        <translation>Modus: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>bumped: %1</source>
+        <translation>angestoßen: %1</translation>
+    </message>
+    <message>
+        <source>recording ended (%1)</source>
+        <translation>Aufzeichnung endete (%1)</translation>
+    </message>
+    <message>
+        <source>recording began (%1)</source>
+        <translation>Aufzeichnung begann (%1)</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>backwards %1</source>
+        <translation>rückwärts %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TimelineBar</name>
+    <message>
+        <source>Timeline of the mission</source>
+        <translation>Zeitleiste der Mission</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to a moment; arrows step by 1 s, with Shift by 10 s</source>
+        <translation>Klicken oder ziehen, um zu einem Zeitpunkt zu gehen; Pfeiltasten springen um 1 s, mit Umschalt um 10 s</translation>
+    </message>
+    <message>
+        <source>reads through the mission…</source>
+        <translation>liest die Mission durch…</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TimelineFeature</name>
+    <message>
+        <source>&amp;Previous mark</source>
+        <translation>&amp;Vorige Marke</translation>
+    </message>
+    <message>
+        <source>Back to the mark before</source>
+        <translation>Zurück zur vorigen Marke</translation>
+    </message>
+    <message>
+        <source>Play &amp;backwards</source>
+        <translation>&amp;Rückwärts abspielen</translation>
+    </message>
+    <message>
+        <source>Plays backwards, or stands</source>
+        <translation>Spielt rückwärts ab oder steht</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Plays, or stands</source>
+        <translation>Spielt ab oder steht</translation>
+    </message>
+    <message>
+        <source>&amp;Next mark</source>
+        <translation>&amp;Nächste Marke</translation>
+    </message>
+    <message>
+        <source>On to the next mark</source>
+        <translation>Weiter zur nächsten Marke</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Plays slower, down to a tenth</source>
+        <translation>Spielt langsamer ab, bis zu einem Zehntel</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Schneller</translation>
+    </message>
+    <message>
+        <source>Plays faster, up to 32 times</source>
+        <translation>Spielt schneller ab, bis zum 32-Fachen</translation>
+    </message>
+    <message>
+        <source>Next &amp;victim</source>
+        <translation>Nächstes &amp;Opfer</translation>
+    </message>
+    <message>
+        <source>On to the next victim, from the last to the first</source>
+        <translation>Weiter zum nächsten Opfer, vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Next &amp;alarm</source>
+        <translation>Nächster Alar&amp;m</translation>
+    </message>
+    <message>
+        <source>On to the next alarm, from the last to the first</source>
+        <translation>Weiter zum nächsten Alarm, vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Next n&amp;ote</source>
+        <translation>Nächste No&amp;tiz</translation>
+    </message>
+    <message>
+        <source>On to the next note, from the last to the first</source>
+        <translation>Weiter zur nächsten Notiz, von der letzten zur ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Map as finished</source>
+        <translation>&amp;Karte im Endstand</translation>
+    </message>
+    <message>
+        <source>The map as the mission ended, with all corrections; else as it was then</source>
+        <translation>Die Karte, wie die Mission endete, mit allen Korrekturen; sonst wie sie damals war</translation>
+    </message>
+    <message>
+        <source>Plays at %1</source>
+        <translation>Spielt mit %1</translation>
+    </message>
+    <message>
+        <source>There is no such mark</source>
+        <translation>Es gibt keine solche Marke</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TonePlayer</name>
+    <message>
+        <source>No sound device: alarms are seen, not heard.</source>
+        <translation>Kein Tongerät: Alarme sind zu sehen, nicht zu hören.</translation>
+    </message>
+    <message>
+        <source>The sound device does not work: alarms are seen, not heard.</source>
+        <translation>Das Tongerät funktioniert nicht: Alarme sind zu sehen, nicht zu hören.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TransportBar</name>
+    <message>
+        <source>Speed of the review</source>
+        <translation>Tempo der Auswertung</translation>
+    </message>
+    <message>
+        <source>Moment that is shown</source>
+        <translation>Gezeigter Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>%1   %2 of %3</source>
+        <translation>%1   %2 von %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Verdict</name>
+    <message>
+        <source>The iteration came to rest.</source>
+        <translation>Die Iteration kam zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>The iteration ended swinging between two poses.</source>
+        <translation>Die Iteration endete im Pendeln zwischen zwei Posen.</translation>
+    </message>
+    <message>
+        <source>The limit of iterations was reached before the pose came to rest.</source>
+        <translation>Die Grenze der Iterationen wurde erreicht, bevor die Pose zur Ruhe kam.</translation>
+    </message>
+    <message>
+        <source>Too few pairs of points: the scan stands where it was expected. A larger maximum distance may help.</source>
+        <translation>Zu wenige Punktpaare: der Scan steht, wo er erwartet wurde. Ein größerer maximaler Abstand hilft vielleicht.</translation>
+    </message>
+    <message>
+        <source>The registration was cancelled.</source>
+        <translation>Die Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>The first scan defines the map's frame; the others are registered to it.</source>
+        <translation>Der erste Scan bestimmt das Koordinatensystem der Karte; die anderen werden darauf registriert.</translation>
+    </message>
+    <message>
+        <source>Some direction is hardly held, as along a bare corridor: certainty %1, below %2.</source>
+        <translation>Eine Richtung ist kaum gehalten, wie in einem kahlen Gang: Gewissheit %1, unter %2.</translation>
+    </message>
+    <message>
+        <source>Every direction is held: certainty %1 (uncertain below %2).</source>
+        <translation>Jede Richtung ist gehalten: Gewissheit %1 (unsicher unter %2).</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimChoices</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>surface: lies open</source>
+        <translation>Oberfläche: liegt frei</translation>
+    </message>
+    <message>
+        <source>trapped: partly covered</source>
+        <translation>eingeklemmt: teils verdeckt</translation>
+    </message>
+    <message>
+        <source>void: in a hollow</source>
+        <translation>Hohlraum: liegt darin</translation>
+    </message>
+    <message>
+        <source>entombed: covered</source>
+        <translation>verschüttet: verdeckt</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>gelb</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Gestalt</translation>
+    </message>
+    <message>
+        <source>whole body, arm, hand …</source>
+        <translation>ganzer Körper, Arm, Hand …</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>waving, breathing …</source>
+        <translation>winkt, atmet …</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>°C</source>
+        <translation>°C</translation>
+    </message>
+    <message>
+        <source>face, hand …</source>
+        <translation>Gesicht, Hand …</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Geräusch</translation>
+    </message>
+    <message>
+        <source>calling, tapping …</source>
+        <translation>ruft, klopft …</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>rising, steady …</source>
+        <translation>steigend, gleichbleibend …</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>vorhanden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimForm</name>
+    <message>
+        <source>Situation</source>
+        <translation>Situation</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>what is written on it</source>
+        <translation>was darauf steht</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>how to get there, what to mind</source>
+        <translation>Weg dorthin, worauf zu achten ist</translation>
+    </message>
+    <message>
+        <source>Form of the chosen find</source>
+        <translation>Formular des gewählten Fundes</translation>
+    </message>
+    <message>
+        <source>%1, in words</source>
+        <translation>%1, in Worten</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, gemessen</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Choose a find to fill in its form</source>
+        <translation>Einen Fund wählen, um sein Formular auszufüllen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimListModel</name>
+    <message>
+        <source>%1, %2</source>
+        <comment>hazard, confirmed</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Signs</source>
+        <translation>Zeichen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimRows</name>
+    <message>
+        <source>no %1</source>
+        <comment>a sign of life</comment>
+        <translation>ohne %1</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>heat %1 °C</source>
+        <translation>Wärme %1 °C</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm</source>
+        <translation>CO₂ %1 ppm</translation>
+    </message>
+    <message>
+        <source>the robot's own</source>
+        <translation>vom Roboter selbst</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>unconfirmed</source>
+        <translation>unbestätigt</translation>
+    </message>
+    <message>
+        <source>candidate %1</source>
+        <translation>Kandidat %1</translation>
+    </message>
+    <message>
+        <source>victim</source>
+        <translation>Opfer</translation>
+    </message>
+    <message>
+        <source>hazard</source>
+        <translation>Gefahr</translation>
+    </message>
+    <message>
+        <source>QR code</source>
+        <translation>QR-Code</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1, ahead</source>
+        <translation>%1, vorn</translation>
+    </message>
+    <message>
+        <source>%1, behind</source>
+        <translation>%1, hinten</translation>
+    </message>
+    <message>
+        <source>%1, %2° left</source>
+        <translation>%1, %2° links</translation>
+    </message>
+    <message>
+        <source>%1, %2° right</source>
+        <translation>%1, %2° rechts</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Gestalt</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Geräusch</translation>
+    </message>
+    <message>
+        <source> ppm</source>
+        <translation> ppm</translation>
+    </message>
+    <message>
+        <source>1 victim</source>
+        <translation>1 Opfer</translation>
+    </message>
+    <message>
+        <source>%1 victims</source>
+        <translation>%1 Opfer</translation>
+    </message>
+    <message>
+        <source>, %1 not confirmed</source>
+        <translation>, %1 unbestätigt</translation>
+    </message>
+    <message>
+        <source> · %1 others</source>
+        <translation> · %1 andere</translation>
+    </message>
+    <message>
+        <source> · %1 candidates</source>
+        <translation> · %1 Kandidaten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimsFeature</name>
+    <message>
+        <source>Victims</source>
+        <translation>Opfer</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>&amp;Victim here</source>
+        <translation>&amp;Opfer hier</translation>
+    </message>
+    <message>
+        <source>F Victim</source>
+        <translation>F Opfer</translation>
+    </message>
+    <message>
+        <source>Keeps what the robot sees as a victim: the sharpest pictures, heat, gas, scan and place</source>
+        <translation>Sichert, was der Roboter sieht, als Opfer: die schärfsten Bilder, Wärme, Gas, Scan und Ort</translation>
+    </message>
+    <message>
+        <source>Con&amp;firm the find</source>
+        <translation>Fund &amp;bestätigen</translation>
+    </message>
+    <message>
+        <source>V Confirm</source>
+        <translation>V Bestätigen</translation>
+    </message>
+    <message>
+        <source>Confirms the chosen find, or the one that was filed last; files a chosen candidate</source>
+        <translation>Bestätigt den gewählten Fund oder den zuletzt erfassten; erfasst einen gewählten Kandidaten</translation>
+    </message>
+    <message>
+        <source>Ha&amp;zard here</source>
+        <translation>&amp;Gefahr hier</translation>
+    </message>
+    <message>
+        <source>Hazard</source>
+        <translation>Gefahr</translation>
+    </message>
+    <message>
+        <source>The same for a hazard sign</source>
+        <translation>Dasselbe für ein Gefahrzeichen</translation>
+    </message>
+    <message>
+        <source>&amp;QR code here</source>
+        <translation>&amp;QR-Code hier</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>The same for a QR code</source>
+        <translation>Dasselbe für einen QR-Code</translation>
+    </message>
+    <message>
+        <source>&amp;Object here</source>
+        <translation>Ob&amp;jekt hier</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>The same for an object of interest</source>
+        <translation>Dasselbe für ein Objekt von Interesse</translation>
+    </message>
+    <message>
+        <source>&amp;Discard the find</source>
+        <translation>Fund &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen find, or the newest, off the list; undo brings it back</source>
+        <translation>Nimmt den gewählten oder den neuesten Fund aus der Liste; Rückgängig holt ihn zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with the nearest</source>
+        <translation>Mit dem nächsten v&amp;ereinen</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinen</translation>
+    </message>
+    <message>
+        <source>The chosen find is the same as the nearest one of its kind, which gets its evidence</source>
+        <translation>Der gewählte Fund ist derselbe wie der nächste seiner Art, der seine Belege erhält</translation>
+    </message>
+    <message>
+        <source>Undo the last &amp;entry on finds</source>
+        <translation>Letzten Eintrag zu Funden &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Takes back what was filed, changed, confirmed or discarded last</source>
+        <translation>Nimmt zurück, was zuletzt erfasst, geändert, bestätigt oder verworfen wurde</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>Fund auf der Karte ver&amp;schieben</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is; without one a new victim is filed there</source>
+        <translation>Auf der Karte anklicken, wo der gewählte Fund ist; ohne Fund wird dort ein neues Opfer erfasst</translation>
+    </message>
+    <message>
+        <source>Form: &amp;next field</source>
+        <translation>Formular: &amp;nächstes Feld</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Of the chosen find's form</source>
+        <translation>Im Formular des gewählten Fundes</translation>
+    </message>
+    <message>
+        <source>Form: &amp;previous field</source>
+        <translation>Formular: vor&amp;iges Feld</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Voriges</translation>
+    </message>
+    <message>
+        <source>Form: next &amp;choice</source>
+        <translation>Formular: nächste &amp;Wahl</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Unknown, absent, present; situations; areas</source>
+        <translation>Unbekannt, fehlt, vorhanden; Situationen; Bereiche</translation>
+    </message>
+    <message>
+        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
+        <translation>Nichts ist erfasst, das bestätigt werden könnte: F erfasst, was der Roboter sieht</translation>
+    </message>
+    <message>
+        <source>There is no other find of this kind to merge it with</source>
+        <translation>Es gibt keinen anderen Fund dieser Art zum Vereinen</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now</source>
+        <translation>%1 ist jetzt Teil von %2</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
+    </message>
+    <message>
+        <source>Click where the victim is · right button: not at all</source>
+        <translation>Anklicken, wo das Opfer ist · rechte Taste: abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimsPanel</name>
+    <message>
+        <source>Nothing found yet. F files what the robot sees.</source>
+        <translation>Noch nichts gefunden. F erfasst, was der Roboter sieht.</translation>
+    </message>
+    <message>
+        <source>Victims and other finds</source>
+        <translation>Opfer und andere Funde</translation>
+    </message>
+    <message>
+        <source>Victims, other finds and candidates</source>
+        <translation>Opfer, andere Funde und Kandidaten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ViewCommands</name>
+    <message>
+        <source>&amp;Points</source>
+        <translation>&amp;Punkte</translation>
+    </message>
+    <message>
+        <source>Shows the scans' points</source>
+        <translation>Zeigt die Punkte der Scans</translation>
+    </message>
+    <message>
+        <source>&amp;Voxels</source>
+        <translation>&amp;Voxel</translation>
+    </message>
+    <message>
+        <source>Shows the map as cubes</source>
+        <translation>Zeigt die Karte als Würfel</translation>
+    </message>
+    <message>
+        <source>&amp;Floor plan</source>
+        <translation>&amp;Grundriss</translation>
+    </message>
+    <message>
+        <source>Shows the map from above with a 1 m grid</source>
+        <translation>Zeigt die Karte von oben mit einem Raster von 1 m</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;label</source>
+        <translation>Farbe nach &amp;Label</translation>
+    </message>
+    <message>
+        <source>Floor blue, wall yellow, ceiling red</source>
+        <translation>Boden blau, Wand gelb, Decke rot</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;scan</source>
+        <translation>Farbe nach &amp;Scan</translation>
+    </message>
+    <message>
+        <source>A colour for each scan: shows how well they fit</source>
+        <translation>Eine Farbe je Scan: zeigt, wie gut sie passen</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;height</source>
+        <translation>Farbe nach &amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;range</source>
+        <translation>Farbe nach &amp;Entfernung</translation>
+    </message>
+    <message>
+        <source>Distance from the scanner</source>
+        <translation>Entfernung vom Scanner</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>&amp;Dunkles Design</translation>
+    </message>
+    <message>
+        <source>L&amp;ight theme</source>
+        <translation>Helles Des&amp;ign</translation>
+    </message>
+    <message>
+        <source>For sunlit places</source>
+        <translation>Für sonnige Orte</translation>
+    </message>
+    <message>
+        <source>R&amp;eset camera</source>
+        <translation>Kamera zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>Shows the whole map</source>
+        <translation>Zeigt die ganze Karte</translation>
+    </message>
+    <message>
+        <source>Camera from &amp;above</source>
+        <translation>Kamera von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Camera from the s&amp;ide</source>
+        <translation>Kamera von der Sei&amp;te</translation>
+    </message>
+    <message>
+        <source>&amp;Before registration</source>
+        <translation>Vor der Registrieru&amp;ng</translation>
+    </message>
+    <message>
+        <source>Shows the scans where they were expected before registration</source>
+        <translation>Zeigt die Scans, wo sie vor der Registrierung erwartet wurden</translation>
+    </message>
+    <message>
+        <source>Clip by hei&amp;ght</source>
+        <translation>Nach Höhe &amp;kappen</translation>
+    </message>
+    <message>
+        <source>Shows only a slice of the map, between two heights</source>
+        <translation>Zeigt nur eine Schicht der Karte, zwischen zwei Höhen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Click two points for their distance; Esc ends it</source>
+        <translation>Zwei Punkte anklicken, um ihren Abstand zu messen; Esc beendet es</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VirtualScanPane</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Virtual scan</source>
+        <translation>Virtueller Scan</translation>
+    </message>
+    <message>
+        <source>What is around the robot, its front up.
+Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
+        <translation>Was um den Roboter ist, vorn ist oben.
+Gelb: Wände. Punkte: Hindernisse, blasser, je länger sie zurückliegen.
+Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.</translation>
+    </message>
+    <message>
+        <source>nearest obstacle %1 m</source>
+        <translation>nächstes Hindernis %1 m</translation>
+    </message>
+</context>
+</TS>

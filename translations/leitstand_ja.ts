@@ -1,0 +1,5312 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja" sourcelanguage="en">
+<context>
+    <name>PdfText</name>
+    <message>
+        <source>page %1</source>
+        <translation>%1 ページ</translation>
+    </message>
+    <message>
+        <source>x is up, y is left; lines of the grid are 0.5 m apart</source>
+        <translation>x は上、y は左。グリッド間隔 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>ReportText</name>
+    <message>
+        <source>confirmed</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>未確定</translation>
+    </message>
+    <message>
+        <source>A (autonomous)</source>
+        <translation>A（自律）</translation>
+    </message>
+    <message>
+        <source>T (teleoperated)</source>
+        <translation>T（遠隔操作）</translation>
+    </message>
+    <message>
+        <source>Victim</source>
+        <translation>被災者</translation>
+    </message>
+    <message>
+        <source>Hazard</source>
+        <translation>危険物</translation>
+    </message>
+    <message>
+        <source>QR code</source>
+        <translation>QRコード</translation>
+    </message>
+    <message>
+        <source>Object of interest</source>
+        <translation>対象物</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1, y %2, z %3 m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>Competition</source>
+        <translation>大会</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>チーム</translation>
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation>ミッション</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>所要時間</translation>
+    </message>
+    <message>
+        <source>%1 by the mission's clock</source>
+        <translation>%1（ミッション時計）</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>オペレータ</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>エリア</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>操作卓</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>%1 scans, %2 m² explored</source>
+        <translation>スキャン %1 件、探索済み %2 m²</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>Scans in the map</source>
+        <translation>地図内のスキャン</translation>
+    </message>
+    <message>
+        <source>Autonomous</source>
+        <translation>自律</translation>
+    </message>
+    <message>
+        <source>Teleoperated</source>
+        <translation>遠隔操作</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Nothing was filed.</source>
+        <translation>登録なし</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Place in the map</source>
+        <translation>地図上の位置</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>発見時刻</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>発見者</translation>
+    </message>
+    <message>
+        <source>On the robots: driving in autonomous modes, approach to victims, stopping when the link is lost.</source>
+        <translation>ロボット上: 自律モードでの走行、被災者への接近、通信途絶時の停止。</translation>
+    </message>
+    <message>
+        <source>On the operator station: registration of the scans, this map, cues of victims, this report.</source>
+        <translation>操作卓上: スキャンの位置合わせ、この地図、被災者の手掛かり、この報告書。</translation>
+    </message>
+    <message>
+        <source>By the operator: everything that is marked T, and every confirmation.</source>
+        <translation>オペレータ: T の付いた項目すべてと、すべての確定。</translation>
+    </message>
+    <message>
+        <source>No robot drove near it: there is no way to tell.</source>
+        <translation>付近を走行したロボットがないため、経路は示せない。</translation>
+    </message>
+    <message>
+        <source>%1 m from the start of %2 along the driven trail, the last %3 m straight on.</source>
+        <translation>%2 の出発点から走行経路沿いに %1 m、最後の %3 m は直進。</translation>
+    </message>
+    <message>
+        <source>Report of a rescue mission</source>
+        <translation>救助ミッション報告書</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>%1 others were discarded or merged.</source>
+        <translation>ほか %1 件は破棄または統合。</translation>
+    </message>
+    <message>
+        <source>What was computed where</source>
+        <translation>何をどこで計算したか</translation>
+    </message>
+    <message>
+        <source>What is missing or doubtful</source>
+        <translation>欠けている点・疑わしい点</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>ほか %1 件</translation>
+    </message>
+    <message>
+        <source>, ± %1 m</source>
+        <translation>, ± %1 m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>%1 m above the floor</source>
+        <translation>床から %1 m</translation>
+    </message>
+    <message>
+        <source>%1, %2 after the mission's begin</source>
+        <translation>%1、ミッション開始から %2</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>札</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>フォーム</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>熱</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>Situation</source>
+        <translation>状況</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>証拠</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>%1 への経路</translation>
+    </message>
+    <message>
+        <source>%1: map at %2</source>
+        <translation>%1: 地図（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>teleoperated</source>
+        <translation>遠隔操作</translation>
+    </message>
+    <message>
+        <source>robot drove, station or operator found</source>
+        <translation>走行はロボット、発見は操作卓またはオペレータ</translation>
+    </message>
+    <message>
+        <source>robot drove and found by itself</source>
+        <translation>走行も発見もロボット自身</translation>
+    </message>
+    <message>
+        <source>Score, estimated</source>
+        <translation>得点（推定）</translation>
+    </message>
+    <message>
+        <source>Profile %1 (%2), version %3. The quality of the map is the judges' to tell; here it counts as full.</source>
+        <translation>プロファイル %1（%2）、バージョン %3。地図の質は審判が判定する。ここでは満点として計算。</translation>
+    </message>
+    <message>
+        <source>Items</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>エリア</translation>
+    </message>
+    <message>
+        <source>Autonomy</source>
+        <translation>自律性</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>合計</translation>
+    </message>
+    <message>
+        <source>%1 (not confirmed)</source>
+        <translation>%1（未確定）</translation>
+    </message>
+    <message>
+        <source>%1 of the finds, less %2 for %3 contacts with the arena and %4 with victims, divided by %5 (%6 operators): &lt;b&gt;%7&lt;/b&gt;</source>
+        <translation>発見 %1 点から、アリーナとの接触 %3 回と被災者との接触 %4 回の減点 %2 を引き、%5 で割る（オペレータ %6 名）: &lt;b&gt;%7&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Values of the profile for which no readable source was found: %1.</source>
+        <translation>参照できる出典が見つからなかったプロファイル値: %1。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmLine</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>battery: %1 min left</source>
+        <translation>バッテリー: 残り %1 min</translation>
+    </message>
+    <message>
+        <source>battery: %1 % left</source>
+        <translation>バッテリー: 残り %1 %</translation>
+    </message>
+    <message>
+        <source>its clock is %1 s ahead</source>
+        <translation>ロボットの時計が %1 s 進んでいる</translation>
+    </message>
+    <message>
+        <source>its clock is %1 s behind</source>
+        <translation>ロボットの時計が %1 s 遅れている</translation>
+    </message>
+    <message>
+        <source>tilted: %1 % of where it tips over</source>
+        <translation>傾斜: 転倒限界の %1 %</translation>
+    </message>
+    <message>
+        <source>rolled over, tilted by %1°</source>
+        <translation>転倒、傾斜 %1°</translation>
+    </message>
+    <message>
+        <source>link lost, silent for %1</source>
+        <translation>通信途絶、%1 応答なし</translation>
+    </message>
+    <message>
+        <source>link: %1</source>
+        <translation>通信: %1</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm</source>
+        <translation>CO₂ %1 ppm</translation>
+    </message>
+    <message>
+        <source>bumped: %1</source>
+        <translation>衝突: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>does not answer STOP for %1</source>
+        <translation>STOP に %1 応答なし</translation>
+    </message>
+    <message>
+        <source>camera %1 repeats one picture for %2</source>
+        <translation>カメラ %1 が %2 同じ映像を反復</translation>
+    </message>
+    <message>
+        <source>the grant to drive was lost to %1</source>
+        <translation>操縦権が %1 へ移った</translation>
+    </message>
+    <message>
+        <source>uncertain scans to be decided on: %1</source>
+        <translation>判断待ちの不確実なスキャン: %1</translation>
+    </message>
+    <message>
+        <source>log: %1</source>
+        <translation>ログ: %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>終息後 %1</translation>
+    </message>
+    <message>
+        <source>muted for %1 s</source>
+        <translation>消音中 %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmListModel</name>
+    <message>
+        <source>Station</source>
+        <translation>操作卓</translation>
+    </message>
+    <message>
+        <source>Act</source>
+        <translation>対処</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source> · acknowledged</source>
+        <translation> · 確認済み</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmPanel</name>
+    <message>
+        <source>No alarms</source>
+        <translation>警報なし</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>警報</translation>
+    </message>
+    <message>
+        <source>Alarms, newest first; Return acknowledges the chosen one</source>
+        <translation>警報（新しい順）。Return で選択した警報を確認</translation>
+    </message>
+    <message>
+        <source>⌫ Acknowledge</source>
+        <translation>⌫ 確認</translation>
+    </message>
+    <message>
+        <source>Acknowledges the newest alarm that is not: its tone ends</source>
+        <translation>未確認の最新警報を確認。警報音が止まる</translation>
+    </message>
+    <message>
+        <source>Acknowledge the newest alarm</source>
+        <translation>最新の警報を確認</translation>
+    </message>
+    <message>
+        <source>No tones for one minute; alarms are shown all the same</source>
+        <translation>1 分間消音。警報の表示は続く</translation>
+    </message>
+    <message>
+        <source>Alarms, newest first</source>
+        <translation>警報（新しい順）</translation>
+    </message>
+    <message>
+        <source>Alarms · %1</source>
+        <translation>警報 · %1</translation>
+    </message>
+    <message>
+        <source>M Mute</source>
+        <translation>M 消音</translation>
+    </message>
+    <message>
+        <source>M %1</source>
+        <translation>M %1</translation>
+    </message>
+    <message>
+        <source>Mute tones for one minute</source>
+        <translation>警報音を 1 分間消音</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AlarmsFeature</name>
+    <message>
+        <source>Alarms</source>
+        <translation>警報</translation>
+    </message>
+    <message>
+        <source>&amp;Acknowledge the newest alarm</source>
+        <translation>最新の警報を確認(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Its tone ends; it stays in the list while it stands</source>
+        <translation>警報音が止まる。警報が続く間は一覧に残る</translation>
+    </message>
+    <message>
+        <source>&amp;Mute alarms for a minute</source>
+        <translation>警報を 1 分間消音(&amp;M)</translation>
+    </message>
+    <message>
+        <source>No tones; again: tones at once</source>
+        <translation>消音。再度押すと直ちに音を戻す</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::AttitudeGauge</name>
+    <message>
+        <source>Attitude</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>The blue line is the horizon. Where it reaches the dots, the robot tips over.</source>
+        <translation>青線は水平線。これが点に達するとロボットは転倒する。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::BottomStrip</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>読込中 %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 · %2 of %3</source>
+        <translation>読込中 %1 · %2 / %3</translation>
+    </message>
+    <message>
+        <source>Registering %1 · %2 of %3</source>
+        <translation>位置合わせ中 %1 · %2 / %3</translation>
+    </message>
+    <message>
+        <source>▲ 1 error</source>
+        <translation>▲ エラー 1 件</translation>
+    </message>
+    <message>
+        <source>▲ %1 errors</source>
+        <translation>▲ エラー %1 件</translation>
+    </message>
+    <message>
+        <source>1 message</source>
+        <translation>メッセージ 1 件</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>メッセージ %1 件</translation>
+    </message>
+    <message>
+        <source>No messages</source>
+        <translation>メッセージなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraFeature</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Second camera</source>
+        <translation>第 2 カメラ</translation>
+    </message>
+    <message>
+        <source>Re-&amp;centre cameras</source>
+        <translation>カメラを正面へ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>All cameras of the robot look ahead</source>
+        <translation>ロボットの全カメラを正面へ向ける</translation>
+    </message>
+    <message>
+        <source>Turns the large camera by 10 degrees; its keys turn it while they are held</source>
+        <translation>大画面のカメラを 10 度旋回。キーは押している間旋回</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left	Q</source>
+        <translation>左へ旋回(&amp;L)	Q</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right	E</source>
+        <translation>右へ旋回(&amp;R)	E</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up	PgUp</source>
+        <translation>上へ旋回(&amp;U)	PgUp</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down	PgDown</source>
+        <translation>下へ旋回(&amp;D)	PgDown</translation>
+    </message>
+    <message>
+        <source>&amp;Next small picture</source>
+        <translation>次の小画面映像(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Shows the next camera of the robot in the small pane</source>
+        <translation>小画面にロボットの次のカメラを表示</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange both pictures</source>
+        <translation>両映像を入れ替え(&amp;X)</translation>
+    </message>
+    <message>
+        <source>The camera in the small pane gets the large one</source>
+        <translation>小画面のカメラを大画面に表示</translation>
+    </message>
+    <message>
+        <source>Help in the &amp;dark</source>
+        <translation>暗所補助(&amp;D)</translation>
+    </message>
+    <message>
+        <source>More contrast in pictures: gently, strongly, not. The log keeps them as they came</source>
+        <translation>映像のコントラスト強調: 弱、強、なし。ログには元の映像を保存</translation>
+    </message>
+    <message>
+        <source>Omnidirectional as &amp;panorama</source>
+        <translation>全方位をパノラマ表示(&amp;P)</translation>
+    </message>
+    <message>
+        <source>All around in one strip, ahead in the middle; or as the mirror shows it</source>
+        <translation>全周を 1 本の帯で表示（中央が前方）、またはミラー像のまま表示</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;snapshot</source>
+        <translation>静止画を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The newest large picture, as it came, into the mission's folder snapshots</source>
+        <translation>最新の大画面映像を受信時のまま、ミッションの snapshots フォルダに保存</translation>
+    </message>
+    <message>
+        <source>Keep a snapshot of the s&amp;mall picture</source>
+        <translation>小画面の静止画を保存(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The same of the small picture</source>
+        <translation>小画面の映像を同様に保存</translation>
+    </message>
+    <message>
+        <source>Infrared in &amp;iron colours</source>
+        <translation>赤外線: アイアン配色(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, &amp;hot is white</source>
+        <translation>赤外線: グレー、高温が白(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, &amp;hot is black</source>
+        <translation>赤外線: グレー、高温が黒(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Infrared colours &amp;follow the picture</source>
+        <translation>赤外線配色を映像に追従(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From its coldest to its hottest; otherwise a colour is always the same temperature</source>
+        <translation>映像内の最低温から最高温まで。オフでは同じ色が常に同じ温度を示す</translation>
+    </message>
+    <message>
+        <source>There is no picture to keep yet</source>
+        <translation>保存できる映像がまだない</translation>
+    </message>
+    <message>
+        <source>no picture of %1</source>
+        <translation>%1 の映像なし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraKeys</name>
+    <message>
+        <source>Q E PgUp PgDn</source>
+        <translation>Q E PgUp PgDn</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CameraPane</name>
+    <message>
+        <source>colours follow the picture</source>
+        <translation>配色は映像に追従</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
+The blue line is the horizon.</source>
+        <translation>リングは周囲の近さを示す: 薄色は遠い、点は不明、琥珀色は近い、太い赤橙は車体に接近。
+青線は水平線。</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>前方</translation>
+    </message>
+    <message>
+        <source>pan %1</source>
+        <translation>パン %1</translation>
+    </message>
+    <message>
+        <source>pan %1 left</source>
+        <translation>パン 左 %1</translation>
+    </message>
+    <message>
+        <source>pan %1 right</source>
+        <translation>パン 右 %1</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>下 %1</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>上 %1</translation>
+    </message>
+    <message>
+        <source>%1 turns the cameras</source>
+        <translation>%1 がカメラを操作中</translation>
+    </message>
+    <message>
+        <source>asking for the cameras</source>
+        <translation>カメラ操作権を要求中</translation>
+    </message>
+    <message>
+        <source>No camera</source>
+        <translation>カメラなし</translation>
+    </message>
+    <message>
+        <source>Infrared °C</source>
+        <translation>赤外線 °C</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>赤外線</translation>
+    </message>
+    <message>
+        <source>Left camera</source>
+        <translation>左カメラ</translation>
+    </message>
+    <message>
+        <source>Right camera</source>
+        <translation>右カメラ</translation>
+    </message>
+    <message>
+        <source>Omnidirectional camera</source>
+        <translation>全方位カメラ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>contrast raised</source>
+        <translation>コントラスト強調（弱）</translation>
+    </message>
+    <message>
+        <source>contrast raised strongly</source>
+        <translation>コントラスト強調（強）</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 旋回</translation>
+    </message>
+    <message>
+        <source>%1 re-centres</source>
+        <translation>%1 正面</translation>
+    </message>
+    <message>
+        <source>left 90°</source>
+        <translation>左 90°</translation>
+    </message>
+    <message>
+        <source>right 90°</source>
+        <translation>右 90°</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>後方</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ClockFace</name>
+    <message>
+        <source>Mission clock</source>
+        <translation>ミッション時計</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ClockText</name>
+    <message>
+        <source>running</source>
+        <translation>計時中</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>Mission time %1, %2</source>
+        <translation>ミッション時間 %1、%2</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>超過</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>残り</translation>
+    </message>
+    <message>
+        <source>Mission time %1 of %2, %3</source>
+        <translation>ミッション時間 %1 / %2、%3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CommandTable</name>
+    <message>
+        <source>&amp;Mission</source>
+        <translation>ミッション(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>ロボット(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras</source>
+        <translation>カメラ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>M&amp;ap</source>
+        <translation>地図(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionText</name>
+    <message>
+        <source>scan %1 accepted</source>
+        <translation>スキャン %1 の採用</translation>
+    </message>
+    <message>
+        <source>%1 scans accepted</source>
+        <translation>スキャン %1 件の採用</translation>
+    </message>
+    <message>
+        <source>scan %1 set aside</source>
+        <translation>スキャン %1 の除外</translation>
+    </message>
+    <message>
+        <source>%1 scans set aside</source>
+        <translation>スキャン %1 件の除外</translation>
+    </message>
+    <message>
+        <source>scan %1 tried again</source>
+        <translation>スキャン %1 の再試行</translation>
+    </message>
+    <message>
+        <source>%1 scans tried again</source>
+        <translation>スキャン %1 件の再試行</translation>
+    </message>
+    <message>
+        <source>what belongs into the map</source>
+        <translation>地図に含める範囲</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionsFeature</name>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>スキャンと判断</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt doubtful scan</source>
+        <translation>次の疑わしいスキャン(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Goes to the newest scan that waits for a decision, then to older ones</source>
+        <translation>判断待ちの最新スキャンへ移動、続いて古いものへ</translation>
+    </message>
+    <message>
+        <source>&amp;Accept scan</source>
+        <translation>スキャンを採用(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The chosen scan counts where it stands</source>
+        <translation>選択したスキャンを現在の位置で採用</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject scan</source>
+        <translation>スキャンを除外(&amp;J)</translation>
+    </message>
+    <message>
+        <source>The chosen scan is set aside: neither shown nor used</source>
+        <translation>選択したスキャンを除外: 表示も使用もしない</translation>
+    </message>
+    <message>
+        <source>Re&amp;try scan</source>
+        <translation>スキャンを再試行(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Registers the chosen scan again, with the search chosen below</source>
+        <translation>下で選んだ探索範囲で、選択したスキャンを再度位置合わせ</translation>
+    </message>
+    <message>
+        <source>Retry from a &amp;pose</source>
+        <translation>位置を指定して再試行(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot was, drag its heading: the chosen scan is registered again from there</source>
+        <translation>地図上でロボットの位置をクリックし、ドラッグで向きを指定: そこから選択したスキャンを再度位置合わせ</translation>
+    </message>
+    <message>
+        <source>Re&amp;wind to here</source>
+        <translation>ここまで巻き戻す(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Sets aside all scans that entered after the chosen one</source>
+        <translation>選択したスキャンより後に追加されたスキャンをすべて除外</translation>
+    </message>
+    <message>
+        <source>&amp;Undo decision</source>
+        <translation>判断を取り消す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>There is no such decision on the map</source>
+        <translation>地図にそのような判断はない</translation>
+    </message>
+    <message>
+        <source>Redo decision</source>
+        <translation>判断をやり直す</translation>
+    </message>
+    <message>
+        <source>Next ?</source>
+        <translation>次の ?</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>採用</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>再試行</translation>
+    </message>
+    <message>
+        <source>From pose</source>
+        <translation>位置指定</translation>
+    </message>
+    <message>
+        <source>Rewind</source>
+        <translation>巻き戻し</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
+    </message>
+    <message>
+        <source>Draw map's a&amp;rea</source>
+        <translation>地図の領域を描く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Click the corners of what belongs into the map, a double click ends: points of coming scans outside of it stay out</source>
+        <translation>地図に含める範囲の角をクリック、ダブルクリックで終了: 以後のスキャンでは範囲外の点を除く</translation>
+    </message>
+    <message>
+        <source>Map e&amp;verything</source>
+        <translation>すべてを地図に含める(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Nothing is outside of the map's area any more</source>
+        <translation>地図の領域制限を解除</translation>
+    </message>
+    <message>
+        <source>Draw area</source>
+        <translation>領域を描く</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>No scan waits for a decision</source>
+        <translation>判断待ちのスキャンなし</translation>
+    </message>
+    <message>
+        <source>Click where the robot was at scan %1, drag its heading · right button: not at all</source>
+        <translation>スキャン %1 時のロボット位置をクリック、ドラッグで向きを指定 · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>Click the corners of what belongs into the map, double click the last one · right button: takes a corner back</source>
+        <translation>地図に含める範囲の角をクリック、最後の角はダブルクリック · 右ボタン: 角を 1 つ戻す</translation>
+    </message>
+    <message>
+        <source>Takes back: %1</source>
+        <translation>取り消す判断: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>取り消し(&amp;U): %1</translation>
+    </message>
+    <message>
+        <source>Decides again: %1</source>
+        <translation>やり直す判断: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>やり直し: %1</translation>
+    </message>
+    <message>
+        <source>The whole world belongs into the map</source>
+        <translation>すべてを地図に含める</translation>
+    </message>
+    <message>
+        <source>What is outside the dashed line stays out of the map</source>
+        <translation>破線の外側は地図に含めない</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DecisionsPanel</name>
+    <message>
+        <source>Nothing above</source>
+        <translation>高さ上限</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>スキャンと判断</translation>
+    </message>
+    <message>
+        <source>Key scans of the map, newest first</source>
+        <translation>地図のキースキャン（新しい順）</translation>
+    </message>
+    <message>
+        <source>Retry with</source>
+        <translation>再試行条件</translation>
+    </message>
+    <message>
+        <source>How far a retry searches</source>
+        <translation>再試行の探索範囲</translation>
+    </message>
+    <message>
+        <source>How far points may be from the map at first: wide finds a scan that is far off, narrow does not mistake one wall for another</source>
+        <translation>最初に許す点と地図の距離: 広いと大きくずれたスキャンも見つかり、狭いと別の壁と取り違えにくい</translation>
+    </message>
+    <message>
+        <source>wide search, 1.5 m</source>
+        <translation>広い探索、1.5 m</translation>
+    </message>
+    <message>
+        <source>widest search, 3 m</source>
+        <translation>最も広い探索、3 m</translation>
+    </message>
+    <message>
+        <source>usual search, 0.5 m</source>
+        <translation>通常の探索、0.5 m</translation>
+    </message>
+    <message>
+        <source>narrow search, 0.25 m</source>
+        <translation>狭い探索、0.25 m</translation>
+    </message>
+    <message>
+        <source>Points of coming scans above this height, in the map's frame, stay out of the map: spectators, lamps, the hall's roof</source>
+        <translation>以後のスキャンで、地図座標系のこの高さより上の点を地図に含めない: 観客、照明、屋根</translation>
+    </message>
+    <message>
+        <source>Height above which nothing enters the map</source>
+        <translation>地図に含める高さの上限</translation>
+    </message>
+    <message>
+        <source>Choose a scan, or go to the newest doubtful one</source>
+        <translation>スキャンを選択、または最新の疑わしいスキャンへ移動</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DemoRobots</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 を起動できない: %2</translation>
+    </message>
+    <message>
+        <source>The simulated %1 has ended (%2): %3</source>
+        <translation>シミュレーションの %1 が終了（%2）: %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DriveFeature</name>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>&amp;Drive with keys</source>
+        <translation>キーで走行(&amp;D)</translation>
+    </message>
+    <message>
+        <source>W S A D or the arrows drive the selected robot; Shift slow, Ctrl fast, Space halts, G held drives without eyes</source>
+        <translation>W S A D または矢印で選択中のロボットを走行。Shift 低速、Ctrl 高速、Space 停止、G を押し続けると視界なし走行</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::DriveState</name>
+    <message>
+        <source>stop %1 · %2</source>
+        <translation>停止 %1 · %2</translation>
+    </message>
+    <message>
+        <source>standing · hold %1 for one second to release</source>
+        <translation>静止 · %1 を 1 秒押し続けて解除</translation>
+    </message>
+    <message>
+        <source>takes no drive commands</source>
+        <translation>走行指令を受け付けない</translation>
+    </message>
+    <message>
+        <source>does not hear drive commands</source>
+        <translation>走行指令を受信していない</translation>
+    </message>
+    <message>
+        <source>the sticks are not on this robot</source>
+        <translation>スティックは別のロボット</translation>
+    </message>
+    <message>
+        <source>sticks must be neutral first</source>
+        <translation>先にスティックを中立へ</translation>
+    </message>
+    <message>
+        <source>you drive</source>
+        <translation>操縦中</translation>
+    </message>
+    <message>
+        <source>ready: you have the sticks</source>
+        <translation>準備完了: 操縦可能</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>chains %1 · %2 m/s</source>
+        <translation>履帯 %1 · %2 m/s</translation>
+    </message>
+    <message>
+        <source>the chains do not follow</source>
+        <translation>左右の履帯が追従しない</translation>
+    </message>
+    <message>
+        <source>the left chain does not follow</source>
+        <translation>左の履帯が追従しない</translation>
+    </message>
+    <message>
+        <source>the right chain does not follow</source>
+        <translation>右の履帯が追従しない</translation>
+    </message>
+    <message>
+        <source>tips at %1</source>
+        <translation>転倒限界 %1</translation>
+    </message>
+    <message>
+        <source>tips at %1 · %2</source>
+        <translation>転倒限界 %1 · %2</translation>
+    </message>
+    <message>
+        <source>no attitude</source>
+        <translation>姿勢データなし</translation>
+    </message>
+    <message>
+        <source>roll %1 · pitch %2</source>
+        <translation>ロール %1 · ピッチ %2</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>通知なし</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation>充電中</translation>
+    </message>
+    <message>
+        <source>%1 min at this load</source>
+        <translation>この負荷で %1 min</translation>
+    </message>
+    <message>
+        <source>%1 h at this load</source>
+        <translation>この負荷で %1 h</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>not fitted</source>
+        <translation>非搭載</translation>
+    </message>
+    <message>
+        <source>last 2 min · alarm at %1</source>
+        <translation>直近 2 min · 警報 %1</translation>
+    </message>
+    <message>
+        <source>no data yet</source>
+        <translation>データ未着</translation>
+    </message>
+    <message>
+        <source>%1 asks to drive</source>
+        <translation>%1 が操縦権を要求</translation>
+    </message>
+    <message>
+        <source>you have the grant</source>
+        <translation>操縦権あり</translation>
+    </message>
+    <message>
+        <source>%1 keeps it</source>
+        <translation>%1 が拒否</translation>
+    </message>
+    <message>
+        <source>asked: listens for others</source>
+        <translation>要求中: 他の応答を確認</translation>
+    </message>
+    <message>
+        <source>asked: waits for %1</source>
+        <translation>要求中: %1 を待機</translation>
+    </message>
+    <message>
+        <source>%1 took over</source>
+        <translation>%1 が引き継いだ</translation>
+    </message>
+    <message>
+        <source>nobody has the grant</source>
+        <translation>操縦権保持者なし</translation>
+    </message>
+    <message>
+        <source>%1 has it, but is silent</source>
+        <translation>%1 が保持、ただし応答なし</translation>
+    </message>
+    <message>
+        <source>%1 drives</source>
+        <translation>%1 が操縦中</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::EnergyCell</name>
+    <message>
+        <source>Battery and link</source>
+        <translation>バッテリーと通信</translation>
+    </message>
+    <message>
+        <source>Battery %1 %2, %3
+Link: %4 %5</source>
+        <translation>バッテリー %1 %2、%3
+通信: %4 %5</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>バッテリー</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FileCommands</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 ほか %2 件</translation>
+    </message>
+    <message>
+        <source>&amp;Open scans…</source>
+        <translation>スキャンを開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Adds scan files to the map</source>
+        <translation>スキャンファイルを地図に追加</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>フォルダを開く(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Adds all scans of a folder to the map</source>
+        <translation>フォルダ内の全スキャンを地図に追加</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近使った項目(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>画像を保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Saves the map as it is shown, in full detail</source>
+        <translation>表示中の地図を最高精細で保存</translation>
+    </message>
+    <message>
+        <source>&amp;Close scans</source>
+        <translation>スキャンを閉じる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Empties the map</source>
+        <translation>地図を空にする</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Open scans</source>
+        <translation>スキャンを開く</translation>
+    </message>
+    <message>
+        <source>Scans (*.3d *.pcd *.ply *.xyz)</source>
+        <translation>スキャン (*.3d *.pcd *.ply *.xyz)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans</source>
+        <translation>スキャンのフォルダを開く</translation>
+    </message>
+    <message>
+        <source>Save the map's picture</source>
+        <translation>地図の画像を保存</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>JPEG pictures (*.jpg)</source>
+        <translation>JPEG 画像 (*.jpg)</translation>
+    </message>
+    <message>
+        <source>map.png</source>
+        <translation>map.png</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written</source>
+        <translation>%1: 画像を書き込めない</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation>履歴を消去(&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindRow</name>
+    <message>
+        <source>“%1”</source>
+        <translation>「%1」</translation>
+    </message>
+    <message>
+        <source>hypothesis</source>
+        <translation>仮説</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>part of %1</source>
+        <translation>%1 の一部</translation>
+    </message>
+    <message>
+        <source>discarded</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>地表</translation>
+    </message>
+    <message>
+        <source>trapped</source>
+        <translation>挟まれ</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>空隙</translation>
+    </message>
+    <message>
+        <source>entombed</source>
+        <translation>埋没</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>赤</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsFeature</name>
+    <message>
+        <source>Finds</source>
+        <translation>発見</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>フォーム</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>取り消した</translation>
+    </message>
+    <message>
+        <source>Write a n&amp;ote…</source>
+        <translation>メモを書く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>About the moment that is shown</source>
+        <translation>表示中の時点について</translation>
+    </message>
+    <message>
+        <source>&amp;Undo what was written</source>
+        <translation>記入を取り消す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in this review</source>
+        <translation>このレビューで最後に書いた内容を取り消す</translation>
+    </message>
+    <message>
+        <source>The mission took this find back later</source>
+        <translation>この発見は後にミッション中に取り消された</translation>
+    </message>
+    <message>
+        <source>%1: %2 (as finished)</source>
+        <translation>%1: %2（終了時点）</translation>
+    </message>
+    <message>
+        <source>%1 corrected (as finished)</source>
+        <translation>%1 を訂正（終了時点）</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>%1 について</translation>
+    </message>
+    <message>
+        <source>Noted at %1</source>
+        <translation>%1 にメモ</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsPanel</name>
+    <message>
+        <source>Nothing was found yet</source>
+        <translation>発見はまだない</translation>
+    </message>
+    <message>
+        <source>Victims and other finds</source>
+        <translation>被災者とその他の発見</translation>
+    </message>
+    <message>
+        <source>Finds; Return goes to the moment when the chosen one was found</source>
+        <translation>発見一覧。Return で選択した発見の時点へ移動</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>発見</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>発見時刻</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>メモ…</translation>
+    </message>
+    <message>
+        <source>Writes a note about this moment</source>
+        <translation>この時点についてメモを書く</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in this review</source>
+        <translation>このレビューで最後に書いた内容を取り消す</translation>
+    </message>
+    <message>
+        <source>Form…</source>
+        <translation>フォーム…</translation>
+    </message>
+    <message>
+        <source>The chosen find's form: what is known of it</source>
+        <translation>選択した発見のフォーム: 判明していること</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>The chosen find is one</source>
+        <translation>選択した発見を確定する</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>The chosen find is none</source>
+        <translation>選択した発見を誤りとして破棄する</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Finds</source>
+        <translation>発見</translation>
+    </message>
+    <message>
+        <source>Finds · %1</source>
+        <translation>発見 · %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Freshness</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>no data yet</source>
+        <translation>データ未着</translation>
+    </message>
+    <message>
+        <source>same for %1</source>
+        <translation>同一映像 %1</translation>
+    </message>
+    <message>
+        <source>the same picture for %1</source>
+        <translation>%1 同じ映像</translation>
+    </message>
+    <message>
+        <source>no data for %1</source>
+        <translation>%1 データなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GasCell</name>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 %2 %3
+%4</source>
+        <translation>CO₂ %1 %2 %3
+%4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GoTo</name>
+    <message>
+        <source>&amp;Go to a place</source>
+        <translation>地点へ移動(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Click where the selected robot shall go by itself, drag its heading; a double click on the floor does the same</source>
+        <translation>選択中のロボットが自律で向かう地点をクリック、ドラッグで向きを指定。床のダブルクリックも同じ</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet</source>
+        <translation>%1 はまだ地図にない</translation>
+    </message>
+    <message>
+        <source>Click where %1 shall go, drag its heading · right button: not at all</source>
+        <translation>%1 の行き先をクリック、ドラッグで向きを指定 · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>%1 is not sent: it was halted</source>
+        <translation>%1 を送り出さない: 停止された</translation>
+    </message>
+    <message>
+        <source>%1 was not sent: its odometry began anew, and nobody knows where</source>
+        <translation>%1 を送り出していない: オドメトリが初期化され、位置が不明</translation>
+    </message>
+    <message>
+        <source>%1 was not sent: the grant to drive it is another station's</source>
+        <translation>%1 を送り出していない: 操縦権は別の操作卓にある</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::HelpCommands</name>
+    <message>
+        <source>Left button</source>
+        <translation>左ボタン</translation>
+    </message>
+    <message>
+        <source>turns the map; while measuring, picks a point</source>
+        <translation>地図を回転。計測中は点を選択</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left</source>
+        <translation>中ボタン、Shift+左</translation>
+    </message>
+    <message>
+        <source>shifts the map</source>
+        <translation>地図を移動</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>ホイール、右ボタン</translation>
+    </message>
+    <message>
+        <source>zooms</source>
+        <translation>ズーム</translation>
+    </message>
+    <message>
+        <source>Arrows, +, −</source>
+        <translation>矢印、+、−</translation>
+    </message>
+    <message>
+        <source>turn and zoom; with Shift they shift</source>
+        <translation>回転とズーム。Shift で移動</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>ends measuring</source>
+        <translation>計測を終了</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Space</translation>
+    </message>
+    <message>
+        <source>in the scans list: shows or hides the scan</source>
+        <translation>スキャン一覧: スキャンの表示/非表示</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab、Shift+Tab</translation>
+    </message>
+    <message>
+        <source>next and previous field</source>
+        <translation>次/前の項目へ</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>キー一覧(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Lists all keys</source>
+        <translation>すべてのキーを表示</translation>
+    </message>
+    <message>
+        <source>&amp;About Leitstand</source>
+        <translation>Leitstand について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Map and lists</source>
+        <translation>地図と一覧</translation>
+    </message>
+    <message>
+        <source>About Leitstand</source>
+        <translation>Leitstand について</translation>
+    </message>
+    <message>
+        <source>Leitstand %1</source>
+        <translation>Leitstand %1</translation>
+    </message>
+    <message>
+        <source>The operator station for rescue robots: registers 3D laser scans into one map and shows it, after the methods of the RoboCup Rescue team Deutschland1.
+
+Apache License 2.0</source>
+        <translation>救助ロボット用の操作卓: 3D レーザースキャンを 1 つの地図に位置合わせして表示する。RoboCup Rescue チーム Deutschland1 の手法に基づく。
+
+Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::KeyScanModel</name>
+    <message>
+        <source>Scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>採否</translation>
+    </message>
+    <message>
+        <source>Doubts</source>
+        <translation>疑問点</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重なり</translation>
+    </message>
+    <message>
+        <source>Entered</source>
+        <translation>追加時刻</translation>
+    </message>
+    <message>
+        <source>Set aside by the operator: neither shown nor used.</source>
+        <translation>オペレータが除外: 表示も使用もしない。</translation>
+    </message>
+    <message>
+        <source>It fits.</source>
+        <translation>適合している。</translation>
+    </message>
+    <message>
+        <source>Accepted by the operator.</source>
+        <translation>オペレータが採用。</translation>
+    </message>
+    <message>
+        <source>Overlap %1, pairs %2 mm apart, certainty %3, matched near scan %4</source>
+        <translation>重なり %1、点対の距離 %2 mm、確実度 %3、スキャン %4 付近で照合</translation>
+    </message>
+    <message>
+        <source>1 key scan</source>
+        <translation>キースキャン 1 件</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>キースキャン %1 件</translation>
+    </message>
+    <message>
+        <source>%1 for you to decide</source>
+        <translation>判断待ち %1 件</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Language</name>
+    <message>
+        <source>The window is made anew in this language</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::LayoutFeature</name>
+    <message>
+        <source>Layout</source>
+        <translation>レイアウト</translation>
+    </message>
+    <message>
+        <source>S&amp;wap camera and map</source>
+        <translation>カメラと地図を入れ替え(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Camera and map change places</source>
+        <translation>カメラと地図の場所を交換</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange panes</source>
+        <translation>ペインを配置(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Panes get titles to be dragged by, to another place or out of the window; again to hold them there</source>
+        <translation>ペインにタイトルを表示。ドラッグで移動、ウィンドウの外へも出せる。再度選ぶと固定</translation>
+    </message>
+    <message>
+        <source>Save la&amp;yout as…</source>
+        <translation>レイアウトを別名で保存(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Keeps how panes are now as a layout of one's own</source>
+        <translation>現在のペイン配置を独自のレイアウトとして保存</translation>
+    </message>
+    <message>
+        <source>&amp;Delete this layout</source>
+        <translation>このレイアウトを削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Deletes the file of a layout of one's own</source>
+        <translation>独自レイアウトのファイルを削除</translation>
+    </message>
+    <message>
+        <source>&amp;Panes</source>
+        <translation>ペイン(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Layout %1</source>
+        <translation>レイアウト %1</translation>
+    </message>
+    <message>
+        <source>layout %1 binds keys to what is no command: %2</source>
+        <translation>レイアウト %1 が存在しないコマンドにキーを割り当てている: %2</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>レイアウトを保存</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>レイアウトの名前</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkFeature</name>
+    <message>
+        <source>&amp;Thin link</source>
+        <translation>低帯域(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Asks robots for less, so that what matters comes: commands and stop, telemetry, scans, one camera, the rest</source>
+        <translation>ロボットへの要求を減らし、重要なデータを優先: 指令と停止、テレメトリ、スキャン、カメラ 1 台、その他</translation>
+    </message>
+    <message>
+        <source>THIN LINK (T)</source>
+        <translation>低帯域 (T)</translation>
+    </message>
+    <message>
+        <source>Robots are asked for less: other cameras come rarely or not at all</source>
+        <translation>ロボットへの要求を削減: 他のカメラはまれにしか届かないか、届かない</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Thin link: telemetry, scans and one camera come first (T ends it)</source>
+        <translation>低帯域: テレメトリ、スキャン、カメラ 1 台を優先（T で終了）</translation>
+    </message>
+    <message>
+        <source>The link is not thin any more: everything as robots like</source>
+        <translation>低帯域を終了: 送信はすべてロボット任せ</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkPane</name>
+    <message>
+        <source>Streams of all robots</source>
+        <translation>全ロボットのストリーム</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>送信</translation>
+    </message>
+    <message>
+        <source>Whether the robot sends this stream at all</source>
+        <translation>ロボットがこのストリームを送信するかどうか</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Samples a second, at most; 0: as the robot likes</source>
+        <translation>毎秒のサンプル数の上限。0: ロボット任せ</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>画質</translation>
+    </message>
+    <message>
+        <source>Of JPEG pictures, 1 to 100; 0: as the robot likes</source>
+        <translation>JPEG 画像の画質、1～100。0: ロボット任せ</translation>
+    </message>
+    <message>
+        <source>Width px</source>
+        <translation>幅 px</translation>
+    </message>
+    <message>
+        <source>Wider pictures are made smaller; 0: as the robot likes</source>
+        <translation>これより広い映像は縮小。0: ロボット任せ</translation>
+    </message>
+    <message>
+        <source>What all streams of all robots take of the link</source>
+        <translation>全ロボットの全ストリームが使う通信量</translation>
+    </message>
+    <message>
+        <source>Mbit/s</source>
+        <translation>Mbit/s</translation>
+    </message>
+    <message>
+        <source>What a thin link has room for, all robots together</source>
+        <translation>低帯域時の容量（全ロボット合計）</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>通信 %1</translation>
+    </message>
+    <message>
+        <source>Choose a stream</source>
+        <translation>ストリームを選択</translation>
+    </message>
+    <message>
+        <source>%1: not settable</source>
+        <translation>%1: 設定不可</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LinkStatus</name>
+    <message>
+        <source>3D scans</source>
+        <translation>3D スキャン</translation>
+    </message>
+    <message>
+        <source>laser</source>
+        <translation>レーザー</translation>
+    </message>
+    <message>
+        <source>odometry</source>
+        <translation>オドメトリ</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>transforms</source>
+        <translation>座標変換</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>映像</translation>
+    </message>
+    <message>
+        <source>camera data</source>
+        <translation>カメラ情報</translation>
+    </message>
+    <message>
+        <source>infrared</source>
+        <translation>赤外線</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>ガス</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>バッテリー</translation>
+    </message>
+    <message>
+        <source>diagnostics</source>
+        <translation>診断</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>モード</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>未受信</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>接続中</translation>
+    </message>
+    <message>
+        <source>degraded</source>
+        <translation>通信低下</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>途絶</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>%1 応答なし</translation>
+    </message>
+    <message>
+        <source>%1 %2 old</source>
+        <translation>%1 %2 前</translation>
+    </message>
+    <message>
+        <source>%1 %2 late</source>
+        <translation>%1 %2 遅延</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost</source>
+        <translation>%2 の %1 欠落</translation>
+    </message>
+    <message>
+        <source>slow: %1</source>
+        <translation>低速: %1</translation>
+    </message>
+    <message>
+        <source>no answer for %1</source>
+        <translation>%1 返答なし</translation>
+    </message>
+    <message>
+        <source>%1 loss</source>
+        <translation>欠落 %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LiveWindow</name>
+    <message>
+        <source>Leitstand</source>
+        <translation>Leitstand</translation>
+    </message>
+    <message>
+        <source>Newest message</source>
+        <translation>最新のメッセージ</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 は未接続</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LookBar</name>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Edge of the voxels</source>
+        <translation>ボクセルの辺長</translation>
+    </message>
+    <message>
+        <source>Heights above the first scan's scanner, in its frame</source>
+        <translation>最初のスキャンのスキャナを基準とする高さ（その座標系）</translation>
+    </message>
+    <message>
+        <source>Heights from</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>～</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MainWindow</name>
+    <message>
+        <source>Leitstand</source>
+        <translation>Leitstand</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Shows or hides the messages (F9)</source>
+        <translation>メッセージの表示/非表示 (F9)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>位置合わせ(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Click two points of the map · Esc ends measuring</source>
+        <translation>地図上の 2 点をクリック · Esc で計測を終了</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 を保存</translation>
+    </message>
+    <message>
+        <source>%1 scans are registered</source>
+        <translation>スキャン %1 件を位置合わせ済み</translation>
+    </message>
+    <message>
+        <source>no picture: after %1 s only %2, others are not</source>
+        <translation>画像なし: %1 s 経過、完了は「%2」のみ、残りは未完了</translation>
+    </message>
+    <message>
+        <source>no picture: %1, but they are not drawn after %2 s</source>
+        <translation>画像なし: %1、ただし %2 s 経過しても描画されない</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written</source>
+        <translation>%1: 画像を書き込めない</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapFeature</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>no scan is registered and drawn</source>
+        <translation>位置合わせ・描画されたスキャンなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapPane</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>Time of all registrations, and the lowest overlap of all scans</source>
+        <translation>全位置合わせの時間と、全スキャン中の最小の重なり</translation>
+    </message>
+    <message>
+        <source>Drop scans, a folder of scans or a mission here,
+or choose File ▸ Open scans (Ctrl+O) or Open folder (Ctrl+Shift+O)
+
+F1 lists all keys</source>
+        <translation>ここにスキャン、スキャンのフォルダ、ミッションをドロップ、
+またはファイル ▸ スキャンを開く (Ctrl+O)、フォルダを開く (Ctrl+Shift+O)
+
+F1 でキー一覧</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapReadout</name>
+    <message>
+        <source>floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>天井</translation>
+    </message>
+    <message>
+        <source>unlabelled</source>
+        <translation>ラベルなし</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 m · %4 · %5</source>
+        <translation>x %1  y %2  z %3 m · %4 · %5</translation>
+    </message>
+    <message>
+        <source>%1 m · dx %2  dy %3  dz %4</source>
+        <translation>%1 m · dx %2  dy %3  dz %4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapScenery</name>
+    <message>
+        <source>The map cannot be drawn: %1</source>
+        <translation>地図を描画できない: %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapSummary</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>3D map · 1 scan · %1 points</source>
+        <translation>3D 地図 · スキャン 1 件 · %1 点</translation>
+    </message>
+    <message>
+        <source>3D map · %1 scans · %2 points</source>
+        <translation>3D 地図 · スキャン %1 件 · %2 点</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 scans %2</source>
+        <translation>スキャン %1 件 %2</translation>
+    </message>
+    <message>
+        <source>registered in %1 s · overlap %2 · %3</source>
+        <translation>位置合わせ %1 s · 重なり %2 · %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapView</name>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>天井</translation>
+    </message>
+    <message>
+        <source>unlabelled</source>
+        <translation>ラベルなし</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>不確実 ?</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>%1 m  dx %2 dy %3 dz %4</source>
+        <comment>length of a measurement and its parts along the map's axes</comment>
+        <translation>%1 m  dx %2 dy %3 dz %4</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>スキャン %1</translation>
+    </message>
+    <message>
+        <source>%1 m grid</source>
+        <translation>グリッド %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MessageListModel</name>
+    <message>
+        <source>▲ Error  %1  %2</source>
+        <translation>▲ エラー  %1  %2</translation>
+    </message>
+    <message>
+        <source>Note  %1  %2</source>
+        <translation>通知  %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MessagesPanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>Takes the chosen message away (Del)</source>
+        <translation>選択したメッセージを消去 (Del)</translation>
+    </message>
+    <message>
+        <source>Dismiss all</source>
+        <translation>すべて消去</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissionFeature</name>
+    <message>
+        <source>&amp;Clock runs</source>
+        <translation>時計を動かす(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Lets the mission's clock go, or holds it</source>
+        <translation>ミッション時計を進める、または止める</translation>
+    </message>
+    <message>
+        <source>&amp;Length of the mission…</source>
+        <translation>ミッションの長さ(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>How long the mission may last: the clock counts down from it</source>
+        <translation>ミッションの制限時間: 時計はここからカウントダウン</translation>
+    </message>
+    <message>
+        <source>Clock to &amp;zero</source>
+        <translation>時計をゼロに戻す(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>The mission begins now</source>
+        <translation>ミッションを今から開始</translation>
+    </message>
+    <message>
+        <source>Length of the mission</source>
+        <translation>ミッションの長さ</translation>
+    </message>
+    <message>
+        <source>Minutes; 0: without end</source>
+        <translation>分。0: 制限なし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissionForm</name>
+    <message>
+        <source>Mission data</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Competition</source>
+        <translation>大会</translation>
+    </message>
+    <message>
+        <source>RoboCup2026</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>チーム</translation>
+    </message>
+    <message>
+        <source>Country</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation>ミッション</translation>
+    </message>
+    <message>
+        <source>Preliminary1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>オペレータ</translation>
+    </message>
+    <message>
+        <source>People who drive; some rules divide the score by them</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>エリア</translation>
+    </message>
+    <message>
+        <source>Of finds that say nothing else</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rules of the score</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ModeCell</name>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Refuses: this station goes on driving</source>
+        <translation>拒否: この操作卓が操縦を続ける</translation>
+    </message>
+    <message>
+        <source>Mode of %1</source>
+        <translation>%1 のモード</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>Asks for the grant to drive this robot</source>
+        <translation>このロボットの操縦権を要求</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取り下げ</translation>
+    </message>
+    <message>
+        <source>Asks no more</source>
+        <translation>要求を取り下げる</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>返上</translation>
+    </message>
+    <message>
+        <source>Gives the grant to drive up: others may take it</source>
+        <translation>操縦権を返上: 他の操作卓が取得できる</translation>
+    </message>
+    <message>
+        <source>Give</source>
+        <translation>譲る</translation>
+    </message>
+    <message>
+        <source>Consents: the other station drives</source>
+        <translation>同意: 別の操作卓が操縦する</translation>
+    </message>
+    <message>
+        <source>%1 mode</source>
+        <translation>%1 のモード</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋回</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>最近接</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ModeLabel</name>
+    <message>
+        <source>TELEOPERATION</source>
+        <translation>遠隔操作</translation>
+    </message>
+    <message>
+        <source>MODE UNKNOWN</source>
+        <translation>モード不明</translation>
+    </message>
+    <message>
+        <source>the robot tells none</source>
+        <translation>ロボットの通知なし</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>teleoperation</source>
+        <translation>遠隔操作</translation>
+    </message>
+    <message>
+        <source>safe teleoperation</source>
+        <translation>安全遠隔操作</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>自律探索</translation>
+    </message>
+    <message>
+        <source>victim approach</source>
+        <translation>被災者接近</translation>
+    </message>
+    <message>
+        <source>radio remote</source>
+        <translation>無線操縦</translation>
+    </message>
+    <message>
+        <source>NOT HEARD YET</source>
+        <translation>未受信</translation>
+    </message>
+    <message>
+        <source>waits for the robot</source>
+        <translation>ロボットを待機中</translation>
+    </message>
+    <message>
+        <source>silent for %1 · was in %2</source>
+        <translation>%1 応答なし · 直前は%2</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>%1 応答なし</translation>
+    </message>
+    <message>
+        <source>LINK LOST</source>
+        <translation>通信途絶</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>%1 · OVERRIDE</source>
+        <translation>%1 · オーバーライド</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadCallouts</name>
+    <message>
+        <source>drive</source>
+        <translation>走行</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋回</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>横移動</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <translation>左スティック</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <translation>右スティック</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadFeature</name>
+    <message>
+        <source>Select the &amp;next robot</source>
+        <translation>次のロボットを選択(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Selects the next robot, after the last one the first</source>
+        <translation>次のロボットを選択。最後の次は最初に戻る</translation>
+    </message>
+    <message>
+        <source>&amp;Gamepad …</source>
+        <translation>ゲームパッド(&amp;G) …</translation>
+    </message>
+    <message>
+        <source>Which gamepad drives, and what its controls do</source>
+        <translation>操縦に使うゲームパッドと各操作の割り当て</translation>
+    </message>
+    <message>
+        <source>&amp;Controls of the gamepad</source>
+        <translation>ゲームパッドの操作(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows what each control of the gamepad does</source>
+        <translation>ゲームパッドの各操作の働きを表示</translation>
+    </message>
+    <message>
+        <source>%1 is plugged in; H shows its controls.</source>
+        <translation>%1 を接続。H で操作を表示。</translation>
+    </message>
+    <message>
+        <source>%1 is unplugged.</source>
+        <translation>%1 が外れた。</translation>
+    </message>
+    <message>
+        <source>Let the sticks go first, and the trigger too if that is not enough.</source>
+        <translation>まずスティックを放す。足りなければトリガーも放す。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadInput</name>
+    <message>
+        <source>%1 has no known controls: give it some in the gamepad's dialog.</source>
+        <translation>%1 の操作は未定義: ゲームパッドの設定で割り当てること。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadLegend</name>
+    <message>
+        <source>Controls of the gamepad</source>
+        <translation>ゲームパッドの操作</translation>
+    </message>
+    <message>
+        <source>What the gamepad's controls do; a click closes this</source>
+        <translation>ゲームパッドの操作の働き。クリックで閉じる</translation>
+    </message>
+    <message>
+        <source>Gamepad: none is plugged in</source>
+        <translation>ゲームパッド: 未接続</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>ゲームパッド: %1</translation>
+    </message>
+    <message>
+        <source>The trigger held and the window in front: the pad drives. STOP works always.</source>
+        <translation>トリガーを押し、ウィンドウが前面にある間、パッドで操縦。STOP は常に有効。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadMappingDialog</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>ゲームパッド</translation>
+    </message>
+    <message>
+        <source>The gamepad that drives; STOP works on all</source>
+        <translation>操縦に使うゲームパッド。STOP はすべてで有効</translation>
+    </message>
+    <message>
+        <source>Gamepad that drives</source>
+        <translation>操縦用ゲームパッド</translation>
+    </message>
+    <message>
+        <source>What the gamepad does, and by which control</source>
+        <translation>ゲームパッドの働きと、それを行う操作</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Dead zone</source>
+        <translation>不感帯(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Around the middle of a stick nothing moves</source>
+        <translation>スティックの中央付近では何も動かない</translation>
+    </message>
+    <message>
+        <source>&amp;Fine middle</source>
+        <translation>中央の細かさ(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Sticks are finer around their middle</source>
+        <translation>スティックは中央付近で細かく効く</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger at</source>
+        <translation>トリガー点(&amp;T)</translation>
+    </message>
+    <message>
+        <source>How far a trigger is pulled until it counts</source>
+        <translation>トリガーが有効になる引き量</translation>
+    </message>
+    <message>
+        <source>Forward ← → back</source>
+        <translation>前進 ← → バック</translation>
+    </message>
+    <message>
+        <source>Turn left ← → right</source>
+        <translation>左旋回 ← → 右旋回</translation>
+    </message>
+    <message>
+        <source>Camera left ← → right</source>
+        <translation>カメラ 左 ← → 右</translation>
+    </message>
+    <message>
+        <source>Camera up ← → down</source>
+        <translation>カメラ 上 ← → 下</translation>
+    </message>
+    <message>
+        <source>Se&amp;t …</source>
+        <translation>割り当て(&amp;T) …</translation>
+    </message>
+    <message>
+        <source>The next control that you push does what is selected</source>
+        <translation>次に動かした操作を、選択した働きに割り当てる</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>解除(&amp;C)</translation>
+    </message>
+    <message>
+        <source>No control does what is selected</source>
+        <translation>選択した働きの割り当てを解除</translation>
+    </message>
+    <message>
+        <source>&amp;Usual</source>
+        <translation>標準(&amp;U)</translation>
+    </message>
+    <message>
+        <source>What gamepads usually do here; not saved yet</source>
+        <translation>ゲームパッドの標準の割り当てに戻す。まだ保存されない</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Use this now, and whenever such a gamepad is plugged in</source>
+        <translation>今から使用し、同じ種類のゲームパッドの接続時にも使う</translation>
+    </message>
+    <message>
+        <source>No gamepad is plugged in</source>
+        <translation>ゲームパッド未接続</translation>
+    </message>
+    <message>
+        <source>Canc&amp;el</source>
+        <translation>キャンセル(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>未保存。</translation>
+    </message>
+    <message>
+        <source>Push the control for “%1” now.</source>
+        <translation>「%1」に使う操作を今動かす。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadTable</name>
+    <message>
+        <source>“%1” needs a control.</source>
+        <translation>「%1」には操作の割り当てが必要。</translation>
+    </message>
+    <message>
+        <source>%1 stops all robots, and does nothing else.</source>
+        <translation>%1 は全ロボットを停止し、他の働きはしない。</translation>
+    </message>
+    <message>
+        <source>push it now …</source>
+        <translation>今動かす …</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>働き</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>操作</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PadTexts</name>
+    <message>
+        <source>Left stick left</source>
+        <translation>左スティック 左</translation>
+    </message>
+    <message>
+        <source>Left stick right</source>
+        <translation>左スティック 右</translation>
+    </message>
+    <message>
+        <source>Left stick up</source>
+        <translation>左スティック 上</translation>
+    </message>
+    <message>
+        <source>Left stick down</source>
+        <translation>左スティック 下</translation>
+    </message>
+    <message>
+        <source>Right stick left</source>
+        <translation>右スティック 左</translation>
+    </message>
+    <message>
+        <source>Right stick right</source>
+        <translation>右スティック 右</translation>
+    </message>
+    <message>
+        <source>Right stick up</source>
+        <translation>右スティック 上</translation>
+    </message>
+    <message>
+        <source>Right stick down</source>
+        <translation>右スティック 下</translation>
+    </message>
+    <message>
+        <source>Left trigger</source>
+        <translation>左トリガー</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右トリガー</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>バック</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>スタート</translation>
+    </message>
+    <message>
+        <source>Left stick pressed</source>
+        <translation>左スティック押し込み</translation>
+    </message>
+    <message>
+        <source>Right stick pressed</source>
+        <translation>右スティック押し込み</translation>
+    </message>
+    <message>
+        <source>Left shoulder</source>
+        <translation>左ショルダー</translation>
+    </message>
+    <message>
+        <source>Right shoulder</source>
+        <translation>右ショルダー</translation>
+    </message>
+    <message>
+        <source>Cross up</source>
+        <translation>十字キー 上</translation>
+    </message>
+    <message>
+        <source>Cross down</source>
+        <translation>十字キー 下</translation>
+    </message>
+    <message>
+        <source>Cross left</source>
+        <translation>十字キー 左</translation>
+    </message>
+    <message>
+        <source>Cross right</source>
+        <translation>十字キー 右</translation>
+    </message>
+    <message>
+        <source>Hold to drive</source>
+        <translation>デッドマン（押して走行）</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前進</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>左旋回</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>右旋回</translation>
+    </message>
+    <message>
+        <source>Sideways left</source>
+        <translation>左へ横移動</translation>
+    </message>
+    <message>
+        <source>Sideways right</source>
+        <translation>右へ横移動</translation>
+    </message>
+    <message>
+        <source>Turbo</source>
+        <translation>ターボ</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>STOP all robots</source>
+        <translation>全ロボット STOP</translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation>カメラ 左</translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation>カメラ 右</translation>
+    </message>
+    <message>
+        <source>Camera up</source>
+        <translation>カメラ 上</translation>
+    </message>
+    <message>
+        <source>Camera down</source>
+        <translation>カメラ 下</translation>
+    </message>
+    <message>
+        <source>Hold: without eyes</source>
+        <translation>押し続ける: 視界なし走行</translation>
+    </message>
+    <message>
+        <source>The robot moves only while this is held; letting it go stops it at once</source>
+        <translation>押している間だけロボットが動く。放すと直ちに停止</translation>
+    </message>
+    <message>
+        <source>All of the robot's speed instead of 60 %</source>
+        <translation>60 % ではなく、ロボットの最高速度</translation>
+    </message>
+    <message>
+        <source>A quarter of the robot's speed</source>
+        <translation>ロボットの最高速度の 4 分の 1</translation>
+    </message>
+    <message>
+        <source>While it is held, old or missing pictures do not cap the speed</source>
+        <translation>押している間、映像が古い・ない場合も速度を制限しない</translation>
+    </message>
+    <message>
+        <source>Stops all robots, always: without the trigger, and whatever window has the focus</source>
+        <translation>常に全ロボットを停止: トリガー不要、どのウィンドウにフォーカスがあっても有効</translation>
+    </message>
+    <message>
+        <source>For robots that can drive sideways</source>
+        <translation>横移動できるロボット用</translation>
+    </message>
+    <message>
+        <source>Turns the cameras, also while the robot stands</source>
+        <translation>カメラを旋回。ロボット停止中も有効</translation>
+    </message>
+    <message>
+        <source>Drives the selected robot while the trigger is held</source>
+        <translation>トリガーを押している間、選択中のロボットを走行</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>ボタン %1</translation>
+    </message>
+    <message>
+        <source>Axis %1 %2</source>
+        <translation>軸 %1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing moves: no control is bound to “%1”.</source>
+        <translation>何も動かない: 「%1」に操作が割り当てられていない。</translation>
+    </message>
+    <message>
+        <source>Hold “%1” first, then push the stick; let it go and the robot stands.</source>
+        <translation>まず「%1」を押し続け、次にスティックを倒す。放すとロボットは停止。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PlaceRobot</name>
+    <message>
+        <source>P&amp;lace a robot</source>
+        <translation>ロボットを配置(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Click on the map where a robot stands that is not in it yet, or the selected one; drag its heading</source>
+        <translation>まだ地図にないロボット、または選択中のロボットの位置を地図上でクリック、ドラッグで向きを指定</translation>
+    </message>
+    <message>
+        <source>Click where %1 stands, drag its heading · right button: not at all</source>
+        <translation>%1 の位置をクリック、ドラッグで向きを指定 · 右ボタン: 中止</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightFeature</name>
+    <message>
+        <source>&amp;Preflight...</source>
+        <translation>出動前点検(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>What is in order before the mission and what is not; brake tests; adding robots</source>
+        <translation>ミッション前に問題のない点とある点、ブレーキ試験、ロボットの追加</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>出動前点検</translation>
+    </message>
+    <message>
+        <source>NO WATCHDOG: %1</source>
+        <translation>ウォッチドッグなし: %1</translation>
+    </message>
+    <message>
+        <source>Failed its brake test and is driven nevertheless: without radio it goes on</source>
+        <translation>ブレーキ試験に不合格のまま操縦中: 無線が切れても走り続ける</translation>
+    </message>
+    <message>
+        <source>%1 is not heard any more</source>
+        <translation>%1 からの受信が途絶えた</translation>
+    </message>
+    <message>
+        <source>Robot file</source>
+        <translation>ロボットファイル</translation>
+    </message>
+    <message>
+        <source>Robot files (*.yaml *.yml)</source>
+        <translation>ロボットファイル (*.yaml *.yml)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightList</name>
+    <message>
+        <source>Station</source>
+        <translation>操作卓</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>点検</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>対応</translation>
+    </message>
+    <message>
+        <source>%1 MB/s</source>
+        <translation>%1 MB/s</translation>
+    </message>
+    <message>
+        <source>stands after %1 and %2 cm</source>
+        <translation>%1、%2 cm で停止</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>clock %1 behind ours</source>
+        <translation>時計が操作卓より %1 遅れ</translation>
+    </message>
+    <message>
+        <source>clock %1 ahead of ours</source>
+        <translation>時計が操作卓より %1 進み</translation>
+    </message>
+    <message>
+        <source>connected, but %1</source>
+        <translation>接続中、ただし %1</translation>
+    </message>
+    <message>
+        <source>connected, round trip %1</source>
+        <translation>接続中、往復 %1</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>接続中</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>%1 応答なし</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>未受信</translation>
+    </message>
+    <message>
+        <source>%1 streams come</source>
+        <translation>ストリーム %1 件を受信</translation>
+    </message>
+    <message>
+        <source>never came: %1</source>
+        <translation>一度も届いていない: %1</translation>
+    </message>
+    <message>
+        <source>do not come any more: %1</source>
+        <translation>届かなくなった: %1</translation>
+    </message>
+    <message>
+        <source>camera pictures are fresh</source>
+        <translation>カメラ映像は新しい</translation>
+    </message>
+    <message>
+        <source>no fresh pictures: %1</source>
+        <translation>新しい映像なし: %1</translation>
+    </message>
+    <message>
+        <source>its clock is not known yet</source>
+        <translation>時計は未確認</translation>
+    </message>
+    <message>
+        <source>this station may drive it</source>
+        <translation>この操作卓が操縦できる</translation>
+    </message>
+    <message>
+        <source>nobody has the grant to drive</source>
+        <translation>操縦権の保持者なし</translation>
+    </message>
+    <message>
+        <source>%1 has the grant to drive</source>
+        <translation>%1 が操縦権を保持</translation>
+    </message>
+    <message>
+        <source>hears no drive commands</source>
+        <translation>走行指令を受信していない</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>brake: %1 without commands</source>
+        <translation>ブレーキ: 指令なしで %1</translation>
+    </message>
+    <message>
+        <source>brake: tested more than a day ago, %1</source>
+        <translation>ブレーキ: 試験から 1 日以上経過、%1</translation>
+    </message>
+    <message>
+        <source>brake: not tested</source>
+        <translation>ブレーキ: 未試験</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, moves without commands; driving is refused</source>
+        <translation>ブレーキ: 不合格、指令なしで動く。操縦は拒否</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, and driven nevertheless</source>
+        <translation>ブレーキ: 不合格、それでも操縦中</translation>
+    </message>
+    <message>
+        <source>brake: no result (%1)</source>
+        <translation>ブレーキ: 結果なし（%1）</translation>
+    </message>
+    <message>
+        <source>not secured: anybody in the network may speak</source>
+        <translation>保護なし: ネットワーク内の誰でも発信できる</translation>
+    </message>
+    <message>
+        <source>robot "%1" is heard, and not driven</source>
+        <translation>ロボット "%1" を受信、操縦対象外</translation>
+    </message>
+    <message>
+        <source>network: %1</source>
+        <translation>ネットワーク: %1</translation>
+    </message>
+    <message>
+        <source>network: this computer only</source>
+        <translation>ネットワーク: このコンピュータのみ</translation>
+    </message>
+    <message>
+        <source>disk: room for %1, writes %2</source>
+        <translation>ディスク: 記録余裕 %1、書き込み %2</translation>
+    </message>
+    <message>
+        <source>disk: room for %1</source>
+        <translation>ディスク: 記録余裕 %1</translation>
+    </message>
+    <message>
+        <source>disk: writes only %1, the log needs %2</source>
+        <translation>ディスク: 書き込み %1 のみ、ログには %2 必要</translation>
+    </message>
+    <message>
+        <source>disk: room for %1 only</source>
+        <translation>ディスク: 記録余裕 %1 のみ</translation>
+    </message>
+    <message>
+        <source>nothing is recorded: %1</source>
+        <translation>記録されていない: %1</translation>
+    </message>
+    <message>
+        <source>gamepad: %1</source>
+        <translation>ゲームパッド: %1</translation>
+    </message>
+    <message>
+        <source>no gamepad: keys drive</source>
+        <translation>ゲームパッドなし: キーで操縦</translation>
+    </message>
+    <message>
+        <source>Add it below</source>
+        <translation>下で追加する</translation>
+    </message>
+    <message>
+        <source>Is it on, in this network, and in this domain?</source>
+        <translation>電源、ネットワーク、ドメインを確認</translation>
+    </message>
+    <message>
+        <source>Come nearer, or thin the link (T)</source>
+        <translation>近づく、または低帯域にする (T)</translation>
+    </message>
+    <message>
+        <source>Is the sensor on? Does the robot's file name its topic?</source>
+        <translation>センサの電源を確認。ロボットファイルにトピックがあるか確認</translation>
+    </message>
+    <message>
+        <source>Is the camera on? Its driver may hang</source>
+        <translation>カメラの電源を確認。ドライバの停止の可能性あり</translation>
+    </message>
+    <message>
+        <source>Change the QoS in the robot's file</source>
+        <translation>ロボットファイルの QoS を変更</translation>
+    </message>
+    <message>
+        <source>Works; set the robot's clock for logs of others</source>
+        <translation>動作に支障なし。他者のログのためロボットの時計を合わせる</translation>
+    </message>
+    <message>
+        <source>Wait a moment</source>
+        <translation>しばらく待つ</translation>
+    </message>
+    <message>
+        <source>Ask for it when you want to drive (F2)</source>
+        <translation>操縦するときに要求する (F2)</translation>
+    </message>
+    <message>
+        <source>Is its drive node running? Right topic and type?</source>
+        <translation>走行ノードの動作、トピックと型を確認</translation>
+    </message>
+    <message>
+        <source>Release it: hold its handle beside STOP</source>
+        <translation>解除する: STOP 横のハンドルを押し続ける</translation>
+    </message>
+    <message>
+        <source>Test it: hold the button below</source>
+        <translation>試験する: 下のボタンを押し続ける</translation>
+    </message>
+    <message>
+        <source>Give it a watchdog, test again, or drive it nevertheless</source>
+        <translation>ウォッチドッグを付けて再試験、またはそのまま操縦</translation>
+    </message>
+    <message>
+        <source>Lost radio means a robot that goes on</source>
+        <translation>無線が切れてもロボットが走り続ける</translation>
+    </message>
+    <message>
+        <source>Plug the cable in, or choose --interface</source>
+        <translation>ケーブルを挿す、または --interface を指定</translation>
+    </message>
+    <message>
+        <source>Make room, or record elsewhere (--mission)</source>
+        <translation>空きを作る、または別の場所に記録 (--mission)</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>must be mended</source>
+        <translation>要修正</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>要確認</translation>
+    </message>
+    <message>
+        <source>%1 to be mended</source>
+        <translation>要修正 %1 件</translation>
+    </message>
+    <message>
+        <source>%1 to be looked at</source>
+        <translation>要確認 %1 件</translation>
+    </message>
+    <message>
+        <source>All in order</source>
+        <translation>すべて正常</translation>
+    </message>
+    <message>
+        <source>Waits for grant and standing ... keep holding</source>
+        <translation>操縦権と静止を待機 ... 押し続ける</translation>
+    </message>
+    <message>
+        <source>Drives ... keep holding</source>
+        <translation>走行中 ... 押し続ける</translation>
+    </message>
+    <message>
+        <source>Says nothing more, and measures ...</source>
+        <translation>指令を断ち、計測中 ...</translation>
+    </message>
+    <message>
+        <source>0.6 m must be free ahead</source>
+        <translation>前方に 0.6 m の空きが必要</translation>
+    </message>
+    <message>
+        <source>Passed: %1</source>
+        <translation>合格: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: moves without commands</source>
+        <translation>不合格: 指令なしで動く</translation>
+    </message>
+    <message>
+        <source>No result: %1</source>
+        <translation>結果なし: %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::PreflightPage</name>
+    <message>
+        <source>Checks before the mission</source>
+        <translation>ミッション前の点検</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>再点検</translation>
+    </message>
+    <message>
+        <source>Measures the disk anew; all else is looked at once a second</source>
+        <translation>ディスクを再計測。その他は毎秒確認</translation>
+    </message>
+    <message>
+        <source>Robot whose brake is tested</source>
+        <translation>ブレーキを試験するロボット</translation>
+    </message>
+    <message>
+        <source>Hold to test the brake</source>
+        <translation>押し続けてブレーキ試験</translation>
+    </message>
+    <message>
+        <source>Drives 0.1 m/s ahead for a second at most, then sends nothing and measures when the robot stands. Letting go ends it; Esc stops all.</source>
+        <translation>0.1 m/s で最長 1 秒前進し、その後は何も送らずにロボットが止まるまでを計測。放すと終了、Esc で全停止。</translation>
+    </message>
+    <message>
+        <source>Drive it nevertheless</source>
+        <translation>それでも操縦する</translation>
+    </message>
+    <message>
+        <source>This robot goes on when the radio is lost. Until the program ends.</source>
+        <translation>このロボットは無線が切れても走り続ける。プログラム終了まで有効。</translation>
+    </message>
+    <message>
+        <source>Brake test</source>
+        <translation>ブレーキ試験</translation>
+    </message>
+    <message>
+        <source>Robots that are heard and not driven</source>
+        <translation>受信中で操縦対象外のロボット</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Writes a first file of the robot and takes it into the station</source>
+        <translation>ロボットの初期ファイルを作成し、操作卓に追加</translation>
+    </message>
+    <message>
+        <source>From a file...</source>
+        <translation>ファイルから...</translation>
+    </message>
+    <message>
+        <source>A robot file (YAML)</source>
+        <translation>ロボットファイル (YAML)</translation>
+    </message>
+    <message>
+        <source>Another robot</source>
+        <translation>別のロボット</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RecordLight</name>
+    <message>
+        <source>Recording</source>
+        <translation>記録</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RecordText</name>
+    <message>
+        <source>Recorded into %1</source>
+        <translation>%1 に記録</translation>
+    </message>
+    <message>
+        <source>%1 MB in this session</source>
+        <translation>このセッションで %1 MB</translation>
+    </message>
+    <message>
+        <source>rec</source>
+        <translation>記録中</translation>
+    </message>
+    <message>
+        <source>the disk lasts %1 min</source>
+        <translation>ディスクの残り %1 min</translation>
+    </message>
+    <message>
+        <source>rec · disk %1 min</source>
+        <translation>記録中 · ディスク %1 min</translation>
+    </message>
+    <message>
+        <source>rec · %1 lost</source>
+        <translation>記録中 · 欠落 %1</translation>
+    </message>
+    <message>
+        <source>%1 events could not be written</source>
+        <translation>イベント %1 件を書き込めなかった</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>記録していない</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationCommands</name>
+    <message>
+        <source>Register &amp;again</source>
+        <translation>再度位置合わせ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Registers all scans anew with the present settings</source>
+        <translation>現在の設定で全スキャンの位置合わせをやり直す</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>中止(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ends reading and registering</source>
+        <translation>読み込みと位置合わせを終了</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationPanel</name>
+    <message>
+        <source>M&amp;inimise</source>
+        <translation>最小化(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Nearest points</source>
+        <translation>最近傍点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>A&amp;pproximation ε</source>
+        <translation>近似 ε(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The point found is at most (1 + ε) times as far as the nearest one (Arya &amp; Mount 1993); 0: exact. Applies to the approximate tree and the forest.</source>
+        <translation>見つかる点は最近傍点の最大 (1 + ε) 倍の距離 (Arya &amp; Mount 1993)。0: 厳密。近似木とフォレストに適用。</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance m</source>
+        <translation>最大距離 m(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: "1.5, 0.5" comes home from starts that are up to 1 m and 20° wrong.</source>
+        <translation>これより離れた点対は捨てる。複数の値は段階として順に適用: "1.5, 0.5" なら初期値が最大 1 m、20° ずれていても収束する。</translation>
+    </message>
+    <message>
+        <source>0.01 to 10 m, each at most the one before: 1.5, 0.5</source>
+        <translation>0.01～10 m、各値は前の値以下: 1.5, 0.5</translation>
+    </message>
+    <message>
+        <source>Steps at m&amp;ost</source>
+        <translation>最大反復数(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Iterations of the ICP for a scan, over all stages.</source>
+        <translation>スキャン 1 件あたりの ICP 反復数（全段階）。</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>全点</translation>
+    </message>
+    <message>
+        <source>Voxe&amp;ls</source>
+        <translation>ボクセル(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
+        <translation>ボクセルグリッドの辺長: 各ボクセルに 1 点を残す。0 は全点を使用。10 cm のグリッドでは結果が数センチ変わるが、時間は何分の 1 かで済む。</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>フィルタ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>～</translation>
+    </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>距離範囲(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Points nearer than the first (the robot itself) and farther than the second (no echo) take no part.</source>
+        <translation>1 つ目より近い点（ロボット自身）と 2 つ目より遠い点（反射なし）は使わない。</translation>
+    </message>
+    <message>
+        <source>&amp;Start from</source>
+        <translation>初期位置(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Match &amp;against</source>
+        <translation>照合先(&amp;A)</translation>
+    </message>
+    <message>
+        <source>all cores</source>
+        <translation>全コア</translation>
+    </message>
+    <message>
+        <source>Thr&amp;eads</source>
+        <translation>スレッド(&amp;E)</translation>
+    </message>
+    <message>
+        <source>How many processor cores may work at once.</source>
+        <translation>同時に使うプロセッサコア数。</translation>
+    </message>
+    <message>
+        <source>Defa&amp;ults</source>
+        <translation>既定値(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Puts every setting back to where it was at first.</source>
+        <translation>すべての設定を初期値に戻す。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RegistrationSettings</name>
+    <message>
+        <source>Brute force</source>
+        <translation>総当たり</translation>
+    </message>
+    <message>
+        <source>Compares every point with every point: exact and very slow (first row of the paper's Table 1). Reduce the points first.</source>
+        <translation>全点同士を比較: 厳密だが非常に遅い（論文の表 1 の 1 行目）。先に点を減らすこと。</translation>
+    </message>
+    <message>
+        <source>k-d tree</source>
+        <translation>k-d 木</translation>
+    </message>
+    <message>
+        <source>Exact search in an optimised k-d tree (Friedman, Bentley &amp; Finkel 1977).</source>
+        <translation>最適化 k-d 木での厳密な探索 (Friedman, Bentley &amp; Finkel 1977)。</translation>
+    </message>
+    <message>
+        <source>Approximate k-d tree</source>
+        <translation>近似 k-d 木</translation>
+    </message>
+    <message>
+        <source>A k-d tree that may answer a point up to (1 + ε) times as far as the nearest (Arya &amp; Mount 1993).</source>
+        <translation>最近傍の最大 (1 + ε) 倍の距離の点を返しうる k-d 木 (Arya &amp; Mount 1993)。</translation>
+    </message>
+    <message>
+        <source>Forest, a tree per label</source>
+        <translation>フォレスト、ラベル別の木</translation>
+    </message>
+    <message>
+        <source>Floor, wall and ceiling points look for their own kind only, each in an approximate tree of its own (the paper, section 2.2).</source>
+        <translation>床・壁・天井の点は同種の点だけを、それぞれの近似木で探索（論文の 2.2 節）。</translation>
+    </message>
+    <message>
+        <source>Points · SVD</source>
+        <translation>点 · SVD</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by singular value decomposition (Arun, Huang &amp; Blostein 1987).</source>
+        <translation>点対点、特異値分解による閉形式解 (Arun, Huang &amp; Blostein 1987)。</translation>
+    </message>
+    <message>
+        <source>Points · unit quaternion</source>
+        <translation>点 · 単位四元数</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by unit quaternions (Horn 1987).</source>
+        <translation>点対点、単位四元数による閉形式解 (Horn 1987)。</translation>
+    </message>
+    <message>
+        <source>Points · orthonormal matrix</source>
+        <translation>点 · 正規直交行列</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by orthonormal matrices (Horn, Hilden &amp; Negahdaripour 1988).</source>
+        <translation>点対点、正規直交行列による閉形式解 (Horn, Hilden &amp; Negahdaripour 1988)。</translation>
+    </message>
+    <message>
+        <source>Points · dual quaternion</source>
+        <translation>点 · 双対四元数</translation>
+    </message>
+    <message>
+        <source>Point to point, closed form by dual quaternions (Walker, Shao &amp; Volz 1991).</source>
+        <translation>点対点、双対四元数による閉形式解 (Walker, Shao &amp; Volz 1991)。</translation>
+    </message>
+    <message>
+        <source>Point to plane</source>
+        <translation>点対面</translation>
+    </message>
+    <message>
+        <source>Distances to the planes of the reference: fewer steps on walls and floors (Chen &amp; Medioni 1991).</source>
+        <translation>基準側の平面までの距離: 壁や床で反復が少ない (Chen &amp; Medioni 1991)。</translation>
+    </message>
+    <message>
+        <source>Plane to plane (GICP)</source>
+        <translation>面対面 (GICP)</translation>
+    </message>
+    <message>
+        <source>Distances between small planes of both scans: fewest steps, hardly depends on the maximum distance (Segal, Haehnel &amp; Thrun 2009).</source>
+        <translation>両スキャンの小平面間の距離: 反復が最も少なく、最大距離にほとんど依存しない (Segal, Haehnel &amp; Thrun 2009)。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>All points go on to the voxels.</source>
+        <translation>全点をボクセルへ渡す。</translation>
+    </message>
+    <message>
+        <source>Median and reduction</source>
+        <translation>メディアンと削減</translation>
+    </message>
+    <message>
+        <source>The paper's filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
+        <translation>整列スキャン用の論文のフィルタ: 生スキャンの外れ値を近傍のメディアンに置き換え、近い点をまとめる。</translation>
+    </message>
+    <message>
+        <source>Odometry</source>
+        <translation>オドメトリ</translation>
+    </message>
+    <message>
+        <source>Each scan starts where the robot's odometry puts it after the scan before.</source>
+        <translation>各スキャンの初期位置は、前のスキャンからロボットのオドメトリで求める。</translation>
+    </message>
+    <message>
+        <source>Pose of the scan before</source>
+        <translation>前のスキャンの位置姿勢</translation>
+    </message>
+    <message>
+        <source>Each scan starts at the registered pose of the scan before: for scans without odometry.</source>
+        <translation>各スキャンの初期位置は、前のスキャンの位置合わせ結果: オドメトリのないスキャン用。</translation>
+    </message>
+    <message>
+        <source>Previous scan</source>
+        <translation>前のスキャン</translation>
+    </message>
+    <message>
+        <source>Each scan is matched against the one before it.</source>
+        <translation>各スキャンを直前のスキャンと照合。</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>地図全体</translation>
+    </message>
+    <message>
+        <source>Each scan is matched against all scans so far (metascan): slower, drifts less.</source>
+        <translation>各スキャンをそれまでの全スキャンと照合（メタスキャン）: 遅いが、ドリフトが少ない。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReleaseHandle</name>
+    <message>
+        <source>Hold for one second to let %1 move again.</source>
+        <translation>1 秒押し続けると %1 を再び動かせる。</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 を解除</translation>
+    </message>
+    <message>
+        <source>%1 · hold to release</source>
+        <translation>%1 · 押し続けて解除</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReportFeature</name>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mission d&amp;ata…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Competition, team, operators, rules of the score: what the report says</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Report into a folder…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Writes the judges' folder now, and again every minute</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The report is not written any more</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The report in %1 is not whole: look at its messages</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Report written into %1</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewPanes</name>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>警報</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewWindow</name>
+    <message>
+        <source>%1 – review – Leitstand</source>
+        <translation>%1 – レビュー – Leitstand</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>再度位置合わせ(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Registers the mission's scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <translation>ミッションのスキャンを別ウィンドウで独自の設定により位置合わせし直す。ミッションは変わらない</translation>
+    </message>
+    <message>
+        <source>Newest message</source>
+        <translation>最新のメッセージ</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>レビュー · %1</translation>
+    </message>
+    <message>
+        <source>the mission is still read through</source>
+        <translation>ミッションを読み込み中</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotBar</name>
+    <message>
+        <source>Robots</source>
+        <translation>ロボット</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotChip</name>
+    <message>
+        <source>%1 (%2): %3 · link %4</source>
+        <translation>%1（%2）: %3 · 通信 %4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotChipButton</name>
+    <message>
+        <source>%1 selects</source>
+        <translation>%1 で選択</translation>
+    </message>
+    <message>
+        <source>Robot %1</source>
+        <translation>ロボット %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotsFeature</name>
+    <message>
+        <source>Select %1	%2</source>
+        <translation>%1 を選択	%2</translation>
+    </message>
+    <message>
+        <source>Select %1</source>
+        <translation>%1 を選択</translation>
+    </message>
+    <message>
+        <source>&amp;Stop all robots	Esc</source>
+        <translation>全ロボットを停止(&amp;S)	Esc</translation>
+    </message>
+    <message>
+        <source>All robots stand until each is released</source>
+        <translation>個別に解除するまで全ロボットが停止</translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>モード(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The robot has told none yet</source>
+        <translation>ロボットからの通知はまだない</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotsOnMap</name>
+    <message>
+        <source>Next way to &amp;follow</source>
+        <translation>次の追従方法(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The map stands still, follows the selected robot from behind, or from above</source>
+        <translation>地図を固定、選択中のロボットを後方から追従、または上方から追従</translation>
+    </message>
+    <message>
+        <source>Map stands &amp;still</source>
+        <translation>地図を固定(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The mouse alone moves the map</source>
+        <translation>地図はマウスでのみ動く</translation>
+    </message>
+    <message>
+        <source>Follow from be&amp;hind</source>
+        <translation>後方から追従(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The camera stays behind and above the selected robot; ceilings are hidden</source>
+        <translation>視点は選択中のロボットの後上方。天井は非表示</translation>
+    </message>
+    <message>
+        <source>Follow from a&amp;bove</source>
+        <translation>上方から追従(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The camera stays above the selected robot, its heading up; ceilings are hidden</source>
+        <translation>視点は選択中のロボットの真上、進行方向が上。天井は非表示</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanDoubt</name>
+    <message>
+        <source>little overlap</source>
+        <translation>重なり不足</translation>
+    </message>
+    <message>
+        <source>Little overlap: few of its points meet the map. Where it shows new ground, accept it if its walls go on in line.</source>
+        <translation>重なり不足: 地図と合う点が少ない。新しい場所なら、壁が一直線に続いていれば採用する。</translation>
+    </message>
+    <message>
+        <source>bad fit</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>Bad fit: points that meet the map lie off it. Retry, or reject it.</source>
+        <translation>不適合: 地図と合うべき点がずれている。再試行、または除外する。</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>飛び</translation>
+    </message>
+    <message>
+        <source>Jump: it moved otherwise than the wheels say. They may have slipped: look whether walls double.</source>
+        <translation>飛び: 車輪の値と異なる動き。滑りの可能性: 壁が二重になっていないか確認する。</translation>
+    </message>
+    <message>
+        <source>open direction</source>
+        <translation>拘束不足</translation>
+    </message>
+    <message>
+        <source>Open direction: it fits as well when shifted some way, as in a corridor.</source>
+        <translation>拘束不足: 通路のように、ある方向にずらしても同じく適合する。</translation>
+    </message>
+    <message>
+        <source>no end</source>
+        <translation>未収束</translation>
+    </message>
+    <message>
+        <source>No end: the registration did not settle. Retry with a wider search.</source>
+        <translation>未収束: 位置合わせが定まらなかった。より広い探索で再試行する。</translation>
+    </message>
+    <message>
+        <source>no odometry</source>
+        <translation>オドメトリなし</translation>
+    </message>
+    <message>
+        <source>No odometry: nobody knows how the robot came there. Retry from a pose that you drag.</source>
+        <translation>オドメトリなし: ロボットがどう移動したか不明。位置を指定して再試行する。</translation>
+    </message>
+    <message>
+        <source>too few points</source>
+        <translation>点不足</translation>
+    </message>
+    <message>
+        <source>Too few points: reject it, the next scan says more.</source>
+        <translation>点不足: 除外する。次のスキャンで情報が増える。</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>確実</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>不確実 ?</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>除外</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanFeature</name>
+    <message>
+        <source>Virtual scan</source>
+        <translation>仮想スキャン</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScanListModel</name>
+    <message>
+        <source>%1 of them used after range limits, filter and voxels</source>
+        <translation>距離範囲・フィルタ・ボクセル適用後に %1 点を使用</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>x y z m</source>
+        <translation>x y z m</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>方位</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>天井</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>反復</translation>
+    </message>
+    <message>
+        <source>RMS mm</source>
+        <translation>RMS mm</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重なり</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>確実度</translation>
+    </message>
+    <message>
+        <source>Name of the scan; the box shows or hides it</source>
+        <translation>スキャンの名前。チェックで表示/非表示</translation>
+    </message>
+    <message>
+        <source>Position in the map: metres forward, left and up of the first scan</source>
+        <translation>地図上の位置: 最初のスキャンから前・左・上へのメートル</translation>
+    </message>
+    <message>
+        <source>Heading in the map, to the left of the first scan's</source>
+        <translation>地図上の方位: 最初のスキャンの方位から左回り</translation>
+    </message>
+    <message>
+        <source>Points of the scan</source>
+        <translation>スキャンの点</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is floor</source>
+        <translation>ラベル付きの点に占める床の割合</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is wall</source>
+        <translation>ラベル付きの点に占める壁の割合</translation>
+    </message>
+    <message>
+        <source>Share of the labelled points that is ceiling</source>
+        <translation>ラベル付きの点に占める天井の割合</translation>
+    </message>
+    <message>
+        <source>Iterations of the ICP, over all stages</source>
+        <translation>ICP の反復数（全段階）</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the point pairs at the end, in millimetres. Says little about the pose: overlap and certainty say more.</source>
+        <translation>終了時の点対距離の二乗平均平方根 (mm)。位置姿勢の良否はあまり示さない: 重なりと確実度の方が有用。</translation>
+    </message>
+    <message>
+        <source>Share of the scan's points with a partner within 10 cm</source>
+        <translation>10 cm 以内に対応点があるスキャンの点の割合</translation>
+    </message>
+    <message>
+        <source>Whether the pose is held in every direction, from the smallest eigenvalue of the information matrix</source>
+        <translation>位置姿勢が全方向に拘束されているか。情報行列の最小固有値による</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>  m</source>
+        <translation>  m</translation>
+    </message>
+    <message>
+        <source>Roll pitch heading</source>
+        <translation>ロール ピッチ 方位</translation>
+    </message>
+    <message>
+        <source>%1, used %2</source>
+        <translation>%1、使用 %2</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>ラベル</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>天井</translation>
+    </message>
+    <message>
+        <source>Corrected by</source>
+        <translation>補正量</translation>
+    </message>
+    <message>
+        <source>%1 m, %2</source>
+        <translation>%1 m、%2</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 s, RMS %3 mm</source>
+        <translation>反復 %1、%2 s、RMS %3 mm</translation>
+    </message>
+    <message>
+        <source>Trust</source>
+        <translation>信頼性</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScansPanel</name>
+    <message>
+        <source>Scans of the map</source>
+        <translation>地図のスキャン</translation>
+    </message>
+    <message>
+        <source>Show all scans</source>
+        <translation>全スキャンを表示</translation>
+    </message>
+    <message>
+        <source>Hide all scans</source>
+        <translation>全スキャンを非表示</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ScorePane</name>
+    <message>
+        <source>More would bring</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Estimate of the score</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>An estimate: judges look at the map, which counts as good here</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::ScoreText</name>
+    <message>
+        <source>map</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>place</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>form</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>熱</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>situation</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>tag</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1, not confirmed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · area × %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · autonomy × %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 · version %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · %1 values unconfirmed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>time is over</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 × touched the arena</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 × touched a victim</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>operators: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>V1: heat</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: confirm</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>leitstand::SightLine</name>
+    <message>
+        <source>the picture is %1 old</source>
+        <translation>映像が %1 前のもの</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>映像がない</translation>
+    </message>
+    <message>
+        <source>it is the same picture for %1</source>
+        <translation>%1 同じ映像のまま</translation>
+    </message>
+    <message>
+        <source>the scan of the way is %1 old</source>
+        <translation>進路のスキャンが %1 前のもの</translation>
+    </message>
+    <message>
+        <source>there is no scan of the way</source>
+        <translation>進路のスキャンがない</translation>
+    </message>
+    <message>
+        <source>no camera, no scanner: you must see it</source>
+        <translation>カメラもスキャナもない: 目視が必要</translation>
+    </message>
+    <message>
+        <source>override: driving without eyes · %1</source>
+        <translation>オーバーライド: 視界なし走行 · %1</translation>
+    </message>
+    <message>
+        <source>override held: nothing caps the speed</source>
+        <translation>オーバーライド中: 速度制限なし</translation>
+    </message>
+    <message>
+        <source>%1: drive by the virtual scan</source>
+        <translation>%1: 仮想スキャンで操縦</translation>
+    </message>
+    <message>
+        <source>creep speed: %1</source>
+        <translation>微速: %1</translation>
+    </message>
+    <message>
+        <source>held: %1 · hold G to drive without eyes</source>
+        <translation>抑止: %1 · G を押し続けると視界なし走行</translation>
+    </message>
+    <message>
+        <source>override: driving without eyes</source>
+        <translation>オーバーライド: 視界なし走行</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>オーバーライド</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>抑止</translation>
+    </message>
+    <message>
+        <source>creep speed</source>
+        <translation>微速</translation>
+    </message>
+    <message>
+        <source>full speed</source>
+        <translation>全速</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StickGauge</name>
+    <message>
+        <source>Tick: the stick as it is held; shade: dead zone; bar: what comes of it</source>
+        <translation>目印: 現在のスティック。網掛け: 不感帯。バー: 出力</translation>
+    </message>
+    <message>
+        <source>%1 and opposite</source>
+        <translation>%1 と逆方向</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StopButton</name>
+    <message>
+        <source>STOP ALL</source>
+        <translation>全機 STOP</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Stop all robots</source>
+        <translation>全ロボットを停止</translation>
+    </message>
+    <message>
+        <source>Stops all robots and holds them until each is released (Esc, always and everywhere).
+A function of this program, no certified emergency stop.</source>
+        <translation>全ロボットを停止し、個別に解除するまで保持する（Esc、常にどこでも有効）。
+本プログラムの機能であり、認証された非常停止ではない。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StopLine</name>
+    <message>
+        <source>held by zeros</source>
+        <translation>ゼロ指令で保持</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>送信済み</translation>
+    </message>
+    <message>
+        <source>sent · no answer for %1</source>
+        <translation>送信済み · %1 返答なし</translation>
+    </message>
+    <message>
+        <source>acknowledged · moves</source>
+        <translation>受領 · 動作中</translation>
+    </message>
+    <message>
+        <source>acknowledged · motion unknown</source>
+        <translation>受領 · 動作不明</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>releasing</source>
+        <translation>解除中</translation>
+    </message>
+    <message>
+        <source>The release did nothing: %1</source>
+        <translation>解除できなかった: %1</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero.</source>
+        <translation>ロボットに停止機能がない: ゼロの走行指令で保持している。</translation>
+    </message>
+    <message>
+        <source>Stopped by the robot's own button.</source>
+        <translation>ロボット本体のボタンで停止。</translation>
+    </message>
+    <message>
+        <source>Stopped by another station.</source>
+        <translation>別の操作卓が停止。</translation>
+    </message>
+    <message>
+        <source>Only who has the grant to drive can release it.</source>
+        <translation>解除できるのは操縦権の保持者のみ。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StreamTable</name>
+    <message>
+        <source>Stream</source>
+        <translation>ストリーム</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>型</translation>
+    </message>
+    <message>
+        <source>Rate Hz</source>
+        <translation>頻度 Hz</translation>
+    </message>
+    <message>
+        <source>kbit/s</source>
+        <translation>kbit/s</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>欠落</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Samples a second as they come, and as the robot makes them</source>
+        <translation>受信した毎秒サンプル数と、ロボットが生成する数</translation>
+    </message>
+    <message>
+        <source>What the stream takes of the link, without what is sent again</source>
+        <translation>ストリームの通信量（再送を除く）</translation>
+    </message>
+    <message>
+        <source>Since the newest sample arrived</source>
+        <translation>最新サンプルの到着からの時間</translation>
+    </message>
+    <message>
+        <source>Samples of the last 10 s that never arrived</source>
+        <translation>直近 10 s に届かなかったサンプル</translation>
+    </message>
+    <message>
+        <source>What the station asks of the stream; nothing: as the robot likes</source>
+        <translation>操作卓がストリームに求める設定。空欄: ロボット任せ</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on change</source>
+        <translation>変化時</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>quality %1</source>
+        <translation>画質 %1</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>thin: %1</source>
+        <translation>低帯域: %1</translation>
+    </message>
+    <message>
+        <source> · not yet</source>
+        <translation> · 未反映</translation>
+    </message>
+    <message>
+        <source>%1 of %2 Mbit/s</source>
+        <translation>%1 / %2 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ThermalOverlay</name>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 person?</source>
+        <translation>%1 人物?</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Timeline</name>
+    <message>
+        <source>%1 confirmed</source>
+        <translation>%1 確定</translation>
+    </message>
+    <message>
+        <source>%1 discarded</source>
+        <translation>%1 破棄</translation>
+    </message>
+    <message>
+        <source>%1 filed</source>
+        <translation>%1 登録</translation>
+    </message>
+    <message>
+        <source>a victim</source>
+        <translation>被災者</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>熱</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>a code</source>
+        <translation>コード</translation>
+    </message>
+    <message>
+        <source>a hazard sign</source>
+        <translation>危険物標識</translation>
+    </message>
+    <message>
+        <source>the robot saw %1</source>
+        <translation>ロボットが%1を検出</translation>
+    </message>
+    <message>
+        <source>the robot saw %1: %2</source>
+        <translation>ロボットが%1を検出: %2</translation>
+    </message>
+    <message>
+        <source>alarm: %1</source>
+        <translation>警報: %1</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>メモ: %1</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>undone: %1</source>
+        <translation>取り消し: %1</translation>
+    </message>
+    <message>
+        <source>decision on scans</source>
+        <translation>スキャンの判断</translation>
+    </message>
+    <message>
+        <source>mode: %1</source>
+        <translation>モード: %1</translation>
+    </message>
+    <message>
+        <source>mode: %1 (%2)</source>
+        <translation>モード: %1（%2）</translation>
+    </message>
+    <message>
+        <source>bumped: %1</source>
+        <translation>衝突: %1</translation>
+    </message>
+    <message>
+        <source>recording ended (%1)</source>
+        <translation>記録終了（%1）</translation>
+    </message>
+    <message>
+        <source>recording began (%1)</source>
+        <translation>記録開始（%1）</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>backwards %1</source>
+        <translation>逆再生 %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TimelineBar</name>
+    <message>
+        <source>Timeline of the mission</source>
+        <translation>ミッションのタイムライン</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to a moment; arrows step by 1 s, with Shift by 10 s</source>
+        <translation>クリックまたはドラッグで時点へ移動。矢印で 1 s、Shift 併用で 10 s ずつ</translation>
+    </message>
+    <message>
+        <source>reads through the mission…</source>
+        <translation>ミッションを読み込み中…</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TimelineFeature</name>
+    <message>
+        <source>&amp;Previous mark</source>
+        <translation>前のマーク(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Back to the mark before</source>
+        <translation>1 つ前のマークへ戻る</translation>
+    </message>
+    <message>
+        <source>Play &amp;backwards</source>
+        <translation>逆再生(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Plays backwards, or stands</source>
+        <translation>逆再生、または停止</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Plays, or stands</source>
+        <translation>再生、または停止</translation>
+    </message>
+    <message>
+        <source>&amp;Next mark</source>
+        <translation>次のマーク(&amp;N)</translation>
+    </message>
+    <message>
+        <source>On to the next mark</source>
+        <translation>次のマークへ進む</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>遅く(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Plays slower, down to a tenth</source>
+        <translation>再生を遅くする（最小 10 分の 1）</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>速く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Plays faster, up to 32 times</source>
+        <translation>再生を速くする（最大 32 倍）</translation>
+    </message>
+    <message>
+        <source>Next &amp;victim</source>
+        <translation>次の被災者(&amp;V)</translation>
+    </message>
+    <message>
+        <source>On to the next victim, from the last to the first</source>
+        <translation>次の被災者へ。最後の次は最初に戻る</translation>
+    </message>
+    <message>
+        <source>Next &amp;alarm</source>
+        <translation>次の警報(&amp;A)</translation>
+    </message>
+    <message>
+        <source>On to the next alarm, from the last to the first</source>
+        <translation>次の警報へ。最後の次は最初に戻る</translation>
+    </message>
+    <message>
+        <source>Next n&amp;ote</source>
+        <translation>次のメモ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>On to the next note, from the last to the first</source>
+        <translation>次のメモへ。最後の次は最初に戻る</translation>
+    </message>
+    <message>
+        <source>&amp;Map as finished</source>
+        <translation>終了時点の地図(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The map as the mission ended, with all corrections; else as it was then</source>
+        <translation>すべての訂正を含むミッション終了時の地図。オフではその時点の地図</translation>
+    </message>
+    <message>
+        <source>Plays at %1</source>
+        <translation>%1 で再生</translation>
+    </message>
+    <message>
+        <source>There is no such mark</source>
+        <translation>該当するマークなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TonePlayer</name>
+    <message>
+        <source>No sound device: alarms are seen, not heard.</source>
+        <translation>音声デバイスなし: 警報は表示のみ、音は出ない。</translation>
+    </message>
+    <message>
+        <source>The sound device does not work: alarms are seen, not heard.</source>
+        <translation>音声デバイスが動作しない: 警報は表示のみ、音は出ない。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TransportBar</name>
+    <message>
+        <source>Speed of the review</source>
+        <translation>レビューの速度</translation>
+    </message>
+    <message>
+        <source>Moment that is shown</source>
+        <translation>表示中の時点</translation>
+    </message>
+    <message>
+        <source>%1   %2 of %3</source>
+        <translation>%1   %2 / %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Verdict</name>
+    <message>
+        <source>The iteration came to rest.</source>
+        <translation>反復は収束した。</translation>
+    </message>
+    <message>
+        <source>The iteration ended swinging between two poses.</source>
+        <translation>反復は 2 つの位置姿勢の間を振動したまま終了した。</translation>
+    </message>
+    <message>
+        <source>The limit of iterations was reached before the pose came to rest.</source>
+        <translation>位置姿勢が収束する前に反復の上限に達した。</translation>
+    </message>
+    <message>
+        <source>Too few pairs of points: the scan stands where it was expected. A larger maximum distance may help.</source>
+        <translation>点対が少なすぎる: スキャンは予想位置のまま。最大距離を大きくすると改善する可能性あり。</translation>
+    </message>
+    <message>
+        <source>The registration was cancelled.</source>
+        <translation>位置合わせは中止された。</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>基準</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>確実</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>不確実</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>未収束</translation>
+    </message>
+    <message>
+        <source>The first scan defines the map's frame; the others are registered to it.</source>
+        <translation>最初のスキャンが地図の座標系を定め、他はそれに位置合わせする。</translation>
+    </message>
+    <message>
+        <source>Some direction is hardly held, as along a bare corridor: certainty %1, below %2.</source>
+        <translation>特徴のない通路のように、ある方向の拘束が弱い: 確実度 %1、%2 未満。</translation>
+    </message>
+    <message>
+        <source>Every direction is held: certainty %1 (uncertain below %2).</source>
+        <translation>全方向が拘束されている: 確実度 %1（%2 未満は不確実）。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimChoices</name>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>surface: lies open</source>
+        <translation>地表: 露出</translation>
+    </message>
+    <message>
+        <source>trapped: partly covered</source>
+        <translation>挟まれ: 一部埋没</translation>
+    </message>
+    <message>
+        <source>void: in a hollow</source>
+        <translation>空隙: 空洞内</translation>
+    </message>
+    <message>
+        <source>entombed: covered</source>
+        <translation>埋没: 覆われている</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>赤</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>whole body, arm, hand …</source>
+        <translation>全身、腕、手 …</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>waving, breathing …</source>
+        <translation>手を振る、呼吸 …</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>熱</translation>
+    </message>
+    <message>
+        <source>°C</source>
+        <translation>°C</translation>
+    </message>
+    <message>
+        <source>face, hand …</source>
+        <translation>顔、手 …</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>calling, tapping …</source>
+        <translation>呼び声、叩く音 …</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>rising, steady …</source>
+        <translation>上昇、一定 …</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>あり</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimForm</name>
+    <message>
+        <source>Situation</source>
+        <translation>状況</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>エリア</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>札</translation>
+    </message>
+    <message>
+        <source>what is written on it</source>
+        <translation>札に書かれている内容</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>how to get there, what to mind</source>
+        <translation>行き方、注意点</translation>
+    </message>
+    <message>
+        <source>Form of the chosen find</source>
+        <translation>選択した発見のフォーム</translation>
+    </message>
+    <message>
+        <source>%1, in words</source>
+        <translation>%1、説明</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1、測定値</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Choose a find to fill in its form</source>
+        <translation>発見を選択してフォームに記入</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimListModel</name>
+    <message>
+        <source>%1, %2</source>
+        <comment>hazard, confirmed</comment>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>発見</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Signs</source>
+        <translation>兆候</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimRows</name>
+    <message>
+        <source>no %1</source>
+        <comment>a sign of life</comment>
+        <translation>%1なし</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>熱</translation>
+    </message>
+    <message>
+        <source>heat %1 °C</source>
+        <translation>熱 %1 °C</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm</source>
+        <translation>CO₂ %1 ppm</translation>
+    </message>
+    <message>
+        <source>the robot's own</source>
+        <translation>ロボットの検出</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>unconfirmed</source>
+        <translation>未確定</translation>
+    </message>
+    <message>
+        <source>candidate %1</source>
+        <translation>候補 %1</translation>
+    </message>
+    <message>
+        <source>victim</source>
+        <translation>被災者</translation>
+    </message>
+    <message>
+        <source>hazard</source>
+        <translation>危険物</translation>
+    </message>
+    <message>
+        <source>QR code</source>
+        <translation>QRコード</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>対象物</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1, ahead</source>
+        <translation>%1、前方</translation>
+    </message>
+    <message>
+        <source>%1, behind</source>
+        <translation>%1、後方</translation>
+    </message>
+    <message>
+        <source>%1, %2° left</source>
+        <translation>%1、左 %2°</translation>
+    </message>
+    <message>
+        <source>%1, %2° right</source>
+        <translation>%1、右 %2°</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source> ppm</source>
+        <translation> ppm</translation>
+    </message>
+    <message>
+        <source>1 victim</source>
+        <translation>被災者 1 名</translation>
+    </message>
+    <message>
+        <source>%1 victims</source>
+        <translation>被災者 %1 名</translation>
+    </message>
+    <message>
+        <source>, %1 not confirmed</source>
+        <translation>, 未確定 %1</translation>
+    </message>
+    <message>
+        <source> · %1 others</source>
+        <translation> · その他 %1</translation>
+    </message>
+    <message>
+        <source> · %1 candidates</source>
+        <translation> · 候補 %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimsFeature</name>
+    <message>
+        <source>Victims</source>
+        <translation>被災者</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>フォーム</translation>
+    </message>
+    <message>
+        <source>&amp;Victim here</source>
+        <translation>ここに被災者(&amp;V)</translation>
+    </message>
+    <message>
+        <source>F Victim</source>
+        <translation>F 被災者</translation>
+    </message>
+    <message>
+        <source>Keeps what the robot sees as a victim: the sharpest pictures, heat, gas, scan and place</source>
+        <translation>ロボットが見ているものを被災者として登録: 最も鮮明な映像、熱、ガス、スキャン、位置</translation>
+    </message>
+    <message>
+        <source>Con&amp;firm the find</source>
+        <translation>発見を確定(&amp;F)</translation>
+    </message>
+    <message>
+        <source>V Confirm</source>
+        <translation>V 確定</translation>
+    </message>
+    <message>
+        <source>Confirms the chosen find, or the one that was filed last; files a chosen candidate</source>
+        <translation>選択した発見、または最後に登録した発見を確定。選択した候補は登録</translation>
+    </message>
+    <message>
+        <source>Ha&amp;zard here</source>
+        <translation>ここに危険物(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Hazard</source>
+        <translation>危険物</translation>
+    </message>
+    <message>
+        <source>The same for a hazard sign</source>
+        <translation>危険物標識を同様に登録</translation>
+    </message>
+    <message>
+        <source>&amp;QR code here</source>
+        <translation>ここに QRコード(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>コード</translation>
+    </message>
+    <message>
+        <source>The same for a QR code</source>
+        <translation>QRコードを同様に登録</translation>
+    </message>
+    <message>
+        <source>&amp;Object here</source>
+        <translation>ここに対象物(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>対象物</translation>
+    </message>
+    <message>
+        <source>The same for an object of interest</source>
+        <translation>対象物を同様に登録</translation>
+    </message>
+    <message>
+        <source>&amp;Discard the find</source>
+        <translation>発見を破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>Takes the chosen find, or the newest, off the list; undo brings it back</source>
+        <translation>選択した発見、または最新の発見を一覧から外す。取り消しで戻る</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with the nearest</source>
+        <translation>最寄りと統合(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>統合</translation>
+    </message>
+    <message>
+        <source>The chosen find is the same as the nearest one of its kind, which gets its evidence</source>
+        <translation>選択した発見は最寄りの同種の発見と同一。証拠はそちらに移る</translation>
+    </message>
+    <message>
+        <source>Undo the last &amp;entry on finds</source>
+        <translation>発見の最後の操作を取り消す(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>Takes back what was filed, changed, confirmed or discarded last</source>
+        <translation>最後の登録・変更・確定・破棄を取り消す</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>発見を地図上で移動(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is; without one a new victim is filed there</source>
+        <translation>地図上で選択した発見の位置をクリック。未選択なら新しい被災者をそこに登録</translation>
+    </message>
+    <message>
+        <source>Form: &amp;next field</source>
+        <translation>フォーム: 次の項目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次</translation>
+    </message>
+    <message>
+        <source>Of the chosen find's form</source>
+        <translation>選択した発見のフォームの項目</translation>
+    </message>
+    <message>
+        <source>Form: &amp;previous field</source>
+        <translation>フォーム: 前の項目(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Form: next &amp;choice</source>
+        <translation>フォーム: 次の選択肢(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Unknown, absent, present; situations; areas</source>
+        <translation>不明、なし、あり。状況。エリア</translation>
+    </message>
+    <message>
+        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
+        <translation>確定できる登録がない: F でロボットが見ているものを登録</translation>
+    </message>
+    <message>
+        <source>There is no other find of this kind to merge it with</source>
+        <translation>統合できる同種の発見がほかにない</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now</source>
+        <translation>%1 を %2 に統合した</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>Click where the victim is · right button: not at all</source>
+        <translation>被災者の位置をクリック · 右ボタン: 中止</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VictimsPanel</name>
+    <message>
+        <source>Nothing found yet. F files what the robot sees.</source>
+        <translation>発見はまだない。F でロボットが見ているものを登録。</translation>
+    </message>
+    <message>
+        <source>Victims and other finds</source>
+        <translation>被災者とその他の発見</translation>
+    </message>
+    <message>
+        <source>Victims, other finds and candidates</source>
+        <translation>被災者、その他の発見、候補</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ViewCommands</name>
+    <message>
+        <source>&amp;Points</source>
+        <translation>点群(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the scans' points</source>
+        <translation>スキャンの点を表示</translation>
+    </message>
+    <message>
+        <source>&amp;Voxels</source>
+        <translation>ボクセル(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Shows the map as cubes</source>
+        <translation>地図を立方体で表示</translation>
+    </message>
+    <message>
+        <source>&amp;Floor plan</source>
+        <translation>平面図(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shows the map from above with a 1 m grid</source>
+        <translation>地図を 1 m グリッド付きで上から表示</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;label</source>
+        <translation>ラベルで色分け(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Floor blue, wall yellow, ceiling red</source>
+        <translation>床は青、壁は黄、天井は赤</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;scan</source>
+        <translation>スキャンで色分け(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A colour for each scan: shows how well they fit</source>
+        <translation>スキャンごとに色分け: 適合の良さを確認</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;height</source>
+        <translation>高さで色分け(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;range</source>
+        <translation>距離で色分け(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Distance from the scanner</source>
+        <translation>スキャナからの距離</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>ダークテーマ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>L&amp;ight theme</source>
+        <translation>ライトテーマ(&amp;I)</translation>
+    </message>
+    <message>
+        <source>For sunlit places</source>
+        <translation>日の当たる場所用</translation>
+    </message>
+    <message>
+        <source>R&amp;eset camera</source>
+        <translation>視点をリセット(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Shows the whole map</source>
+        <translation>地図全体を表示</translation>
+    </message>
+    <message>
+        <source>Camera from &amp;above</source>
+        <translation>上からの視点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Camera from the s&amp;ide</source>
+        <translation>横からの視点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Before registration</source>
+        <translation>位置合わせ前(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shows the scans where they were expected before registration</source>
+        <translation>スキャンを位置合わせ前の予想位置に表示</translation>
+    </message>
+    <message>
+        <source>Clip by hei&amp;ght</source>
+        <translation>高さで切り取り(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shows only a slice of the map, between two heights</source>
+        <translation>2 つの高さの間だけ地図を表示</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>計測(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Click two points for their distance; Esc ends it</source>
+        <translation>2 点をクリックして距離を計測。Esc で終了</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::VirtualScanPane</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Virtual scan</source>
+        <translation>仮想スキャン</translation>
+    </message>
+    <message>
+        <source>What is around the robot, its front up.
+Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
+        <translation>ロボットの周囲、前方が上。
+黄: 壁。点: 障害物、見てから時間が経つほど薄い。
+破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。</translation>
+    </message>
+    <message>
+        <source>nearest obstacle %1 m</source>
+        <translation>最近接の障害物 %1 m</translation>
+    </message>
+</context>
+</TS>
