@@ -1788,7 +1788,7 @@ Apache License 2.0</translation>
     <name>leitstand::Language</name>
     <message>
         <source>The window is made anew in this language</source>
-        <translation type="unfinished" />
+        <translation>Das Fenster wird in dieser Sprache neu aufgebaut</translation>
     </message>
 </context>
 <context>
@@ -2366,7 +2366,7 @@ F1 listet alle Tasten</translation>
     <name>leitstand::MissionForm</name>
     <message>
         <source>Mission data</source>
-        <translation type="unfinished" />
+        <translation>Missionsdaten</translation>
     </message>
     <message>
         <source>Competition</source>
@@ -2374,7 +2374,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>RoboCup2026</source>
-        <translation type="unfinished" />
+        <translation>RoboCup2026</translation>
     </message>
     <message>
         <source>Team</source>
@@ -2382,7 +2382,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>Country</source>
-        <translation type="unfinished" />
+        <translation>Land</translation>
     </message>
     <message>
         <source>Mission</source>
@@ -2390,7 +2390,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>Preliminary1</source>
-        <translation type="unfinished" />
+        <translation>Vorrunde1</translation>
     </message>
     <message>
         <source>Operators</source>
@@ -2398,7 +2398,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>People who drive; some rules divide the score by them</source>
-        <translation type="unfinished" />
+        <translation>Personen, die fahren; manche Regeln teilen die Punkte durch ihre Zahl</translation>
     </message>
     <message>
         <source>Area</source>
@@ -2406,11 +2406,11 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>Of finds that say nothing else</source>
-        <translation type="unfinished" />
+        <translation>Für Funde, bei denen nichts anderes steht</translation>
     </message>
     <message>
         <source>Rules of the score</source>
-        <translation type="unfinished" />
+        <translation>Regeln der Wertung</translation>
     </message>
 </context>
 <context>
@@ -3678,39 +3678,39 @@ F1 listet alle Tasten</translation>
     <name>leitstand::ReportFeature</name>
     <message>
         <source>Score</source>
-        <translation type="unfinished" />
+        <translation>Wertung</translation>
     </message>
     <message>
         <source>Mission d&amp;ata…</source>
-        <translation type="unfinished" />
+        <translation>Missions&amp;daten…</translation>
     </message>
     <message>
         <source>Competition, team, operators, rules of the score: what the report says</source>
-        <translation type="unfinished" />
+        <translation>Wettbewerb, Team, Fahrer, Regeln der Wertung: was im Bericht steht</translation>
     </message>
     <message>
         <source>&amp;Report into a folder…</source>
-        <translation type="unfinished" />
+        <translation>&amp;Bericht in einen Ordner…</translation>
     </message>
     <message>
         <source>Writes the judges' folder now, and again every minute</source>
-        <translation type="unfinished" />
+        <translation>Schreibt den Ordner für die Schiedsrichter jetzt und dann jede Minute</translation>
     </message>
     <message>
         <source>The report is not written any more</source>
-        <translation type="unfinished" />
+        <translation>Der Bericht wird nicht mehr geschrieben</translation>
     </message>
     <message>
         <source>Folder for the report</source>
-        <translation type="unfinished" />
+        <translation>Ordner für den Bericht</translation>
     </message>
     <message>
         <source>The report in %1 is not whole: look at its messages</source>
-        <translation type="unfinished" />
+        <translation>Der Bericht in %1 ist unvollständig: siehe seine Meldungen</translation>
     </message>
     <message>
         <source>Report written into %1</source>
-        <translation type="unfinished" />
+        <translation>Bericht geschrieben in %1</translation>
     </message>
 </context>
 <context>
@@ -4082,26 +4082,26 @@ F1 listet alle Tasten</translation>
     <name>leitstand::ScorePane</name>
     <message>
         <source>More would bring</source>
-        <translation type="unfinished" />
+        <translation>Mehr brächte</translation>
     </message>
     <message>
         <source>Estimate of the score</source>
-        <translation type="unfinished" />
+        <translation>Schätzung der Punkte</translation>
     </message>
     <message>
         <source>An estimate: judges look at the map, which counts as good here</source>
-        <translation type="unfinished" />
+        <translation>Eine Schätzung: die Karte beurteilen Schiedsrichter, hier zählt sie als gut</translation>
     </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>
     <message>
         <source>map</source>
-        <translation type="unfinished" />
+        <translation>Karte</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished" />
+        <translation>Ort</translation>
     </message>
     <message>
         <source>form</source>
@@ -4125,55 +4125,55 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>situation</source>
-        <translation type="unfinished" />
+        <translation>Lage</translation>
     </message>
     <message>
         <source>tag</source>
-        <translation type="unfinished" />
+        <translation>Kennung</translation>
     </message>
     <message>
         <source>%1, not confirmed</source>
-        <translation type="unfinished" />
+        <translation>%1, nicht bestätigt</translation>
     </message>
     <message>
         <source> · area × %1</source>
-        <translation type="unfinished" />
+        <translation> · Bereich × %1</translation>
     </message>
     <message>
         <source> · autonomy × %1</source>
-        <translation type="unfinished" />
+        <translation> · Autonomie × %1</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished" />
+        <translation>%1 Punkte</translation>
     </message>
     <message>
         <source>%1 · version %2</source>
-        <translation type="unfinished" />
+        <translation>%1 · Version %2</translation>
     </message>
     <message>
         <source> · %1 values unconfirmed</source>
-        <translation type="unfinished" />
+        <translation> · %1 Werte unbestätigt</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished" />
+        <translation>noch %1 min</translation>
     </message>
     <message>
         <source>time is over</source>
-        <translation type="unfinished" />
+        <translation>Zeit ist um</translation>
     </message>
     <message>
         <source>%1 × touched the arena</source>
-        <translation type="unfinished" />
+        <translation>%1 × Arena berührt</translation>
     </message>
     <message>
         <source>%1 × touched a victim</source>
-        <translation type="unfinished" />
+        <translation>%1 × Opfer berührt</translation>
     </message>
     <message>
         <source>operators: %1</source>
-        <translation type="unfinished" />
+        <translation>Fahrer: %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4182,7 +4182,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>%1: confirm</source>
-        <translation type="unfinished" />
+        <translation>%1: bestätigen</translation>
     </message>
 </context>
 <context>

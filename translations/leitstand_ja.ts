@@ -1788,7 +1788,7 @@ Apache License 2.0</translation>
     <name>leitstand::Language</name>
     <message>
         <source>The window is made anew in this language</source>
-        <translation type="unfinished" />
+        <translation>ウィンドウをこの言語で作り直す</translation>
     </message>
 </context>
 <context>
@@ -2366,7 +2366,7 @@ F1 でキー一覧</translation>
     <name>leitstand::MissionForm</name>
     <message>
         <source>Mission data</source>
-        <translation type="unfinished" />
+        <translation>ミッション情報</translation>
     </message>
     <message>
         <source>Competition</source>
@@ -2374,7 +2374,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>RoboCup2026</source>
-        <translation type="unfinished" />
+        <translation>RoboCup2026</translation>
     </message>
     <message>
         <source>Team</source>
@@ -2382,7 +2382,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>Country</source>
-        <translation type="unfinished" />
+        <translation>国</translation>
     </message>
     <message>
         <source>Mission</source>
@@ -2390,7 +2390,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>Preliminary1</source>
-        <translation type="unfinished" />
+        <translation>予選1</translation>
     </message>
     <message>
         <source>Operators</source>
@@ -2398,7 +2398,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>People who drive; some rules divide the score by them</source>
-        <translation type="unfinished" />
+        <translation>操縦する人数。規則によっては得点がこの数で割られる</translation>
     </message>
     <message>
         <source>Area</source>
@@ -2406,11 +2406,11 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>Of finds that say nothing else</source>
-        <translation type="unfinished" />
+        <translation>他に指定のない発見物に使う</translation>
     </message>
     <message>
         <source>Rules of the score</source>
-        <translation type="unfinished" />
+        <translation>採点規則</translation>
     </message>
 </context>
 <context>
@@ -3678,39 +3678,39 @@ F1 でキー一覧</translation>
     <name>leitstand::ReportFeature</name>
     <message>
         <source>Score</source>
-        <translation type="unfinished" />
+        <translation>得点</translation>
     </message>
     <message>
         <source>Mission d&amp;ata…</source>
-        <translation type="unfinished" />
+        <translation>ミッション情報(&amp;A)…</translation>
     </message>
     <message>
         <source>Competition, team, operators, rules of the score: what the report says</source>
-        <translation type="unfinished" />
+        <translation>競技会、チーム、操縦者数、採点規則: 報告書に載る内容</translation>
     </message>
     <message>
         <source>&amp;Report into a folder…</source>
-        <translation type="unfinished" />
+        <translation>フォルダーへ報告(&amp;R)…</translation>
     </message>
     <message>
         <source>Writes the judges' folder now, and again every minute</source>
-        <translation type="unfinished" />
+        <translation>審判用フォルダーを今書き出し、以後毎分更新する</translation>
     </message>
     <message>
         <source>The report is not written any more</source>
-        <translation type="unfinished" />
+        <translation>報告書の更新を終了した</translation>
     </message>
     <message>
         <source>Folder for the report</source>
-        <translation type="unfinished" />
+        <translation>報告書のフォルダー</translation>
     </message>
     <message>
         <source>The report in %1 is not whole: look at its messages</source>
-        <translation type="unfinished" />
+        <translation>%1 の報告書は不完全: メッセージを確認</translation>
     </message>
     <message>
         <source>Report written into %1</source>
-        <translation type="unfinished" />
+        <translation>報告書を %1 に書き出した</translation>
     </message>
 </context>
 <context>
@@ -4082,26 +4082,26 @@ F1 でキー一覧</translation>
     <name>leitstand::ScorePane</name>
     <message>
         <source>More would bring</source>
-        <translation type="unfinished" />
+        <translation>加点できる項目</translation>
     </message>
     <message>
         <source>Estimate of the score</source>
-        <translation type="unfinished" />
+        <translation>得点の見積もり</translation>
     </message>
     <message>
         <source>An estimate: judges look at the map, which counts as good here</source>
-        <translation type="unfinished" />
+        <translation>見積もり: 地図は審判が評価する。ここでは良好とみなす</translation>
     </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>
     <message>
         <source>map</source>
-        <translation type="unfinished" />
+        <translation>地図</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished" />
+        <translation>位置</translation>
     </message>
     <message>
         <source>form</source>
@@ -4125,55 +4125,55 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>situation</source>
-        <translation type="unfinished" />
+        <translation>状況</translation>
     </message>
     <message>
         <source>tag</source>
-        <translation type="unfinished" />
+        <translation>タグ</translation>
     </message>
     <message>
         <source>%1, not confirmed</source>
-        <translation type="unfinished" />
+        <translation>%1 (未確認)</translation>
     </message>
     <message>
         <source> · area × %1</source>
-        <translation type="unfinished" />
+        <translation> · エリア × %1</translation>
     </message>
     <message>
         <source> · autonomy × %1</source>
-        <translation type="unfinished" />
+        <translation> · 自律 × %1</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished" />
+        <translation>%1 点</translation>
     </message>
     <message>
         <source>%1 · version %2</source>
-        <translation type="unfinished" />
+        <translation>%1 · バージョン %2</translation>
     </message>
     <message>
         <source> · %1 values unconfirmed</source>
-        <translation type="unfinished" />
+        <translation> · 未確定の値 %1 個</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished" />
+        <translation>残り %1 分</translation>
     </message>
     <message>
         <source>time is over</source>
-        <translation type="unfinished" />
+        <translation>時間切れ</translation>
     </message>
     <message>
         <source>%1 × touched the arena</source>
-        <translation type="unfinished" />
+        <translation>アリーナ接触 × %1</translation>
     </message>
     <message>
         <source>%1 × touched a victim</source>
-        <translation type="unfinished" />
+        <translation>被災者接触 × %1</translation>
     </message>
     <message>
         <source>operators: %1</source>
-        <translation type="unfinished" />
+        <translation>操縦者: %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4182,7 +4182,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>%1: confirm</source>
-        <translation type="unfinished" />
+        <translation>%1: 確認する</translation>
     </message>
 </context>
 <context>
