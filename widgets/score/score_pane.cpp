@@ -19,7 +19,7 @@ ScorePane::ScorePane(QWidget* parent)
     setAccessibleName(tr("Estimate of the score"));
     setToolTip(tr("An estimate: judges look at the map, which counts as good here"));
     QFont large = m_score->font();
-    large.setPointSizeF(1.5 * large.pointSizeF());
+    large.setPixelSize(20);
     large.setBold(true);
     m_score->setFont(large);
     m_rules->setProperty("muted", true);

@@ -118,8 +118,10 @@ void VictimForm::setEnabledParts(bool on) {
 }
 
 void VictimForm::show(const std::optional<VictimSample>& find) {
-    m_showing = true;  // what is set here is no wish
     const bool same = m_find && find && m_find->kind == find->kind && m_find->number == find->number;
+    if (same && m_edited && find->stamp == *m_edited) return;  // from before the edit
+    m_edited.reset();
+    m_showing = true;  // what is set here is no wish
     if (!same && focusWidget() != nullptr && isAncestorOf(focusWidget())) focusWidget()->clearFocus();
     m_find = find;
     m_title->setText(find ? tr("%1 · %2").arg(QString::fromStdString(nameOf(find->kind, find->number)),
@@ -171,6 +173,7 @@ void VictimForm::read() {
     put(now.tag, m_tag->text().trimmed().toStdString());
     put(now.text, m_text->text().trimmed().toStdString());
     if (!changed) return;
+    m_edited = m_find->stamp;
     m_find = now;
     emit edited(now);
 }

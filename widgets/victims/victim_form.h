@@ -46,6 +46,8 @@ private:
     [[nodiscard]] QLineEdit* line(const QString& name, const QString& placeholder);
 
     std::optional<VictimSample> m_find;
+    std::optional<Time>
+        m_edited;  ///< stamp of the entry that an edit was based on, until there is a newer one
     bool m_showing = false;
     QLabel* m_title;
     std::vector<Sign> m_signs;

@@ -48,7 +48,7 @@ VictimsPanel::VictimsPanel(QWidget* parent)
 void VictimsPanel::show(const std::vector<VictimRow>& rows) {
     const auto kept = chosen();
     m_model.setRows(rows);
-    if (kept && !chosen() && kept->filed()) choose(kept->find);
+    if (kept && !chosen() && kept->filed()) (void)choose(kept->find);
     m_title->setText(victimsTitle(rows));
     m_table->setVisible(!rows.empty());
     m_calm->setVisible(rows.empty());
@@ -71,9 +71,10 @@ std::optional<VictimRow> VictimsPanel::chosen() const {
     return row == nullptr ? std::nullopt : std::optional(*row);
 }
 
-void VictimsPanel::choose(const FindKey& find) {
+bool VictimsPanel::choose(const FindKey& find) {
     const int row = m_model.rowOf(find);
     if (row >= 0) m_table->selectRow(row);
+    return row >= 0;
 }
 
 }  // namespace leitstand

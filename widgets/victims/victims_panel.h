@@ -26,7 +26,7 @@ public:
     void setCommands(const std::vector<QAction*>& commands);
     /// The row that is chosen; empty: none.
     [[nodiscard]] std::optional<VictimRow> chosen() const;
-    void choose(const FindKey& find);
+    bool choose(const FindKey& find);  ///< false: it is not in the list
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 180}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 90}; }

@@ -175,10 +175,8 @@ Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& placeInM
     return say(movedTo(*m_setup.mission(), find, placeInMap, m_setup.station, m_setup.now()), find);
 }
 
-Result<void> FindDesk::edit(VictimSample sample) {
-    sample.station = m_setup.station;
-    sample.stamp = m_setup.now();
-    return m_setup.say(sample);
+Result<void> FindDesk::edit(const VictimSample& form) {
+    return say(filledIn(*m_setup.mission(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
 }
 
 Result<void> FindDesk::undo() {

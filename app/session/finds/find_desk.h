@@ -66,8 +66,9 @@ public:
     Result<void> discard(const FindKey& find);
     Result<void> merge(const FindKey& find, std::uint32_t into);
     Result<void> move(const FindKey& find, const Eigen::Vector3d& placeInMap);
-    /// The form as the operator filled it in.
-    Result<void> edit(VictimSample sample);
+    /// The form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All else
+    /// of the find stays as it is.
+    Result<void> edit(const VictimSample& form);
     /// Takes back this station's newest entry on a find; an error when there is none.
     Result<void> undo();
 

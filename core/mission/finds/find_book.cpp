@@ -183,6 +183,22 @@ std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& fi
     return sample;
 }
 
+std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
+                                     const std::string& station, Time now) {
+    auto sample = changed(state, {form.kind, form.number}, station, now);
+    if (!sample) return std::nullopt;
+    sample->form = form.form;
+    sample->motion = form.motion;
+    sample->heat = form.heat;
+    sample->sound = form.sound;
+    sample->co2 = form.co2;
+    sample->situation = form.situation;
+    sample->tag = form.tag;
+    sample->area = form.area;
+    sample->text = form.text;
+    return sample;
+}
+
 std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find) {
     const VictimSample* known = leitstand::find(state, find);
     if (known == nullptr) return std::nullopt;

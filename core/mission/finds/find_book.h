@@ -57,6 +57,11 @@ inline constexpr double SameFind = 0.6;
                                                   const Eigen::Vector3d& placeInMap,
                                                   const std::string& station, Time now);
 
+/// The find of @p form's number with what an operator fills in (signs, situation, tag, area, text) of @p
+/// form.
+[[nodiscard]] std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
+                                                   const std::string& station, Time now);
+
 /// @p find with what the finds that were merged into it tell beyond it: signs, situation, tag, evidence;
 /// empty when the mission does not have it.
 [[nodiscard]] std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find);

@@ -105,9 +105,8 @@ TEST_F(PadInputTest, AnUnpluggedPadStopsAndANewOneStartsNeutral) {
     EXPECT_FALSE(m_driving);
     EXPECT_EQ(m_input->chosen().id, -1);
     // Plugged in again with all held.
-    m_pad.emplace();
-    m_pad->push(axis::LeftTrigger, 1.0);
-    m_pad->push(axis::LeftY, -1.0);
+    m_pad.emplace(PadLayout::Standard, "Test pad",
+                  std::vector<std::pair<int, double>>{{axis::LeftTrigger, 1.0}, {axis::LeftY, -1.0}});
     ASSERT_TRUE(soon([&] { return m_input->state().axis(axis::LeftY) < -0.99; }));
     EXPECT_TRUE(isZero(m_sticks));
     EXPECT_FALSE(m_driving);

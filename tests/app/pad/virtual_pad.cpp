@@ -8,7 +8,9 @@
 
 namespace leitstand::test {
 
-VirtualPad::VirtualPad(PadLayout layout, const std::string& name) : m_layout(layout), m_name(name) {
+VirtualPad::VirtualPad(PadLayout layout, const std::string& name,
+                       const std::vector<std::pair<int, double>>& held)
+    : m_layout(layout), m_name(name) {
     if (SDL_InitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER) != 0)
         throw std::runtime_error(SDL_GetError());
     const bool known = layout == PadLayout::Standard;
@@ -29,6 +31,9 @@ VirtualPad::VirtualPad(PadLayout layout, const std::string& name) : m_layout(lay
     if (m_joystick != nullptr && known) {
         push(standard_axis::LeftTrigger, 0.0);
         push(standard_axis::RightTrigger, 0.0);
+    }
+    for (const auto& [axis, value] : held) {
+        if (m_joystick != nullptr) push(axis, value);
     }
     SDL_UnlockJoysticks();
     if (m_joystick == nullptr) throw std::runtime_error(SDL_GetError());

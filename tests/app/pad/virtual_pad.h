@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/robot/pad/pad_state.h"
 
@@ -13,7 +15,9 @@ namespace leitstand::test {
 class VirtualPad {
 public:
     /// Standard: a known pad, its controls at rest. Plain: a joystick of four axes, eight buttons and a hat.
-    explicit VirtualPad(PadLayout layout = PadLayout::Standard, const std::string& name = "Test pad");
+    /// @p held: axes that are pushed when it is plugged in, and how far.
+    explicit VirtualPad(PadLayout layout = PadLayout::Standard, const std::string& name = "Test pad",
+                        const std::vector<std::pair<int, double>>& held = {});
     ~VirtualPad();  ///< unplugs it
     VirtualPad(const VirtualPad&) = delete;
     VirtualPad& operator=(const VirtualPad&) = delete;

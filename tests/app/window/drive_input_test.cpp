@@ -255,7 +255,8 @@ protected:
     }
     static void turnTo(QWidget& window) {
         window.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        // A child of the active window counts as active for qWaitForWindowActive().
+        EXPECT_TRUE(QTest::qWaitFor([&window] { return QApplication::activeWindow() == &window; }));
     }
 
     QMainWindow m_window;

@@ -60,11 +60,11 @@ TEST(RobotPair, TheCrawlerIsPlacedWhereKurt3DSeesItWhenTheSlotIsWrongByMetres) {
 TEST(RobotPair, TheCrawlerStaysInNoScanOfKurt3DsOnceItIsPlaced) {
     int points[2] = {0, 0};
     for (const bool leavesOut : {false, true}) {
-        RobotPair pair(2, Wrong);
+        RobotPair pair(1, Wrong);
         pair.leavesOut = leavesOut;
         pair.pass(9.0, false, false);
         ASSERT_TRUE(pair.crawler().certain) << saidOf(pair);
-        pair.pass(12.0, true, true);
+        pair.pass(25.0, true, false);
         points[leavesOut ? 1 : 0] = pair.bodyPoints;
     }
     std::printf("  points on the Crawler in key scans: %d, left out: %d\n", points[0], points[1]);

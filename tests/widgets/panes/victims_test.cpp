@@ -100,6 +100,27 @@ TEST(VictimForm, ToldAtOnceWhatIsChangedAndNothingElse) {
     EXPECT_EQ(told.tag, "R-17");
 }
 
+TEST(VictimForm, AnEditIsNotTakenBackByTheMissionFromBeforeIt) {
+    VictimForm form;
+    form.show(victim());
+    const auto box = [&](const char* name) {
+        for (QComboBox* one : form.findChildren<QComboBox*>()) {
+            if (one->accessibleName() == QLatin1String(name)) return one;
+        }
+        return static_cast<QComboBox*>(nullptr);
+    };
+    QSignalSpy edited(&form, &VictimForm::edited);
+    box("Situation")->setCurrentIndex(1);
+    form.show(victim());  // the mission does not know of it yet
+    box("Sound")->setCurrentIndex(2);
+    ASSERT_EQ(edited.count(), 2);
+    EXPECT_EQ(edited[1].at(0).value<VictimSample>().situation, "surface");
+    VictimSample newer = victim();
+    newer.stamp += std::chrono::seconds(1);
+    form.show(newer);
+    EXPECT_EQ(box("Situation")->currentIndex(), 3) << "as the mission has it now";
+}
+
 TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
     VictimForm form;
     form.show(victim());
@@ -116,6 +137,7 @@ TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
     tag->setText(QStringLiteral("K-4"));
     VictimSample newer = victim();
     newer.text = "said elsewhere";
+    newer.stamp += std::chrono::seconds(1);
     form.show(newer);
     EXPECT_EQ(tag->text(), QStringLiteral("K-4"));
     QSignalSpy edited(&form, &VictimForm::edited);

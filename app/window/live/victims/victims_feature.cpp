@@ -210,10 +210,9 @@ void VictimsFeature::show(const LiveMoment& moment) {
     }
     const auto rows = victimRows(*moment.mission, baseInMap);
     m_panel->show(rows);
-    if (const auto newest = desk().newest(); newest != m_newest) {
+    // What was filed last is what the next key is about, once the mission has it.
+    if (const auto newest = desk().newest(); newest && newest != m_newest && m_panel->choose(*newest))
         m_newest = newest;
-        if (newest) m_panel->choose(*newest);
-    }
     const auto chosen = m_panel->chosen();
     m_map.view().setFinds(rows, chosen && chosen->filed() ? std::optional(chosen->find) : std::nullopt);
     showForm();

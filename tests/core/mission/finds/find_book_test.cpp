@@ -114,6 +114,19 @@ TEST(FindBook, NothingIsMergedIntoItselfNothingOrTheDiscarded) {
     EXPECT_FALSE(withStatus(mission.state, {Kind::Code, 1U}, Status::Confirmed, "s", Now));
 }
 
+TEST(FindBook, AFormThatIsOlderThanTheFindChangesOnlyItsFields) {
+    Mission mission;
+    const auto key = mission.file(seenAt(1.0));
+    VictimSample form = mission.at(key);  // as shown before it was confirmed
+    form.situation = "void";
+    mission.say(*withStatus(mission.state, key, Status::Confirmed, "s", Now));
+    mission.say(*filledIn(mission.state, form, "s", Now));
+    EXPECT_EQ(mission.at(key).status, Status::Confirmed);
+    EXPECT_EQ(mission.at(key).situation, "void");
+    form.number = 9;
+    EXPECT_FALSE(filledIn(mission.state, form, "s", Now));
+}
+
 TEST(FindBook, AMovedFindStillMovesWithItsScan) {
     Mission mission;
     auto scan = std::make_shared<Scan>();
