@@ -7,7 +7,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QSignalBlocker>
+#include <QScrollArea>
+#include <QVBoxLayout>
 
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
@@ -46,13 +47,25 @@ VictimForm::VictimForm(QWidget* parent)
     m_area->setObjectName(QStringLiteral("area"));
     m_tag->setObjectName(QStringLiteral("tag"));
     m_text->setObjectName(QStringLiteral("remarks"));
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 4, 8, 8);
+    // A low pane scrolls, and follows the focus.
+    auto* fields = new QWidget;
+    auto* area = new QScrollArea(this);
+    area->setWidget(fields);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 4, 0, 0);
+    rows->setSpacing(4);
+    m_title->setContentsMargins(8, 0, 8, 0);
+    rows->addWidget(m_title);
+    rows->addWidget(area, 1);
+    auto* grid = new QGridLayout(fields);
+    grid->setContentsMargins(8, 0, 8, 8);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(2, 1);
-    grid->addWidget(m_title, 0, 0, 1, 4);
-    int row = 1;
+    int row = 0;
     const auto label = [&](const QString& text, QWidget* field) {
         auto* name = new QLabel(text, this);
         name->setBuddy(field);
@@ -73,7 +86,7 @@ VictimForm::VictimForm(QWidget* parent)
         m_fields.insert(m_fields.end(), {state, text});
         if (!field.unit.isEmpty()) {
             value = line(tr("%1, measured").arg(field.name), field.unit);
-            value->setMaximumWidth(88);
+            value->setMaximumWidth(64);
             grid->addWidget(value, row, 3);
             m_fields.push_back(value);
         }
@@ -189,6 +202,7 @@ void VictimForm::nextField(int step) {
         QWidget* field = m_fields[static_cast<std::size_t>(at)];
         if (!field->isEnabled()) continue;
         field->setFocus(Qt::TabFocusReason);
+        findChild<QScrollArea*>()->ensureWidgetVisible(field);
         return;
     }
 }

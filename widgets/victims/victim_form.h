@@ -31,6 +31,7 @@ public:
     void change(int step);
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 320}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
 
 signals:
     void edited(const leitstand::VictimSample& find);

@@ -46,7 +46,7 @@ public:
 signals:
     void closing();
     void languageWanted(const QString& code);  ///< for a window made anew
-    void registerAgainWanted();  ///< the mission's scans, anew
+    void registerAgainWanted();                ///< the mission's scans, anew
 
 public slots:
     void tell(const QString& text);  ///< shows it as the newest message
