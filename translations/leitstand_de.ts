@@ -1849,6 +1849,26 @@ Apache License 2.0</translation>
         <source>Name of the layout</source>
         <translation>Name des Layouts</translation>
     </message>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Funk</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>
@@ -2045,6 +2065,41 @@ Apache License 2.0</translation>
     <message>
         <source>%1 loss</source>
         <translation>%1 Verlust</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LiveSummary</name>
+    <message>
+        <source>last scan %1 s ago</source>
+        <translation>letzter Scan vor %1 s</translation>
+    </message>
+    <message>
+        <source>last scan %1 min ago</source>
+        <translation>letzter Scan vor %1 min</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>1 key scan</source>
+        <translation>1 Schlüsselscan</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>%1 Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>folgt %1</translation>
+    </message>
+    <message>
+        <source>overlap %1</source>
+        <translation>Überlappung %1</translation>
     </message>
 </context>
 <context>
@@ -3777,6 +3832,25 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::RobotMark</name>
+    <message>
+        <source>place uncertain</source>
+        <translation>Ort ungewiss</translation>
+    </message>
+    <message>
+        <source>link lost: seen here last</source>
+        <translation>Funk weg: zuletzt hier gesehen</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet</source>
+        <translation>%1 ist noch nicht in der Karte</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet · %2 places it</source>
+        <translation>%1 ist noch nicht in der Karte · %2 setzt ihn hinein</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RobotsFeature</name>
     <message>
         <source>Select %1	%2</source>
@@ -3895,18 +3969,6 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Too few points: reject it, the next scan says more.</source>
         <translation>Zu wenige Punkte: ablehnen, der nächste Scan sagt mehr.</translation>
-    </message>
-    <message>
-        <source>certain</source>
-        <translation>sicher</translation>
-    </message>
-    <message>
-        <source>uncertain ?</source>
-        <translation>unsicher ?</translation>
-    </message>
-    <message>
-        <source>set aside</source>
-        <translation>ausgeschlossen</translation>
     </message>
 </context>
 <context>

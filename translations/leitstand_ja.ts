@@ -1849,6 +1849,26 @@ Apache License 2.0</translation>
         <source>Name of the layout</source>
         <translation>レイアウトの名前</translation>
     </message>
+    <message>
+        <source>Drive</source>
+        <translation>操縦</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>探索</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>検証</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>
@@ -2045,6 +2065,41 @@ Apache License 2.0</translation>
     <message>
         <source>%1 loss</source>
         <translation>欠落 %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LiveSummary</name>
+    <message>
+        <source>last scan %1 s ago</source>
+        <translation>最終スキャン %1 秒前</translation>
+    </message>
+    <message>
+        <source>last scan %1 min ago</source>
+        <translation>最終スキャン %1 分前</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>1 key scan</source>
+        <translation>キースキャン 1 件</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>キースキャン %1 件</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 点</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>%1 を追従</translation>
+    </message>
+    <message>
+        <source>overlap %1</source>
+        <translation>重なり %1</translation>
     </message>
 </context>
 <context>
@@ -3777,6 +3832,25 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::RobotMark</name>
+    <message>
+        <source>place uncertain</source>
+        <translation>位置不確実</translation>
+    </message>
+    <message>
+        <source>link lost: seen here last</source>
+        <translation>通信断: 最後に確認した位置</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet</source>
+        <translation>%1 はまだ地図にない</translation>
+    </message>
+    <message>
+        <source>%1 is not in the map yet · %2 places it</source>
+        <translation>%1 はまだ地図にない · %2 で配置</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RobotsFeature</name>
     <message>
         <source>Select %1	%2</source>
@@ -3895,18 +3969,6 @@ F1 でキー一覧</translation>
     <message>
         <source>Too few points: reject it, the next scan says more.</source>
         <translation>点不足: 除外する。次のスキャンで情報が増える。</translation>
-    </message>
-    <message>
-        <source>certain</source>
-        <translation>確実</translation>
-    </message>
-    <message>
-        <source>uncertain ?</source>
-        <translation>不確実 ?</translation>
-    </message>
-    <message>
-        <source>set aside</source>
-        <translation>除外</translation>
     </message>
 </context>
 <context>

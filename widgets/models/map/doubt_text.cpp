@@ -40,16 +40,16 @@ constexpr std::array<DoubtWords, 7> AllDoubts = {{
      QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "Too few points: reject it, the next scan says more.")},
 }};
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("leitstand::ScanDoubt", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::ScanDoubt)
+};
 
 }  // namespace
 
 QString doubtText(std::uint8_t doubts) {
     QStringList words;
     for (const DoubtWords& one : AllDoubts) {
-        if (has(doubts, one.doubt)) words += translated(one.word);
+        if (has(doubts, one.doubt)) words += Say::tr(one.word);
     }
     return words.join(QStringLiteral(", "));
 }
@@ -57,7 +57,7 @@ QString doubtText(std::uint8_t doubts) {
 QString doubtDetails(std::uint8_t doubts) {
     QStringList lines;
     for (const DoubtWords& one : AllDoubts) {
-        if (has(doubts, one.doubt)) lines += translated(one.meaning);
+        if (has(doubts, one.doubt)) lines += Say::tr(one.meaning);
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -65,13 +65,13 @@ QString doubtDetails(std::uint8_t doubts) {
 QString trustText(ScanTrust trust) {
     switch (trust) {
         case ScanTrust::Certain:
-            return translated(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "certain"));
+            return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "certain"));
         case ScanTrust::Uncertain:
-            return translated(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "uncertain ?"));
+            return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "uncertain ?"));
         case ScanTrust::SetAside:
             break;
     }
-    return translated(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "set aside"));
+    return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "set aside"));
 }
 
 Tone toneOf(ScanTrust trust) {

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double LongAgo = 100.0;  ///< [s]
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("leitstand::LiveSummary", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::LiveSummary)
+};
 
 QString agoText(double seconds) {
-    if (seconds < 10.0) return translated("last scan %1 s ago").arg(numberText(std::max(seconds, 0.0), 1));
-    if (seconds < LongAgo) return translated("last scan %1 s ago").arg(numberText(seconds, 0));
-    return translated("last scan %1 min ago").arg(numberText(seconds / 60.0, 0));
+    if (seconds < 10.0) return Say::tr("last scan %1 s ago").arg(numberText(std::max(seconds, 0.0), 1));
+    if (seconds < LongAgo) return Say::tr("last scan %1 s ago").arg(numberText(seconds, 0));
+    return Say::tr("last scan %1 min ago").arg(numberText(seconds / 60.0, 0));
 }
 
 }  // namespace
@@ -34,17 +34,17 @@ MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now) 
         points += scan.scan->points.size();
     }
     MapSummary summary;
-    QStringList title = {translated("3D map")};
+    QStringList title = {Say::tr("3D map")};
     if (scans > 0) {
-        title += scans == 1 ? translated("1 key scan") : translated("%1 key scans").arg(countText(scans));
-        title += translated("%1 points").arg(shortCountText(points));
+        title += scans == 1 ? Say::tr("1 key scan") : Say::tr("%1 key scans").arg(countText(scans));
+        title += Say::tr("%1 points").arg(shortCountText(points));
     }
-    if (!followed.isEmpty()) title += translated("follows %1").arg(followed);
+    if (!followed.isEmpty()) title += Say::tr("follows %1").arg(followed);
     summary.title = title.join(QStringLiteral(" · "));
     if (map.scans.empty()) return summary;
     const LiveKeyScan& newest = map.scans.back();
     QStringList result = {agoText(std::chrono::duration<double>(now - newest.entered).count())};
-    if (newest.matched != 0) result += translated("overlap %1").arg(percentText(newest.pose.overlap));
+    if (newest.matched != 0) result += Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
     result += trustText(newest.pose.trust);
     summary.result = result.join(QStringLiteral(" · "));
     if (newest.pose.trust == ScanTrust::Uncertain) summary.tone = Tone::Attention;

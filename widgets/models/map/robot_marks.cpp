@@ -11,9 +11,9 @@ namespace {
 /// A robot whose scan fits badly is taken to be so near to where it is drawn [m]; more the less is certain.
 constexpr double LeastDoubt = 0.3, MoreDoubt = 0.7;
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("leitstand::RobotMark", text);
-}
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::RobotMark)
+};
 
 }  // namespace
 
@@ -33,11 +33,11 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     mark.stale = link.state == LinkState::Lost;
     if (!place.certain) {
         mark.doubtRadius = LeastDoubt + MoreDoubt * (1.0 - std::clamp(place.certainty, 0.0, 1.0));
-        mark.note = translated("place uncertain");
+        mark.note = Say::tr("place uncertain");
         mark.tone = Tone::Attention;
     }
     if (mark.stale) {
-        mark.note = translated("link lost: seen here last");
+        mark.note = Say::tr("link lost: seen here last");
         mark.tone = Tone::Attention;
     }
     return mark;
@@ -57,8 +57,8 @@ QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& plac
     QStringList titles;
     for (const RobotFace& face : unplaced) titles += face.title;
     const QString names = titles.join(QStringLiteral(", "));
-    if (placeKeys.isEmpty()) return translated("%1 is not in the map yet").arg(names);
-    return translated("%1 is not in the map yet · %2 places it").arg(names, placeKeys);
+    if (placeKeys.isEmpty()) return Say::tr("%1 is not in the map yet").arg(names);
+    return Say::tr("%1 is not in the map yet · %2 places it").arg(names, placeKeys);
 }
 
 }  // namespace leitstand

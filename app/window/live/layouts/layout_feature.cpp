@@ -24,6 +24,18 @@ QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);
 }
 
+/// Titles of layouts that come with the program are in the window's language; those of people are theirs.
+QString shownTitle(const WindowLayout& layout) {
+    for (const char* title : {QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Drive"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Explore"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Map"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Review"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Link")}) {
+        if (layout.title == title) return LayoutFeature::tr(title);
+    }
+    return QString::fromStdString(layout.title);
+}
+
 /// "Second screen" as the name of a file.
 std::string nameOf(const QString& title) {
     std::string name;
@@ -105,7 +117,7 @@ void LayoutFeature::fill() {
 }
 
 void LayoutFeature::addChoice(const WindowLayout& layout, int place) {
-    const QString id = idOf(layout.name), title = QString::fromStdString(layout.title);
+    const QString id = idOf(layout.name), title = shownTitle(layout);
     QAction* choice = m_context.commands.find(id);
     if (choice == nullptr) {
         choice =
