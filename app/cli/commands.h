@@ -26,6 +26,8 @@ void addReplay(CLI::App& app, int& exitCode);
 void addReport(CLI::App& app, int& exitCode);
 /// `export`: writes part of a mission for other programs.
 void addExport(CLI::App& app, int& exitCode);
+/// `thin`: writes a small copy of a mission.
+void addThin(CLI::App& app, int& exitCode);
 /// `probe`: tells who is on a domain and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 

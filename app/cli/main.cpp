@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     leitstand::cli::addReplay(app, exitCode);
     leitstand::cli::addReport(app, exitCode);
     leitstand::cli::addExport(app, exitCode);
+    leitstand::cli::addThin(app, exitCode);
     leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,90 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <QElapsedTimer>
+#include <QTableView>
+
+#include <gtest/gtest.h>
+
+#include "app/session/finds/find_desk.h"
+#include "app/session/report/report_writer.h"
+#include "app/session/station/station_mapping.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
+
+namespace leitstand::test {
+namespace {
+
+/// A mission that Kurt3D drives by itself while an operator files what the station finds. Also makes
+/// resources/samples anew: with LEITSTAND_SAMPLE=FOLDER the mission is copied there.
+class LongMission : public LivePage {
+protected:
+    static constexpr int Drive = 80'000;  ///< [ms]
+
+    /// What a scripted operator does with the list: files the surest candidate, confirms what is open.
+    void operate() {
+        auto* table = m_window->findChild<QTableView*>("finds");
+        for (int row = 0; row < table->model()->rowCount(); ++row) {
+            const QString name = table->model()->index(row, 0).data().toString();
+            const QString state = table->model()->index(row, 1).data().toString();
+            if (name != QStringLiteral("?") && !state.contains(QStringLiteral("unconfirmed"))) continue;
+            table->selectRow(row);
+            press(Qt::Key_V);
+            return;
+        }
+    }
+    [[nodiscard]] std::size_t confirmed() const {
+        const MissionStatePtr mission = station().mission();
+        return static_cast<std::size_t>(
+            std::count_if(mission->victims->begin(), mission->victims->end(), [](const auto& one) {
+                return one.first.first == VictimSample::Kind::Victim &&
+                       one.second.victim.status == VictimSample::Status::Confirmed;
+            }));
+    }
+};
+
+TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
+    m_window->layouts().use("explore");
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    MissionInfoSample info;
+    info.competition = "RoboCup2026";
+    info.team = "Leitstand";
+    info.country = "Germany";
+    info.mission = "Sample";
+    info.area = "yellow";
+    info.profile = "2005";
+    ASSERT_TRUE(station().describe(info));
+    ASSERT_TRUE(station().setMode("kurt3d", "explore"));
+    QElapsedTimer clock;
+    clock.start();
+    bool resumed = false;
+    while (clock.elapsed() < Drive) {
+        QTest::qWait(2'000);
+        operate();
+        if (resumed || clock.elapsed() < Drive / 2) continue;
+        const std::size_t before = confirmed();
+        restart();
+        m_window->layouts().use("explore");
+        resumed = true;
+        ASSERT_TRUE(soon([&] { return confirmed() >= before; })) << "nothing is lost";
+    }
+    lookAt("long_mission");
+    const std::size_t found = confirmed();
+    EXPECT_GE(found, 1U) << "a warm body beside its way was found and filed";
+    EXPECT_GE(station().mapping().scans()->scans.size(), 3U);
+    const std::filesystem::path mission = station().folder(), out = m_folder.path().toStdString() + "/report";
+    m_window.reset();
+    m_bridge.reset();  // the mission is self-contained
+    const auto report = writeReport(mission, out, {});
+    ASSERT_TRUE(report) << report.error().text;
+    EXPECT_TRUE(report->whole());
+    EXPECT_EQ(report->victims, found);
+    std::printf("  %zu victims confirmed, %zu scans, %.1f m2 explored, report in %.1f s\n", found,
+                report->scans, report->explored, report->seconds);
+    if (const char* sample = std::getenv("LEITSTAND_SAMPLE"))
+        std::filesystem::copy(mission, sample, std::filesystem::copy_options::recursive);
+}
+
+}  // namespace
+}  // namespace leitstand::test

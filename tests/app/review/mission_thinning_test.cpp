@@ -1,0 +1,80 @@
+#include "app/session/log/mission_thinning.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/log/bag_history.h"
+#include "app/session/log/event_decoder.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mission/fold.h"
+#include "tests/app/review/written_mission.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+class ThinningTest : public testing::Test {
+protected:
+    ThinningTest() {
+        WrittenMission mission(m_folder / "whole");
+        writeMinute(mission);
+        mission.close();
+    }
+    /// Sequences and topics of a mission's events.
+    static std::map<std::uint64_t, std::string> eventsOf(const std::filesystem::path& mission) {
+        std::map<std::uint64_t, std::string> all;
+        auto bag = BagReader::open(mission);
+        EXPECT_TRUE(bag) << bag.error().text;
+        BagCursor cursor = (*bag)->read();
+        while (const auto event = cursor.next()) all[event->sequence] = event->topic;
+        EXPECT_THAT((*bag)->problems(), testing::IsEmpty());
+        return all;
+    }
+    static std::size_t countOf(const std::map<std::uint64_t, std::string>& events, const std::string& topic) {
+        return static_cast<std::size_t>(std::count_if(events.begin(), events.end(),
+                                                      [&](const auto& one) { return one.second == topic; }));
+    }
+
+    const TemporaryFolder m_folder;
+};
+
+TEST_F(ThinningTest, KeepsWhatStationsSaidAndLittleOfTheRest) {
+    const auto done = thinMission(m_folder / "whole", m_folder / "thin", {});
+    ASSERT_TRUE(done) << done.error().text;
+    const auto whole = eventsOf(m_folder / "whole"), thin = eventsOf(m_folder / "thin");
+    EXPECT_EQ(done->kept, thin.size());
+    EXPECT_EQ(done->kept + done->left, whole.size());
+    for (const auto& [sequence, topic] : thin) EXPECT_EQ(whole.at(sequence), topic) << "sequences stay";
+    for (const char* topic : {"/leitstand/victims", "/leitstand/key_scans", "/leitstand/notes"})
+        EXPECT_EQ(countOf(thin, topic), countOf(whole, topic)) << topic;
+    EXPECT_EQ(countOf(thin, "/leitstand/checkpoints"), 0U);
+    const std::string pictures = WrittenMission::robot().stream(StreamRole::Picture)->topic;
+    EXPECT_GT(countOf(whole, pictures), 100U);
+    EXPECT_NEAR(static_cast<double>(countOf(thin, pictures)), 60.0, 3.0) << "one a second";
+    const std::string clouds = WrittenMission::robot().stream(StreamRole::Points)->topic;
+    EXPECT_EQ(countOf(thin, clouds), 0U);
+}
+
+TEST_F(ThinningTest, TheStateAtTheEndIsTheSameButForWhatWasCounted) {
+    ASSERT_TRUE(thinMission(m_folder / "whole", m_folder / "thin", {}));
+    const auto stateOf = [](const std::filesystem::path& mission) {
+        auto bag = std::move(BagReader::open(mission)).value();
+        EventDecoder decoder({WrittenMission::robot()});
+        BagHistory history(*bag, decoder);
+        return stateAt(history, bag->lastSequence());
+    };
+    const MissionState whole = stateOf(m_folder / "whole"), thin = stateOf(m_folder / "thin");
+    EXPECT_EQ(thin.victims->size(), whole.victims->size());
+    EXPECT_EQ(thin.keyScans->size(), whole.keyScans->size());
+    EXPECT_EQ(thin.notes->size(), whole.notes->size());
+    EXPECT_EQ(thin.decisions->size(), whole.decisions->size());
+}
+
+TEST_F(ThinningTest, NothingIsOverwrittenAndWhatIsNoMissionIsTold) {
+    EXPECT_FALSE(thinMission(m_folder / "whole", m_folder / "whole", {}));
+    EXPECT_FALSE(thinMission(m_folder / "missing", m_folder / "thin", {}));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "thin")) << "nothing is left behind";
+}
+
+}  // namespace
+}  // namespace leitstand::test
