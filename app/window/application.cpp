@@ -51,7 +51,15 @@ int showWindow(const Options& options) {
     WindowState state = loadWindowState();
     applyChoices(options, state.view);
     MainWindow window(state);
-    QObject::connect(&window, &MainWindow::closing, &window, [&window] { saveWindowState(window.state()); });
+    QObject::connect(&window, &MainWindow::closing, &window, [&window] {
+        // What only other windows know stays.
+        WindowState now = window.state();
+        const WindowState kept = loadWindowState();
+        now.language = kept.language;
+        now.liveGeometry = kept.liveGeometry;
+        now.liveLayout = kept.liveLayout;
+        saveWindowState(now);
+    });
     window.show();
     window.open(options.scans);
     return QApplication::exec();

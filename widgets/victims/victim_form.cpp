@@ -17,7 +17,7 @@ namespace leitstand {
 namespace {
 
 void setText(QLineEdit& line, const QString& text) {
-    if (!line.hasFocus() && line.text() != text) line.setText(text);
+    if (line.text() != text && !(line.hasFocus() && line.isModified())) line.setText(text);
 }
 
 void setChoice(QComboBox& box, const QString& word) {
@@ -133,9 +133,10 @@ void VictimForm::setEnabledParts(bool on) {
 void VictimForm::show(const std::optional<VictimSample>& find) {
     const bool same = m_find && find && m_find->kind == find->kind && m_find->number == find->number;
     if (same && m_edited && find->stamp == *m_edited) return;  // from before the edit
+    // What is being typed is the old one's: it is told before another one is shown.
+    if (!same && focusWidget() != nullptr && isAncestorOf(focusWidget())) focusWidget()->clearFocus();
     m_edited.reset();
     m_showing = true;  // what is set here is no wish
-    if (!same && focusWidget() != nullptr && isAncestorOf(focusWidget())) focusWidget()->clearFocus();
     m_find = find;
     m_title->setText(find ? tr("%1 · %2").arg(QString::fromStdString(nameOf(find->kind, find->number)),
                                               kindText(find->kind))
@@ -185,6 +186,9 @@ void VictimForm::read() {
     put(now.area, m_area->currentData().toString().toStdString());
     put(now.tag, m_tag->text().trimmed().toStdString());
     put(now.text, m_text->text().trimmed().toStdString());
+    for (QWidget* field : m_fields) {
+        if (auto* one = qobject_cast<QLineEdit*>(field)) one->setModified(false);
+    }
     if (!changed) return;
     m_edited = m_find->stamp;
     m_find = now;

@@ -49,6 +49,9 @@ void VictimsPanel::show(const std::vector<VictimRow>& rows) {
     const auto kept = chosen();
     m_model.setRows(rows);
     if (kept && !chosen() && kept->filed()) (void)choose(kept->find);
+    for (int row = 0; kept && !chosen() && !kept->filed() && row < m_model.rowCount(); ++row) {
+        if (m_model.row(row)->candidate == kept->candidate) m_table->selectRow(row);
+    }
     m_title->setText(victimsTitle(rows));
     m_table->setVisible(!rows.empty());
     m_calm->setVisible(rows.empty());

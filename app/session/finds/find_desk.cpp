@@ -1,9 +1,12 @@
 #include "app/session/finds/find_desk.h"
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "core/mission/decisions.h"
 
 namespace leitstand {
 namespace {
@@ -111,25 +114,53 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     m_setup.tell("no range there: filed ahead of the robot; move it on the map");
 }
 
+MissionStatePtr FindDesk::known() {
+    MissionStatePtr now = m_setup.mission();
+    const auto arrived = [&](const VictimSample& said) {
+        return std::any_of(now->decisions->rbegin(), now->decisions->rend(), [&](const Decision& decision) {
+            const auto* one = std::get_if<VictimSample>(&decision.content);
+            return one != nullptr && one->station == said.station && one->kind == said.kind &&
+                   one->number == said.number && one->stamp == said.stamp;
+        });
+    };
+    std::erase_if(m_said, arrived);
+    if (m_said.empty()) return now;
+    auto ahead = std::make_shared<MissionState>(*now);
+    for (const VictimSample& one : m_said) decide(*ahead, {++ahead->sequence, one.stamp, false, one});
+    return ahead;
+}
+
+Result<void> FindDesk::keep(const VictimSample& sample) {
+    auto said = m_setup.say(sample);
+    if (said) m_said.push_back(sample);
+    return said;
+}
+
 void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     const std::scoped_lock filing(m_filing);
-    const MissionStatePtr state = m_setup.mission();
-    const auto known = state->robots.find(frozen.robot);
-    if (known != state->robots.end() && known->second->mode)
-        frozen.autonomous = known->second->mode->sample.autonomous;
+    const MissionStatePtr state = known();
+    const auto robot = state->robots.find(frozen.robot);
+    if (robot != state->robots.end() && robot->second->mode)
+        frozen.autonomous = robot->second->mode->sample.autonomous;
     const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
     const FindKey key{sample.kind, sample.number};
     const bool joined = state->victims->contains(key);
-    if (const auto said = m_setup.say(sample); !said) {
+    if (const auto said = keep(sample); !said) {
         m_setup.tell(said.error().text);
         return;
     }
     {
         const std::scoped_lock lock(m_mutex);
         m_newest = key;
+        ++m_filings;
     }
     m_setup.tell(fmt::format("{} {}: press again to confirm", nameOf(key.first, key.second),
                              joined ? "has new evidence" : "filed"));
+}
+
+std::uint64_t FindDesk::filings() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_filings;
 }
 
 std::optional<FindKey> FindDesk::newest() const {
@@ -140,43 +171,47 @@ std::optional<FindKey> FindDesk::newest() const {
 Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const FindKey& find) {
     if (!sample)
         return Error{nameOf(find.first, find.second) + ": the mission has no such find to change so"};
-    return m_setup.say(*sample);
+    return keep(*sample);
 }
 
 Result<void> FindDesk::fileCandidate(std::uint32_t candidate) {
     const std::scoped_lock filing(m_filing);
-    const MissionStatePtr state = m_setup.mission();
-    const auto known = state->candidates->find(candidate);
-    if (known == state->candidates->end()) return Error{"the mission has no such candidate"};
-    const VictimSample sample = filedFrom(*state, known->second.candidate, m_setup.station, m_setup.now());
-    if (auto said = m_setup.say(sample); !said) return said;
+    const MissionStatePtr state = known();
+    const auto entry = state->candidates->find(candidate);
+    if (entry == state->candidates->end()) return Error{"the mission has no such candidate"};
+    const VictimSample sample = filedFrom(*state, entry->second.candidate, m_setup.station, m_setup.now());
+    if (auto said = keep(sample); !said) return said;
     const std::scoped_lock lock(m_mutex);
     m_newest = FindKey{sample.kind, sample.number};
+    ++m_filings;
     return {};
 }
 
 Result<void> FindDesk::confirm(const FindKey& find) {
-    return say(
-        withStatus(*m_setup.mission(), find, VictimSample::Status::Confirmed, m_setup.station, m_setup.now()),
-        find);
+    const std::scoped_lock filing(m_filing);
+    return say(withStatus(*known(), find, VictimSample::Status::Confirmed, m_setup.station, m_setup.now()),
+               find);
 }
 
 Result<void> FindDesk::discard(const FindKey& find) {
-    return say(
-        withStatus(*m_setup.mission(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
-        find);
+    const std::scoped_lock filing(m_filing);
+    return say(withStatus(*known(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
+               find);
 }
 
 Result<void> FindDesk::merge(const FindKey& find, std::uint32_t into) {
-    return say(mergedInto(*m_setup.mission(), find, into, m_setup.station, m_setup.now()), find);
+    const std::scoped_lock filing(m_filing);
+    return say(mergedInto(*known(), find, into, m_setup.station, m_setup.now()), find);
 }
 
 Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& placeInMap) {
-    return say(movedTo(*m_setup.mission(), find, placeInMap, m_setup.station, m_setup.now()), find);
+    const std::scoped_lock filing(m_filing);
+    return say(movedTo(*known(), find, placeInMap, m_setup.station, m_setup.now()), find);
 }
 
 Result<void> FindDesk::edit(const VictimSample& form) {
-    return say(filledIn(*m_setup.mission(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
+    const std::scoped_lock filing(m_filing);
+    return say(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
 }
 
 Result<void> FindDesk::undo() {

@@ -60,6 +60,7 @@ public:
     void freezeAt(const std::string& robot, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
     /// What was frozen last, to be confirmed by the second press; empty: nothing yet.
     [[nodiscard]] std::optional<FindKey> newest() const;
+    [[nodiscard]] std::uint64_t filings() const;  ///< how often something was filed: rises with newest()
 
     Result<void> fileCandidate(std::uint32_t candidate);
     Result<void> confirm(const FindKey& find);
@@ -73,6 +74,9 @@ public:
     Result<void> undo();
 
 private:
+    /// The mission with all that was said here, which may still be on its way into it; with m_filing held.
+    [[nodiscard]] MissionStatePtr known();
+    Result<void> keep(const VictimSample& sample);  ///< says it; likewise
     void file(FrozenEvidence frozen, VictimSample::Kind kind);
     void locate(ChosenEvidence chosen, VictimSample::Kind kind);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
@@ -81,8 +85,10 @@ private:
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;
     mutable std::mutex m_mutex;
-    std::mutex m_filing;  ///< numbers are given one after the other
+    std::mutex m_filing;  ///< entries are made one after the other
     std::optional<FindKey> m_newest;
+    std::uint64_t m_filings = 0;
+    std::vector<VictimSample> m_said;  ///< that the mission may not have yet; under m_filing
     JobQueue m_queue;
     std::jthread m_thread;  ///< last: joined first
 };

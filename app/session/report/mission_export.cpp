@@ -82,7 +82,7 @@ Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel&
     for (const ReportRobot* one : robots) {
         fs::path file = out;
         if (robots.size() > 1)
-            file.replace_filename(fmt::format("{}_{}.tum", out.stem().string(), one->name));
+            file.replace_filename(fmt::format("{}_{}.tum", out.stem().string(), fileNamePart(one->name)));
         auto written = again(writeTum(file, trajectoryOf(*one)), file);
         if (!written) return written.error();
         outcome.files.push_back(std::move(written).value());
@@ -98,6 +98,7 @@ Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, 
         outcome.files.push_back(std::move(file).value());
         return outcome;
     };
+    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
     const std::string ending = endingOf(out);
     const bool cloud = isFolder(out) || ending == ".pcd" || ending == ".ply" || ending == ".xyz";
     if ((cloud || ending == ".bt" || ending == ".tif") && input.scans.empty())

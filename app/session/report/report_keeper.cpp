@@ -1,6 +1,7 @@
 #include "app/session/report/report_keeper.h"
 
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -15,6 +16,15 @@ struct ReportKeeper::State {
     bool asked = false;
     std::jthread thread;  // last member: joined first
 
+    /// Whatever goes wrong with a report, the station goes on.
+    [[nodiscard]] Result<ReportOutcome> written(const std::stop_token& stop) const {
+        try {
+            return writeReport(settings.mission, settings.out, settings.options, {{}, stop});
+        } catch (const std::exception& problem) {
+            return Error{settings.out.string() + ": no report: " + problem.what()};
+        }
+    }
+
     void run(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             {
@@ -23,7 +33,7 @@ struct ReportKeeper::State {
                 asked = false;
             }
             if (stop.stop_requested()) return;
-            const auto outcome = writeReport(settings.mission, settings.out, settings.options, {{}, stop});
+            const auto outcome = written(stop);
             if (!stop.stop_requested() && onWritten) onWritten(outcome);
         }
     }
@@ -38,6 +48,10 @@ ReportKeeper::ReportKeeper(Settings settings, std::function<void(const Result<Re
 }
 
 ReportKeeper::~ReportKeeper() = default;
+
+void ReportKeeper::end() {
+    m_state->thread.request_stop();
+}
 
 void ReportKeeper::writeNow() {
     {

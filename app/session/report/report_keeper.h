@@ -28,6 +28,7 @@ public:
 
     /// Writes now, or once more when it is just writing. Any thread.
     void writeNow();
+    void end();  ///< nothing is begun any more; does not wait for what is being written
 
 private:
     struct State;

@@ -13,6 +13,7 @@
 #include "app/session/scans/mission_scans.h"
 #include "app/session/station/mission_map.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/mapper.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
@@ -102,8 +103,16 @@ void ReportSource::readKeyScans(const Progress& progress) {
             ++m_input.uncertain;
             continue;
         }
+        ScanPtr scan = std::move(sample.scan);
+        if (const auto& crop = m_input.state.crop; crop && scan) {
+            // Spectators who were scanned before the area was drawn.
+            auto inside = std::make_shared<Scan>(*scan);
+            leaveOutCropped(*inside, {crop->sample.polygon, crop->sample.ceiling},
+                            state->second.pose.scanInMap);
+            scan = std::move(inside);
+        }
         m_input.scans.push_back({.id = sample.id,
-                                 .scan = std::move(sample.scan),
+                                 .scan = std::move(scan),
                                  .scanInMap = state->second.pose.scanInMap,
                                  .sensorInBase = sample.sensorInBase});
         if (progress.cancelled()) return;
@@ -131,9 +140,11 @@ void ReportSource::registerClouds(const fs::path& folder, const Progress& progre
     }
     const MapPtr map = mapper.map();
     // Registration counts from the first scan; odometry is level, so the map is put where that has it.
-    const Pose first = !map->scans.empty() && map->scans.front().scan->hasOdometry
-                           ? map->scans.front().scan->sensorInOdom
-                           : Pose::Identity();
+    // Where on earth that is (foreign odometry may count from afar) is no matter of a hand-in.
+    Pose first = !map->scans.empty() && map->scans.front().scan->hasOdometry
+                     ? map->scans.front().scan->sensorInOdom
+                     : Pose::Identity();
+    first.translation().head<2>().setZero();
     std::map<std::string, const RobotDescription*> robots;
     for (const RobotDescription& robot : this->robots()) robots[robot.name] = &robot;
     for (const MapScan& scan : map->scans) {

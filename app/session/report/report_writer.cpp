@@ -32,17 +32,22 @@ Progress part(const Progress& progress, double begin, double end) {
             progress.stop};
 }
 
-/// Writes the files of one report, until the first failure.
+/// Writes the files of one report; where one fails the others are written all the same, until nobody wants
+/// them any more.
 class Writing {
 public:
-    Writing(fs::path folder, std::string name) : m_folder(std::move(folder)), m_name(std::move(name)) {}
+    Writing(fs::path folder, std::string name, const Progress& progress)
+        : m_folder(std::move(folder)), m_name(std::move(name)), m_progress(progress) {}
 
     template <class Write>
     void file(const std::string& ending, Write write) {
-        if (m_failure) return;
+        if (m_progress.cancelled()) {
+            m_failure = Error{m_folder.string() + ": the report was cancelled"};
+            return;
+        }
         const std::string name = ending == "SHA256SUMS" ? ending : m_name + ending;
         if (const Result<void> written = write(m_folder / name); !written) {
-            m_failure = written.error();
+            if (!m_failure) m_failure = written.error();
         } else {
             m_names.push_back(name);
         }
@@ -56,7 +61,8 @@ private:
     fs::path m_folder;
     std::string m_name;
     std::vector<std::string> m_names;
-    std::optional<Error> m_failure;
+    const Progress& m_progress;
+    std::optional<Error> m_failure;  ///< the first
 };
 
 void writeMaps(Writing& writing, const ReportModel& model) {
@@ -88,7 +94,7 @@ void writeClouds(Writing& writing, const ReportModel& model, const ReportInput& 
 }
 
 ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOptions& options,
-                        std::vector<std::string>& warnings) {
+                        std::vector<std::string>& warnings, const Progress& progress) {
     ReportContent content;
     content.name = handInName(model.facts);
     content.version = options.version;
@@ -96,13 +102,16 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     if (content.created == Time{})
         content.created = Time(std::chrono::system_clock::now().time_since_epoch());
     for (std::size_t band = 0; model.hasMap() && band < model.grids.size(); ++band) {
+        if (progress.cancelled()) break;
         PaintSettings settings;
         settings.title = false;
         settings.mostPixels = PrintedPixels;
         content.maps.push_back(paintMap(drawingOf(model, band, ""), settings));
     }
-    for (const ReportFind& find : model.finds)
+    for (const ReportFind& find : model.finds) {
+        if (progress.cancelled()) break;
         content.finds.push_back(pagesOf(find, model, source, warnings));
+    }
     const ScoreProfiles profiles = scoreProfiles();
     if (const ScoreProfile* profile = profiles.find(model.facts.profile)) {
         content.profile = *profile;
@@ -133,9 +142,10 @@ void tellWhatIsMissing(const ReportModel& model, std::vector<std::string>& warni
         warnings.emplace_back("competition or team are not told: the files are named for what is missing");
 }
 
-std::vector<ReportFile> checked(const Writing& writing) {
+std::vector<ReportFile> checked(const Writing& writing, const Progress& progress) {
     std::vector<ReportFile> files;
     for (const std::string& name : writing.names()) {
+        if (progress.cancelled()) break;
         ReportFile file;
         file.name = name;
         std::error_code ignored;
@@ -174,13 +184,14 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     outcome.victims = listOf(model, FindList::Kind::Victims).finds.size();
     outcome.scans = model.scans;
     outcome.explored = model.explored;
-    Writing writing(out, outcome.name);
+    Writing writing(out, outcome.name, progress);
     writeMaps(writing, model);
     writeLists(writing, model);
     writeClouds(writing, model, source.input());
     progress.done(0.8);
-    if (options.pdf && !writing.failure()) {
-        const ReportContent content = contentOf(std::move(model), source, options, outcome.warnings);
+    if (options.pdf && !progress.cancelled()) {
+        const ReportContent content =
+            contentOf(std::move(model), source, options, outcome.warnings, progress);
         writing.file(".pdf", [&](const fs::path& file) -> Result<void> {
             const auto bytes = options.pdf(content);
             if (!bytes) return bytes.error();
@@ -190,7 +201,7 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     writing.file("SHA256SUMS", [&](const fs::path&) { return writeChecksums(out, writing.names()); });
     if (writing.failure()) return *writing.failure();
     progress.done(0.9);
-    outcome.files = checked(writing);
+    outcome.files = checked(writing, progress);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return outcome;
 }

@@ -63,6 +63,7 @@ Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (m_mission->state()->decisions->size() == decisions && std::chrono::steady_clock::now() < end)
         std::this_thread::yield();
+    if (const std::string problem = m_mission->status().problem; !problem.empty()) return Error{problem};
     return {};
 }
 

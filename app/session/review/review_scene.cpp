@@ -32,7 +32,7 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
     for (const auto& [id, scan] : *state.keyScans) {
         const auto points = index.keyScans.find(id);
         if (scan.entry.robot != robot.name || scan.pose.trust == ScanTrust::SetAside ||
-            points == index.keyScans.end())
+            points == index.keyScans.end() || !points->second.scan->hasOdometry)
             continue;
         anchors.push_back(
             {scan.entry.stamp, scan.pose.scanInMap * points->second.scan->sensorInOdom.inverse(),
@@ -41,6 +41,10 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
     if (const auto places = index.places.find(robot.name); anchors.empty() && places != index.places.end()) {
         for (const RobotPlaceSample& place : places->second) {
             if (place.stamp > at) break;
+            if (place.cause == RobotPlaceSample::Cause::Slot && !place.certain) {
+                anchors.clear();  // looked for in vain: nobody knew
+                continue;
+            }
             anchors.push_back({place.stamp, place.odomInMap, place.certain, place.certainty, place.how});
         }
     }

@@ -16,7 +16,7 @@ void Station::State::file() {
     setup.station = memory->identity().id;
     setup.mission = [this] { return mission->state(); };
     setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
-    setup.undo = [this](const UndoSample& undo) { return mission->say(undo, station_topic::Undo); };
+    setup.undo = [this](const UndoSample& undo) { return mapping->takeBack(undo); };
     setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
         victims->locate(
             {*chosen.picture, chosen.pixel, chosen.width, chosen.height, chosen.halfAngle},

@@ -41,6 +41,7 @@ struct StationMapping::State {
     /// Of the poses, areas and undos that we said, how much came back from the log: only then the mission has
     /// all of it.
     std::uint64_t said = 0, heard = 0;
+    bool cropMoved = false;  ///< the mapping does not know the log's area yet; under the mutex
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::set<std::string> robots;                          ///< fixed
     std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
@@ -149,7 +150,11 @@ void StationMapping::State::hear(const Event& event) {
         if (who == station) ++heard;
         waits = waits || !settled.empty();
         // What was wished since is on its way.
-        if (poses == nullptr && heard == said) changed = crop = cropInLog();
+        cropMoved = cropMoved || poses == nullptr;
+        if (cropMoved && heard == said) {
+            changed = crop = cropInLog();
+            cropMoved = false;
+        }
     }
     if (changed) mapping->post([crop = *changed](LiveMapper& mapper) { mapper.setCrop(crop); });
     if (waits) mapping->post([this](LiveMapper& mapper) { settle(mapper); });
@@ -293,6 +298,10 @@ std::optional<MapDecision> StationMapping::undoable() const {
 
 std::optional<MapDecision> StationMapping::redoable() const {
     return leitstand::redoable(*m_state->mission.state(), m_state->station);
+}
+
+Result<void> StationMapping::takeBack(const UndoSample& undo) {
+    return m_state->say(undo, station_topic::Undo);
 }
 
 Result<void> StationMapping::setCrop(const MapCrop& crop) {

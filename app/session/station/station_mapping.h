@@ -59,6 +59,9 @@ public:
     Result<void> rewind(Time moment);  ///< station's clock
     Result<void> undo();               ///< the newest decision of ours, or area, that is not undone
     Result<void> redo();               ///< what was undone last
+    /// Says that something of ours is taken back that is no decision on the map: the log of the map counts
+    /// it.
+    Result<void> takeBack(const UndoSample& undo);
     /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
     [[nodiscard]] std::optional<MapDecision> undoable() const;
     [[nodiscard]] std::optional<MapDecision> redoable() const;

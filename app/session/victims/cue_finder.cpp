@@ -87,6 +87,10 @@ void CueFinder::take(const Event& event) {
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);
         follow();
+        if (m_unheard) {
+            const Event late = *m_unheard;
+            hear(late, std::get<SightingSample>(late.sample));
+        }
         look(event.received);
     } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
         const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
@@ -145,6 +149,10 @@ std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const Pictu
     const auto baseInMap = m_tracker.baseInMap(stamp);
     if (!inBase || !motion) return std::nullopt;
     View view;
+    if (camera.before && stamp + std::chrono::seconds(5) < camera.beforeAt) {  // the robot's clock began anew
+        camera.before.reset();
+        m_movedAt = std::min(m_movedAt, stamp);
+    }
     if (camera.before) {
         const double since = std::max(1e-3, secondsBetween(camera.beforeAt, stamp));
         const double turned = angleBetween(*camera.before, *inBase);
@@ -328,7 +336,11 @@ void CueFinder::smell(const Event& event, const GasSample& gas) {
 void CueFinder::hear(const Event& event, const SightingSample& sightings) {
     const auto base = m_tracker.baseInMap(m_tracker.now().stamp);
     const auto motion = m_tracker.motion().at(m_tracker.now().stamp);
-    if (!base || !motion) return;  // they come again with the next one
+    if (!base || !motion) {
+        m_unheard = event;  // a robot says them once
+        return;
+    }
+    m_unheard.reset();
     const Pose odomInMap = *base * motion->baseInOdom.inverse();
     for (const Sighting& one : sightings.sightings) {
         const auto known = m_sightings.find(one.id);

@@ -103,6 +103,7 @@ private:
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
+    std::optional<Event> m_unheard;               ///< sightings of a robot that is not placed yet
     std::optional<MapFix> m_fix;                  ///< that waits for odometry
     std::deque<Event> m_waiting;                  ///< pictures, for odometry
     std::deque<std::pair<Event, Pose>> m_slices;  ///< scans, likewise, and how their sensor sat

@@ -104,6 +104,13 @@ void VictimSearch::take(const Event& event, bool search) {
     const auto finder = m_finders.find(event.robot);
     if (finder == m_finders.end()) return;
     if (!search && std::holds_alternative<PictureSample>(event.sample)) return;
+    if (!search && std::holds_alternative<SightingSample>(event.sample)) {
+        m_unheard.insert_or_assign(event.robot, event);  // a robot says them once
+        return;
+    }
+    if (search) {
+        if (const auto late = m_unheard.extract(event.robot)) finder->second.take(late.mapped());
+    }
     finder->second.take(event);
     for (PlacedCue& cue : finder->second.found()) {
         if (!search || isRobot(cue)) continue;

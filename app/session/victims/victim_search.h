@@ -58,6 +58,7 @@ private:
     std::map<std::string, CueFinder> m_finders;  ///< fixed
     CandidateBook m_book;
     std::map<std::uint64_t, Scan> m_scans;
+    std::map<std::string, Event> m_unheard;  ///< sightings that came while nothing was searched, by robot
     std::map<std::string, std::uint64_t> m_newest;  ///< key scan of each robot
 };
 

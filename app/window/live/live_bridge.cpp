@@ -37,6 +37,13 @@ void LiveBridge::watch(const std::string& robot) {
     tick();
 }
 
+void LiveBridge::showAgain() {
+    const LiveMapPtr scans = m_station->mapping().scans();
+    if (scans->scans.empty()) return;
+    emit mapChanged(shownMap(*scans));
+    emit scansChanged(scans);
+}
+
 void LiveBridge::tick() {
     m_moment.now = stationTime();
     m_moment.steady = std::chrono::steady_clock::now();

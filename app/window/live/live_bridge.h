@@ -21,6 +21,8 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
     ~LiveBridge() override;
 
+    /// Tells a new window of the map that is there.
+    void showAgain();
     [[nodiscard]] Station& station() { return *m_station; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }

@@ -72,6 +72,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
     build();
     connectFeatures();
+    m_bridge.showAgain();
     m_layouts->use(QStringLiteral("drive"));
 }
 

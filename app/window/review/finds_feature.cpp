@@ -4,7 +4,6 @@
 #include <QInputDialog>
 #include <QKeySequence>
 #include <QMainWindow>
-#include <QSysInfo>
 
 #include "app/window/commands/command_table.h"
 #include "app/window/live/pane_docks.h"
@@ -20,9 +19,7 @@ FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
     : QObject(&context.window),
       m_context(context),
       m_bridge(bridge),
-      m_pen(std::make_unique<ReviewPen>(bridge.player().folder(), bridge.robots(),
-                                        "review-" + QSysInfo::machineHostName().toStdString(),
-                                        LEITSTAND_VERSION)),
+      m_pen(&bridge.pen()),
       m_panel(new FindsPanel(&context.window)),
       m_form(new VictimForm(&context.window)) {
     context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
@@ -109,7 +106,9 @@ void FindsFeature::openForm(const FindKey& find) {
 
 void FindsFeature::correct(const VictimSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
-    wrote(m_pen->correct(corrected), tr("%1 corrected (as finished)").arg(name));
+    const Result<void> done = m_pen->correct(corrected);
+    if (!done) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
+    wrote(done, tr("%1 corrected (as finished)").arg(name));
 }
 
 void FindsFeature::askForNote() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include <QObject>
 
 #include "app/session/review/review_pen.h"
@@ -43,7 +41,7 @@ private:
 
     ViewContext m_context;
     ReviewBridge& m_bridge;
-    std::unique_ptr<ReviewPen> m_pen;
+    ReviewPen* m_pen;  ///< the bridge's
     FindsPanel* m_panel;
     VictimForm* m_form;
 };

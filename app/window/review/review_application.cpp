@@ -88,6 +88,7 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
     QObject::connect(&window, &ReviewWindow::languageWanted, &window, [&](const QString& code) {
         language = remembered.language = code;
         window.close();
+        QCoreApplication::exit(0);  // another window may be registering: it stays
     });
     window.resize(remembered.firstSize);
     if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);

@@ -1,5 +1,6 @@
 #include "app/window/review/review_bridge.h"
 
+#include <QSysInfo>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -44,6 +45,9 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     auto player = ReviewPlayer::open(mission, std::move(listener));
     if (!player) return player.error();
     bridge->m_player = std::move(player).value();
+    bridge->m_pen =
+        std::make_unique<ReviewPen>(bridge->m_player->folder(), bridge->robots(),
+                                    "review-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
     bridge->m_pictures = std::make_unique<PictureFeed>(
         bridge->robots(), PictureFeed::Listener{[raw](const ShownPicturePtr& one) {
                                                     raw->hop([raw, one] {
@@ -55,6 +59,13 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     if (!bridge->robots().empty()) bridge->m_watched = bridge->robots().front().name;
     bridge->m_tick.start();
     return bridge;
+}
+
+void ReviewBridge::showAgain() {
+    m_shown.reset();
+    m_fed.clear();
+    if (m_index) emit opened(m_index);
+    tick();
 }
 
 void ReviewBridge::watch(const std::string& robot) {

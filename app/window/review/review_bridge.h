@@ -8,6 +8,7 @@
 
 #include <QTimer>
 
+#include "app/session/review/review_pen.h"
 #include "app/session/review/review_player.h"
 #include "app/window/live/moment_source.h"
 #include "core/base/result.h"
@@ -23,6 +24,10 @@ public:
     ~ReviewBridge() override;
 
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
+    /// What is written in this review, whatever window it is written in.
+    [[nodiscard]] ReviewPen& pen() { return *m_pen; }
+    /// Tells a new window everything that was told before.
+    void showAgain();
     [[nodiscard]] const ReviewIndexPtr& index() const { return m_index; }      ///< null: still read through
     [[nodiscard]] const ReviewMomentPtr& reviewed() const { return m_shown; }  ///< null before the first
 
@@ -51,6 +56,7 @@ private:
     std::string m_watched;
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;
+    std::unique_ptr<ReviewPen> m_pen;
     std::unique_ptr<ReviewPlayer> m_player;  ///< last: its thread ends first
 };
 

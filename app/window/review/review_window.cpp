@@ -63,6 +63,9 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
     connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
     connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
+    m_bridge.watch(m_selection->name().toStdString());
+    m_timeline->setOwnMarks(m_finds->pen().marks());
+    m_bridge.showAgain();
     m_layouts->use(QStringLiteral("review"));
 }
 

@@ -91,6 +91,7 @@ void TimelineFeature::addCommands() {
     QAction& finished = add("review.finished", tr("&Map as finished"),
                             tr("The map as the mission ended, with all corrections; else as it was then"),
                             Qt::Key_M, nullptr, true);
+    finished.setChecked(m_bridge.player().map() == ReviewMap::Finished);
     on(finished,
        [this](bool checked) { m_bridge.player().show(checked ? ReviewMap::Finished : ReviewMap::AsThen); });
 }

@@ -203,10 +203,17 @@ std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& 
     const VictimSample* known = leitstand::find(state, find);
     if (known == nullptr) return std::nullopt;
     VictimSample whole = *known;
+    // Also what was merged into a find that was merged later.
+    const auto partOf = [&](const VictimSample* one) {
+        for (std::size_t i = 0; one != nullptr && i <= state.victims->size(); ++i) {
+            if (one->status != Status::Discarded || one->mergedInto == 0) return false;
+            if (one->mergedInto == find.second) return true;
+            one = leitstand::find(state, {find.first, one->mergedInto});
+        }
+        return false;
+    };
     for (const auto& [key, entry] : *state.victims) {
-        const bool part = key.first == find.first && entry.victim.status == Status::Discarded &&
-                          entry.victim.mergedInto == find.second;
-        if (part) fill(whole, entry.victim);
+        if (key.first == find.first && key != find && partOf(&entry.victim)) fill(whole, entry.victim);
     }
     return whole;
 }

@@ -1,4 +1,5 @@
 #include "core/mission/report/report_model.h"
+#include "core/mission/finds/find_book.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ void addFinds(ReportModel& model, const MissionState& state) {
     for (const ReportRobot& robot : model.robots) paths.push_back(robot.path);
     const WayFinder ways(paths);
     for (const auto& [key, filed] : *state.victims) {
-        const VictimSample& sample = filed.victim;
+        const VictimSample sample = wholeFind(state, key).value_or(filed.victim);
         if (sample.status == VictimSample::Status::Discarded) {
             ++model.discarded;
             continue;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/mission/finds/find_book.h"
+
 namespace leitstand {
 namespace {
 
@@ -157,7 +159,7 @@ ScoreResult score(const ScoreProfile& profile, const MissionState& state) {
     result.divisor = divisorOf(profile.operators, result.operators);
     for (const auto& [key, victim] : *state.victims) {
         if (victim.victim.status == VictimSample::Status::Discarded) continue;
-        result.finds.push_back(scored(profile, state, victim.victim));
+        result.finds.push_back(scored(profile, state, wholeFind(state, key).value_or(victim.victim)));
         result.sum += result.finds.back().total;
     }
     countBumps(state, result);

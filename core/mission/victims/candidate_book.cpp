@@ -184,6 +184,8 @@ void CandidateBook::take(const CandidateSample& sample) {
         thing.dismissed = sample.dismissed;
         return;
     }
+    // Taken back by a book, not by a person: it may come again.
+    if (sample.dismissed && !(sample.confidence >= state.settings.tell)) return;
     CandidateThing thing;
     thing.id = sample.id;
     thing.what = sample.kind;
@@ -261,7 +263,9 @@ std::vector<CandidateSample> CandidateBook::due(Time now) {
     std::vector<CandidateSample> samples;
     for (CandidateThing& thing : std::exchange(state.gone, {})) {
         thing.dismissed = true;
-        samples.push_back(state.sampleOf(thing, now));
+        CandidateSample last = state.sampleOf(thing, now);
+        last.cues.clear();  // what is seen there is the older one's
+        samples.push_back(std::move(last));
     }
     for (CandidateThing& thing : state.things) {
         if (!state.isDue(thing, now)) continue;

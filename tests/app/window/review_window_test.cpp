@@ -178,7 +178,7 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_TRUE(m_window->panes().isPaneVisible(QStringLiteral("form")));
     auto& tag = find<QLineEdit>("tag");
     ASSERT_TRUE(soon([&] { return tag.isEnabled(); }));
-    tag.setText(QStringLiteral("Anna"));
+    QTest::keyClicks(&tag, QStringLiteral("Anna"));
     lookAt("form");
     emit tag.editingFinished();
     EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(3).contains(QStringLiteral("Anna")); }));

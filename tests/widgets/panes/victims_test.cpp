@@ -134,7 +134,8 @@ TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
     form.activateWindow();
     tag->setFocus();
     ASSERT_TRUE(QTest::qWaitFor([&] { return tag->hasFocus(); }));
-    tag->setText(QStringLiteral("K-4"));
+    tag->clear();
+    QTest::keyClicks(tag, QStringLiteral("K-4"));
     VictimSample newer = victim();
     newer.text = "said elsewhere";
     newer.stamp += std::chrono::seconds(1);

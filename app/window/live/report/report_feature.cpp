@@ -18,6 +18,7 @@
 namespace leitstand {
 namespace {
 
+constexpr const char* FolderKept = "leitstandReportFolder";
 constexpr int TicksAScore = 30;  ///< the score is estimated once a second
 
 }  // namespace
@@ -27,8 +28,14 @@ ReportFeature::ReportFeature(const LiveContext& context)
     m_score->setObjectName(QStringLiteral("scorePane"));
     context.panes.add(QStringLiteral("score"), tr("Score"), *m_score);
     addCommands();
-    for (const std::string& problem : m_board.problems()) emit told(QString::fromStdString(problem));
+    // Who hears it is connected once all features are made.
+    for (const std::string& problem : m_board.problems()) {
+        QMetaObject::invokeMethod(
+            this, [this, problem] { emit told(QString::fromStdString(problem)); }, Qt::QueuedConnection);
+    }
     connect(&context.source, &MomentSource::ticked, this, &ReportFeature::show);
+    // A window that was made anew goes on with the report of the one before.
+    if (const QString folder = qApp->property(FolderKept).toString(); !folder.isEmpty()) keep(folder);
 }
 
 ReportFeature::~ReportFeature() = default;
@@ -50,9 +57,16 @@ void ReportFeature::addCommands() {
                             .checkable = true});
     connect(m_keep, &QAction::triggered, this, [this](bool on) {
         if (on) return askForFolder();
-        m_keeper.reset();
+        endKeeping();
+        qApp->setProperty(FolderKept, QVariant());
         emit told(tr("The report is not written any more"));
     });
+}
+
+void ReportFeature::endKeeping() {
+    if (!m_keeper) return;
+    m_keeper->end();  // who drives does not wait for a file
+    m_ended.push_back(std::move(m_keeper));
 }
 
 void ReportFeature::askForData() {
@@ -87,6 +101,7 @@ void ReportFeature::keep(const QString& folder) {
     settings.out = folder.toStdString();
     settings.options.pdf = &pdfOf;
     settings.options.version = QApplication::applicationVersion().toStdString();
+    endKeeping();
     m_keeper = std::make_unique<ReportKeeper>(settings, [this, folder](const Result<ReportOutcome>& done) {
         const QString text = !done ? QString::fromStdString(done.error().text)
                              : !done->whole()
@@ -95,6 +110,8 @@ void ReportFeature::keep(const QString& folder) {
         QMetaObject::invokeMethod(
             this, [this, text] { emit told(text); }, Qt::QueuedConnection);
     });
+    m_keeper->writeNow();
+    qApp->setProperty(FolderKept, folder);
     m_keep->setChecked(true);
 }
 

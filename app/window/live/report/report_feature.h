@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -32,6 +33,7 @@ private:
     void askForData();
     void askForFolder();
     void keep(const QString& folder);
+    void endKeeping();
     void show(const LiveMoment& moment);
 
     LiveContext m_context;
@@ -39,7 +41,8 @@ private:
     ScorePane* m_score;
     QAction* m_keep = nullptr;
     std::unique_ptr<ReportKeeper> m_keeper;
-    int m_sinceScore = 0;  ///< ticks
+    std::vector<std::unique_ptr<ReportKeeper>> m_ended;  ///< that may still be writing
+    int m_sinceScore = 0;                                ///< ticks
 };
 
 }  // namespace leitstand

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <QAction>
+#include <QApplication>
 #include <QMainWindow>
 
 #include "app/session/finds/find_desk.h"
@@ -65,6 +66,7 @@ QAction& VictimsFeature::add(const char* id, const QString& text, const QString&
     QAction& action = m_context.commands.add(
         {.id = name, .menu = CommandMenu::Mission, .text = text, .hint = hint, .keys = keys});
     action.setIconText(brief);
+    action.setAutoRepeat(false);  // a key that is held is one wish
     m_actions.emplace(name, &action);
     return action;
 }
@@ -95,7 +97,8 @@ void VictimsFeature::addDecisions() {
                  tr("Takes the chosen find, or the newest, off the list; undo brings it back"),
                  QKeySequence(Qt::Key_Delete)),
             &QAction::triggered, this, [this] {
-                if (const auto find = meant()) answer(desk().discard(*find));
+                if (const auto find = meant()) return answer(desk().discard(*find));
+                emit told(tr("Choose the find that is none"));
             });
     connect(
         &add("victim.merge", tr("&Merge with the nearest"), tr("Merge"),
@@ -138,7 +141,13 @@ void VictimsFeature::freeze(Kind kind) {
 
 std::optional<FindKey> VictimsFeature::meant() const {
     const auto chosen = m_panel->chosen();
-    return chosen && chosen->filed() ? std::optional(chosen->find) : desk().newest();
+    if (chosen) return chosen->filed() ? std::optional(chosen->find) : std::nullopt;
+    // Without a choice only what was just filed can be meant.
+    const auto newest = desk().newest();
+    const auto& finds = *m_context.source.moment().mission->victims;
+    const auto entry = newest ? finds.find(*newest) : finds.end();
+    const bool open = entry != finds.end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
+    return open ? newest : std::nullopt;
 }
 
 void VictimsFeature::confirm() {
@@ -149,14 +158,14 @@ void VictimsFeature::confirm() {
     const auto& finds = *m_context.source.moment().mission->victims;
     const auto entry = newest ? finds.find(*newest) : finds.end();
     const bool open = entry != finds.end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
-    if (open) return answer(desk().confirm(*newest));
+    if (open && (!chosen || desk().filings() != m_shown)) return answer(desk().confirm(*newest));
     if (chosen) return answer(desk().confirm(chosen->find));
     emit told(tr("Nothing is filed that could be confirmed: F files what the robot sees"));
 }
 
 void VictimsFeature::merge() {
     const auto find = meant();
-    if (!find) return;
+    if (!find) return emit told(tr("Choose the find that is part of another one"));
     const MissionState& mission = *m_context.source.moment().mission;
     const auto known = mission.victims->find(*find);
     if (known == mission.victims->end()) return;
@@ -211,8 +220,12 @@ void VictimsFeature::show(const LiveMoment& moment) {
     const auto rows = victimRows(*moment.mission, baseInMap);
     m_panel->show(rows);
     // What was filed last is what the next key is about, once the mission has it.
-    if (const auto newest = desk().newest(); newest && newest != m_newest && m_panel->choose(*newest))
-        m_newest = newest;
+    // Who is filling in a form is not disturbed.
+    const auto newest = desk().newest();
+    const auto filings = desk().filings();
+    const bool busy =
+        QApplication::focusWidget() != nullptr && m_form->isAncestorOf(QApplication::focusWidget());
+    if (newest && filings != m_shown && !busy && m_panel->choose(*newest)) m_shown = filings;
     const auto chosen = m_panel->chosen();
     m_map.view().setFinds(rows, chosen && chosen->filed() ? std::optional(chosen->find) : std::nullopt);
     showForm();

@@ -45,7 +45,7 @@ private:
     void merge();
     void move(bool on);
     void answer(const Result<void>& done);  ///< tells what went wrong
-    /// The find that a command is about: the chosen one, else the newest.
+    /// The find that a command is about: the chosen one, else what was just filed.
     [[nodiscard]] std::optional<FindKey> meant() const;
     void show(const LiveMoment& moment);
     void showForm();
@@ -57,8 +57,8 @@ private:
     VictimsPanel* m_panel;
     VictimForm* m_form;
     std::map<QString, QAction*> m_actions;
-    std::optional<FindKey> m_newest;  ///< as shown last
-    int m_sinceRows = 0;              ///< ticks
+    std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
+    int m_sinceRows = 0;        ///< ticks
 };
 
 }  // namespace leitstand

@@ -86,7 +86,8 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool&
     const auto size = fs::file_size(path, problem);
     if (problem) return Error{fmt::format("{}: cannot be opened: {}", path.string(), problem.message())};
     if (size == 0) return Error{path.string() + ": expected an SQLite database, found an empty file"};
-    if (const auto other = otherKindOf(path); !other.empty()) {
+    // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
+    if (const auto other = live ? std::string_view() : otherKindOf(path); !other.empty()) {
         return Error{
             fmt::format("{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one",
                         path.string(), other)};
