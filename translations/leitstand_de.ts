@@ -5225,6 +5225,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>Click where the victim is · right button: not at all</source>
         <translation>Anklicken, wo das Opfer ist · rechte Taste: abbrechen</translation>
     </message>
+    <message>
+        <source>Choose the find that is none</source>
+        <translation>Erst den Fund wählen, der keiner ist</translation>
+    </message>
+    <message>
+        <source>Choose the find that is part of another one</source>
+        <translation>Erst den Fund wählen, der Teil eines anderen ist</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimsPanel</name>

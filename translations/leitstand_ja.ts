@@ -5225,6 +5225,14 @@ A function of this program, no certified emergency stop.</source>
         <source>Click where the victim is · right button: not at all</source>
         <translation>被災者の位置をクリック · 右ボタン: 中止</translation>
     </message>
+    <message>
+        <source>Choose the find that is none</source>
+        <translation>誤りの発見を先に選択</translation>
+    </message>
+    <message>
+        <source>Choose the find that is part of another one</source>
+        <translation>他の一部である発見を先に選択</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimsPanel</name>

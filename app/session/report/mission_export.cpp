@@ -14,6 +14,7 @@
 #include "core/io/detail/numbers.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/mission/report/file_names.h"
 
 namespace leitstand {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/session/log/sequencer.h"
+#include "app/session/station/live_mapping.h"
 #include "app/session/station/station_mapping.h"
 
 namespace leitstand {
