@@ -26,6 +26,7 @@ constexpr std::chrono::milliseconds Repeat(50);  ///< of a state that does not c
 
 struct SdlPads::State {
     struct Pad {
+        bool fresh = true;  ///< SDL has not asked it how it is held: what it tells means nothing yet
         std::unique_ptr<SdlDevice> device;
         PadState told;
         Clock::time_point at{};
@@ -138,7 +139,10 @@ void SdlPads::State::run(const std::stop_token& stop) {
         SDL_LockJoysticks();  // indices hold
         lookForNew();
         SDL_UnlockJoysticks();
-        for (auto& [id, pad] : pads) tell(pad);
+        // A trigger that is held while its pad is plugged in must not look as if it had been let go before.
+        for (auto& [id, pad] : pads) {
+            if (!std::exchange(pad.fresh, false)) tell(pad);
+        }
         shake();
         std::unique_lock lock(mutex);
         woken.wait_for(lock, stop, pads.empty() ? LookForNew : Look, [] { return false; });
