@@ -64,6 +64,9 @@ void addThin(CLI::App& app, int& exitCode) {
     rate("--ranges", arguments->settings.ranges, "Turns a second of plane lasers");
     rate("--motion", arguments->settings.motion, "Odometry and transforms a second");
     rate("--others", arguments->settings.others, "Of what else comes steadily, a second");
+    command->add_option("--seconds", arguments->settings.seconds, "Only so much of its beginning (all of it)")
+        ->check(CLI::Range(0.0, 1e6))
+        ->type_name("S");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->final_callback([arguments, &exitCode] { exitCode = runThin(*arguments); });
 }

@@ -55,13 +55,17 @@ FindsPanel::FindsPanel(QWidget* parent)
     auto* head = new QHBoxLayout;
     head->setContentsMargins(8, 4, 4, 0);
     head->addWidget(m_title, 1);
-    for (QToolButton* one : {m_confirm, m_discard, m_edit, m_undo, note}) head->addWidget(one);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(8, 0, 4, 4);
+    for (QToolButton* one : {m_confirm, m_discard, m_edit, m_undo, note}) foot->addWidget(one);
+    foot->addStretch(1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
     rows->addLayout(head);
     rows->addWidget(m_list, 1);
     rows->addWidget(m_calm, 1);
+    rows->addLayout(foot);
     setUndoable(false);
     refresh();
 }

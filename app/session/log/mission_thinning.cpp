@@ -1,5 +1,6 @@
 #include "app/session/log/mission_thinning.h"
 
+#include <chrono>
 #include <map>
 #include <set>
 #include <utility>
@@ -107,7 +108,12 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
     if (!writer) return writer.error();
     if (auto kept = keepRobots(out, robots); !kept) return kept.error();
     for (const BagTopic& topic : from.topics()) (*writer)->addTopic(topic.info);
-    BagCursor cursor = from.read();
+    BagQuery wanted;
+    if (settings.seconds > 0.0) {
+        wanted.to = from.first() + std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                       std::chrono::duration<double>(settings.seconds));
+    }
+    BagCursor cursor = from.read(wanted);
     const double last = static_cast<double>(std::max<std::uint64_t>(1, from.lastSequence()));
     while (auto event = cursor.next()) {
         if (progress.stop.stop_requested()) break;

@@ -16,6 +16,7 @@ struct ThinSettings {
     double clouds = 0.0;    ///< the map's key scans are the station's, and stay
     double ranges = 2.0;    ///< turns of plane lasers
     double motion = 10.0;   ///< odometry, transforms
+    double seconds = 0.0;   ///< only so much of the mission's beginning [s]; 0: all of it
     double others = 2.0;    ///< of what comes steadily: inertial units, joints, commands, camera infos
 };
 

@@ -55,6 +55,10 @@ void FindsFeature::addCommands() {
     connect(&undo, &QAction::triggered, this, [this] { wrote(m_pen->undo(), tr("Taken back")); });
 }
 
+std::optional<FindKey> FindsFeature::chosen() const {
+    return m_panel->chosen();
+}
+
 const MissionState& FindsFeature::state() const {
     // What was written counts as finished: then is then.
     const bool finished = m_bridge.player().map() == ReviewMap::Finished;

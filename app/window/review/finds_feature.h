@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <QObject>
 
 #include "app/session/review/review_pen.h"
@@ -19,6 +21,8 @@ public:
     FindsFeature(const ViewContext& context, ReviewBridge& bridge);
     ~FindsFeature() override;
 
+    [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
+    [[nodiscard]] std::optional<FindKey> chosen() const;
     [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
 
 public slots:
@@ -36,7 +40,6 @@ private:
     void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
     void wrote(const Result<void>& done, const QString& what);
-    [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
     [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
 
     ViewContext m_context;

@@ -26,6 +26,7 @@
 #include "app/window/review/review_panes.h"
 #include "app/window/review/timeline_feature.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/models/victims/victim_rows.h"
 #include "widgets/theme.h"
 #include "widgets/timeline/timeline_bar.h"
 
@@ -62,6 +63,9 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     connect(m_finds, &FindsFeature::told, this, &ReviewWindow::tell);
     connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
     connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
+    connect(&bridge, &MomentSource::ticked, m_map, [this] {
+        m_map->view().setFinds(victimRows(m_finds->state(), std::nullopt), m_finds->chosen());
+    });
     connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
     m_bridge.watch(m_selection->name().toStdString());
     m_timeline->setOwnMarks(m_finds->pen().marks());

@@ -55,7 +55,11 @@ TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
     info.area = "yellow";
     info.profile = "2005";
     ASSERT_TRUE(station().describe(info));
+    const auto mode = [&] { return station().mission()->robots.at("kurt3d")->mode; };
+    station().ask("kurt3d");
+    ASSERT_TRUE(soon([&] { return robot("kurt3d").grant.mine; }));
     ASSERT_TRUE(station().setMode("kurt3d", "explore"));
+    ASSERT_TRUE(soon([&] { return mode() && mode()->sample.mode == "explore"; }));
     QElapsedTimer clock;
     clock.start();
     bool resumed = false;

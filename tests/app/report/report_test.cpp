@@ -214,6 +214,20 @@ TEST_F(Report, WrongUseIsTwoAndFailuresAreOne) {
     EXPECT_EQ(ctl({"report", mission(), "--out", (*s_folder / "afile").string()}).exitCode, 1);
 }
 
+TEST(ShippedSample, IsSmallAndReportedWhole) {
+    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(sample)) {
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    }
+    EXPECT_LE(bytes, 5'000'000U);
+    const TemporaryFolder folder;
+    const ProcessOutcome outcome = ctl({"report", sample.string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("1 confirmed victims of 1 finds"));
+    EXPECT_THAT(pdfText(folder / "out" / "RoboCup2026-Leitstand-Sample.pdf"), HasSubstr("V1"));
+}
+
 TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
     const TemporaryFolder folder;
     writeSampleMission(folder / "empty", {.scans = 0, .odometry = 0, .finds = false, .info = false});

@@ -70,6 +70,14 @@ TEST_F(ThinningTest, TheStateAtTheEndIsTheSameButForWhatWasCounted) {
     EXPECT_EQ(thin.decisions->size(), whole.decisions->size());
 }
 
+TEST_F(ThinningTest, OnlyTheBeginningWhereThatIsWished) {
+    ASSERT_TRUE(thinMission(m_folder / "whole", m_folder / "thin", {.seconds = 15.0}));
+    const auto whole = eventsOf(m_folder / "whole"), thin = eventsOf(m_folder / "thin");
+    EXPECT_EQ(countOf(thin, "/leitstand/victims"), 0U) << "it is filed at 20 s";
+    EXPECT_GT(countOf(thin, "/leitstand/key_scans"), 1U);
+    EXPECT_LT(countOf(thin, "/leitstand/key_scans"), countOf(whole, "/leitstand/key_scans"));
+}
+
 TEST_F(ThinningTest, NothingIsOverwrittenAndWhatIsNoMissionIsTold) {
     EXPECT_FALSE(thinMission(m_folder / "whole", m_folder / "whole", {}));
     EXPECT_FALSE(thinMission(m_folder / "missing", m_folder / "thin", {}));
