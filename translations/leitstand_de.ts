@@ -1247,7 +1247,7 @@ Die blaue Linie ist der Horizont.</translation>
     </message>
     <message>
         <source>nobody has the grant</source>
-        <translation>niemand hat das Fahrrecht</translation>
+        <translation>Fahrrecht frei</translation>
     </message>
     <message>
         <source>%1 has it, but is silent</source>
@@ -3161,7 +3161,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>nobody has the grant to drive</source>
-        <translation>niemand hat das Fahrrecht</translation>
+        <translation>Fahrrecht frei</translation>
     </message>
     <message>
         <source>%1 has the grant to drive</source>

@@ -62,6 +62,10 @@ Result<std::unique_ptr<ReviewLog>> ReviewLog::open(const fs::path& mission) {
         return Error{fmt::format("{}: there is nothing in it", mission.string())};
     std::vector<std::string> warnings;
     auto robots = robotsOf(mission, **bag, warnings);
+    // The folder keeps them by name; who tells most is looked at first.
+    std::stable_sort(robots.begin(), robots.end(), [](const RobotDescription& a, const RobotDescription& b) {
+        return a.streams.size() > b.streams.size();
+    });
     std::unique_ptr<ReviewLog> log(new ReviewLog(fs::is_directory(mission) ? mission : mission.parent_path(),
                                                  std::move(bag).value(), std::move(robots)));
     log->m_warnings = std::move(warnings);
