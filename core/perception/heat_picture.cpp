@@ -19,25 +19,28 @@ constexpr std::array<Colour, 9> Inferno = {{{0, 0, 4},
                                             {249, 201, 50},
                                             {252, 255, 164}}};
 
-Colour colourOf(double share) {
-    if (std::isnan(share)) return {128, 128, 128};
+}  // namespace
+
+std::array<std::uint8_t, 3> inferno(double share) {
     const double place = std::clamp(share, 0.0, 1.0) * (Inferno.size() - 1);
     const auto lower = std::min(static_cast<std::size_t>(place), Inferno.size() - 2);
     const double rest = place - static_cast<double>(lower);
-    Colour colour{};
-    for (std::size_t i = 0; i < 3; ++i)
-        colour[i] = Inferno[lower][i] + rest * (Inferno[lower + 1][i] - Inferno[lower][i]);
+    std::array<std::uint8_t, 3> colour{};
+    for (std::size_t i = 0; i < colour.size(); ++i) {
+        const double value = (1.0 - rest) * Inferno[lower][i] + rest * Inferno[lower + 1][i];
+        colour[i] = static_cast<std::uint8_t>(std::lround(value));
+    }
     return colour;
 }
-
-}  // namespace
 
 Picture heatPicture(const ThermalPicture& heat, double coldest, double hottest) {
     Picture picture{.width = heat.width, .height = heat.height, .pixel = Picture::Pixel::Rgb8, .bytes = {}};
     picture.bytes.reserve(3 * heat.celsius.size());
     for (const float celsius : heat.celsius) {
-        for (const double value : colourOf((static_cast<double>(celsius) - coldest) / (hottest - coldest)))
-            picture.bytes.push_back(std::byte{static_cast<unsigned char>(std::lround(value))});
+        constexpr std::array<std::uint8_t, 3> Untold = {128, 128, 128};
+        const double share = (static_cast<double>(celsius) - coldest) / (hottest - coldest);
+        for (const std::uint8_t value : std::isnan(share) ? Untold : inferno(share))
+            picture.bytes.push_back(std::byte{value});
     }
     return picture;
 }

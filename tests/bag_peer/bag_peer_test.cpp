@@ -51,7 +51,7 @@ TEST(BagPeer, ListsOurBagAndDecodesEveryMessage) {
     const auto outcome = runProcess(
         tests / "npm" / "run", {(tests / "bag_peer" / "read_bag.js").string(),
                                 (mission / "mission_0.db3").string(), (mission / "metadata.yaml").string()});
-    if (outcome.exitCode == Skipped) GTEST_SKIP() << outcome.err;
+    if (outcome.exitCode == Skipped) GTEST_SKIP() << "SKIPPED: " << outcome.err;
     ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
     EXPECT_THAT(outcome.out, testing::HasSubstr(fmt::format("\"messages\":{}", types * Rounds)));
     EXPECT_THAT(outcome.out, testing::HasSubstr("\"file\":\"mission_0.db3\""));

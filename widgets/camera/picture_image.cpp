@@ -5,28 +5,10 @@
 #include <cstring>
 #include <vector>
 
+#include "core/perception/heat_picture.h"
+
 namespace leitstand {
 namespace {
-
-/// A few points of matplotlib's inferno, straight lines between.
-QRgb inferno(double t) {
-    static constexpr std::array<std::array<double, 3>, 9> Steps = {{{0, 0, 4},
-                                                                    {31, 12, 72},
-                                                                    {85, 15, 109},
-                                                                    {136, 34, 106},
-                                                                    {186, 54, 85},
-                                                                    {227, 89, 51},
-                                                                    {249, 140, 10},
-                                                                    {249, 201, 50},
-                                                                    {252, 255, 164}}};
-    const double place = std::clamp(t, 0.0, 1.0) * (Steps.size() - 1);
-    const auto low = std::min(static_cast<std::size_t>(place), Steps.size() - 2);
-    const double share = place - static_cast<double>(low);
-    std::array<int, 3> mixed{};
-    for (std::size_t i = 0; i < 3; ++i)
-        mixed[i] = static_cast<int>(std::lround((1.0 - share) * Steps[low][i] + share * Steps[low + 1][i]));
-    return qRgb(mixed[0], mixed[1], mixed[2]);
-}
 
 /// Numbers spread from their least to their greatest as grey.
 template <class Number>
@@ -80,7 +62,10 @@ QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette pale
     if (!std::isfinite(celsius)) return qRgb(96, 96, 96);
     const double width = std::max(0.1F, range.hottest - range.coolest);
     const double share = std::clamp((celsius - range.coolest) / width, 0.0, 1.0);
-    if (palette == ThermalPalette::Iron) return inferno(share);
+    if (palette == ThermalPalette::Iron) {
+        const auto [red, green, blue] = inferno(share);
+        return qRgb(red, green, blue);
+    }
     const int grey = static_cast<int>(std::lround(255.0 * share));
     return palette == ThermalPalette::GreyHot ? qRgb(grey, grey, grey)
                                               : qRgb(255 - grey, 255 - grey, 255 - grey);

@@ -23,7 +23,7 @@ protected:
     void SetUp() override {
         std::filesystem::create_directory(m_disk);
         if (::mount("tmpfs", m_disk.c_str(), "tmpfs", 0, "size=24m") != 0) {
-            GTEST_SKIP() << "a small disk cannot be mounted (" << std::strerror(errno)
+            GTEST_SKIP() << "SKIPPED: a small disk cannot be mounted (" << std::strerror(errno)
                          << "): this test needs root";
         }
         m_mounted = true;

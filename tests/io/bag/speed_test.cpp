@@ -52,7 +52,7 @@ void openAndJump(std::uint64_t rows) {
     const double needed = 1.2 * 50'000.0 * static_cast<double>(rows);
     const double there = static_cast<double>(std::filesystem::space(folder.path()).available);
     if (there < needed) {
-        GTEST_SKIP() << fmt::format("{}: needs {:.1f} GB of free disk, found {:.1f} GB",
+        GTEST_SKIP() << fmt::format("SKIPPED: {}: needs {:.1f} GB of free disk, found {:.1f} GB",
                                     folder.path().string(), needed * 1e-9, there * 1e-9);
     }
     const auto started = std::chrono::steady_clock::now();
@@ -130,8 +130,9 @@ TEST(BagThroughputLatency, SustainsFiftyMegabytesASecond) {
         "ms\n",
         megabytes, megabytes / bag, megabytes / plain, plain / bag, slowest * 1e3);
     if (megabytes / bag <= 50.0 && megabytes / plain < 150.0) {
-        GTEST_SKIP() << fmt::format("this disk is too slow to tell: bag {:.0f} MB/s, plain file {:.0f} MB/s",
-                                    megabytes / bag, megabytes / plain);
+        GTEST_SKIP() << fmt::format(
+            "SKIPPED: this disk is too slow to tell: bag {:.0f} MB/s, plain file {:.0f} MB/s",
+            megabytes / bag, megabytes / plain);
     }
     EXPECT_GT(megabytes / bag, 50.0);
 }

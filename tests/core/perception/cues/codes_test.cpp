@@ -76,7 +76,7 @@ TEST(Codes, NothingInNoiseAndStrangePictures) {
 
 TEST(Codes, PicturesOfAnotherProgram) {
     const std::filesystem::path writer = "/usr/bin/qrencode";
-    if (!std::filesystem::exists(writer)) GTEST_SKIP() << "no qrencode here: needs Debian's package";
+    if (!std::filesystem::exists(writer)) GTEST_SKIP() << "SKIPPED: no qrencode here: needs Debian's package";
     const TemporaryFolder folder;
     CodeReader reader;
     int read = 0, all = 0;

@@ -82,7 +82,8 @@ TEST(Hazard, PicturesOfAnotherProject) {
     const char* named = std::getenv("LEITSTAND_GHSYSTEM");
     const std::filesystem::path folder =
         named != nullptr ? named : "/usr/share/texlive/texmf-dist/tex/latex/ghsystem/pictures";
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no ghsystem here: needs Debian's texlive-science";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "SKIPPED: no ghsystem here: needs Debian's texlive-science";
     const std::map<std::string, std::string> all = {{"explos", "GHS"},
                                                     {"flame", "GHS"},
                                                     {"flame-O", "GHS"},
