@@ -6,13 +6,15 @@
 #include <iterator>
 #include <limits>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 namespace leitstand {
 namespace {
 
 constexpr auto OperatorLooks = std::chrono::seconds(10);
-constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
+constexpr auto EarlyFor = std::chrono::seconds(1);  ///< how long a wish waits for its sender's grant
+constexpr double AtRest = 0.03;                     ///< slower sides are held by the brake [m/s]
 
 RobotRuleSettings rulesOf(const RobotDescription& robot, Time now) {
     return {.limits = limitsOf(robot),
@@ -79,7 +81,20 @@ SteadyTime RobotAgent::steady() const {
 void RobotAgent::hear(const GrantSample& grant, const Sender& from) {
     m_rules.hear(grant, from, steady());
     m_cameras.hear(grant, from, steady());
-    if (m_rules.grant().obeys(from, steady())) m_machine.heardStation(m_hardware.now());
+    if (!m_rules.grant().obeys(from, steady())) return;
+    m_machine.heardStation(m_hardware.now());
+    if (!m_early || m_early->from != from) return;
+    const EarlyWish early = *std::exchange(m_early, std::nullopt);
+    if (m_hardware.now() - early.heard < EarlyFor) hearWish(early.role, early.wish, from);
+}
+
+void RobotAgent::hearWish(StreamRole role, const Sample& wish, const Sender& from) {
+    if (!m_rules.grant().obeys(from, steady())) {
+        m_early = EarlyWish{role, wish, from, m_hardware.now()};
+        return;
+    }
+    if (const auto* mode = std::get_if<ModeCommandSample>(&wish)) askForMode(*mode);
+    if (const auto* goal = std::get_if<PoseSample>(&wish)) goTo(*goal);
 }
 
 void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from) {
@@ -92,10 +107,9 @@ void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from
         static_cast<void>(m_rules.hear(*stop, from, steady()));
         m_stopSaid.reset();  // every command is answered
         sayStopState();
-    } else if (const auto* mode = std::get_if<ModeCommandSample>(&command)) {
-        if (holder) askForMode(*mode);
-    } else if (const auto* goal = std::get_if<PoseSample>(&command)) {
-        if (holder) goTo(*goal);
+    } else if (std::holds_alternative<ModeCommandSample>(command) ||
+               std::holds_alternative<PoseSample>(command)) {
+        hearWish(role, command, from);
     } else if (const auto* joints = std::get_if<JointSample>(&command)) {
         const bool mayLook = m_cameras.holder(steady()).empty() ? holder : m_cameras.obeys(from, steady());
         if (role == StreamRole::TrackCommand) driveTracks(*joints, from);

@@ -64,6 +64,9 @@ private:
     void drive(const DriveVelocity& wish, const Sender& from);
     void driveTracks(const JointSample& tracks, const Sender& from);
     void askForMode(const ModeCommandSample& command);
+    /// A mode or a goal. A new holder's first wish may arrive before its grant, which is another topic's: it
+    /// is kept for a moment and obeyed when the grant is heard.
+    void hearWish(StreamRole role, const Sample& wish, const Sender& from);
     void turnCameras(const PanTiltCommand& command);
     void setStream(const StreamCommandSample& command);
     void move(const DriveVelocity& velocity, bool hold, Time now);
@@ -77,6 +80,13 @@ private:
     ModeMachine m_machine;
     SpeedController m_left, m_right;
     std::optional<Time> m_moved, m_twist, m_camerasTurned;
+    struct EarlyWish {
+        StreamRole role;
+        Sample wish;
+        Sender from;
+        Time heard;
+    };
+    std::optional<EarlyWish> m_early;
     std::optional<StopStateSample> m_stopSaid;
     std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
     std::vector<HardwareSample> m_said;

@@ -45,6 +45,13 @@ protected:
         }
         return count;
     }
+    /// What Kurt3D says of itself, for a failure's text.
+    [[nodiscard]] std::string told() const {
+        const auto said = station().mission()->robots.at("kurt3d");
+        const std::string mode =
+            said->mode ? said->mode->sample.mode + ", " + said->mode->sample.reason : "no mode";
+        return mode + (robot().stop.standing ? ", stopped, " : ", ") + std::to_string(speed()) + " m/s";
+    }
     [[nodiscard]] MapView& map() const { return m_window->mapView(); }
 };
 
@@ -104,7 +111,8 @@ TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
     station().ask("kurt3d");
     ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
     ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
-    ASSERT_TRUE(soon([&] { return station().mapping().scans()->scans.size() >= 2; })) << "it moved not";
+    ASSERT_TRUE(soon([&] { return station().mapping().scans()->scans.size() >= 2; }))
+        << "it moved not: " << told();
     station().stopAll();
     ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
     const auto scans = [&] { return station().mapping().scans()->scans; };

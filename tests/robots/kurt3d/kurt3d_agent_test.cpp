@@ -46,6 +46,36 @@ TEST_F(Kurt3d, ObeysTheHolderOnly) {
     EXPECT_GT(robot.left, 0.2) << "a stranger's zero does not count either";
 }
 
+TEST_F(Kurt3d, ObeysAModeThatOvertookTheGrantOfItsSender) {
+    station->mode("explore");
+    station->pass(0.1);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
+    station->hold();
+    station->pass(0.1);
+    EXPECT_EQ(agent->mode(), DriveMode::Explore);
+}
+
+TEST_F(Kurt3d, ForgetsAModeOfNoHolder) {
+    other->mode("explore");
+    station->hold();
+    station->pass(0.1);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation) << "the grant is another station's";
+    station->mode("explore");
+    station->pass(0.1);
+    EXPECT_EQ(agent->mode(), DriveMode::Explore);
+    station->mode("teleoperation");
+    station->pass(1.5);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
+}
+
+TEST_F(Kurt3d, AnOldWishIsNoWish) {
+    station->mode("explore");
+    station->pass(1.5);
+    station->hold();
+    station->pass(0.1);
+    EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
+}
+
 TEST_F(Kurt3d, StandsWithin300MillisecondsOfTheLastCommand) {
     station->keepDriving(0.0, 0.1);
     station->keepDriving(0.3, 0.5);
