@@ -105,10 +105,10 @@ void MapScenery::frameScan(std::uint64_t id) {
                                    [id](const SceneScan& one) { return one.id == id; });
     if (scan == m_content->scans.end() || !scan->points || scan->points->points.empty()) return;
     if (following()) stopFollowing();
-    constexpr std::size_t Enough = 500;  // in random order
+    constexpr std::size_t Enough = 500;
     std::vector<Eigen::Vector3d> places;
     for (std::size_t i = 0; i < std::min(Enough, scan->points->points.size()); ++i)
-        places.push_back(scan->poseInMap * scan->points->points[i].cast<double>());
+        places.push_back(scan->poseInMap * scan->points->sample(i).cast<double>());
     moveCamera(framed(camera(), places, m_view.size()));
 }
 

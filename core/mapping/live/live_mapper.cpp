@@ -122,7 +122,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     if (first || !robot.known || state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh)) {
         LiveKeyScan key;
         key.id = here.keyScan = state.nextId++;
-        key.scan = ready.scan;
+        key.scan = keptOf(ready.scan);
         key.sensorInBase = live.sensorInBase;
         key.pose = {key.id,
                     match.scanInMap,
@@ -138,7 +138,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
         key.reduced = std::make_shared<const PointCloud>(std::move(ready.reduced));
-        update.keyScan = KeyScanSample{now, key.id, key.scan, key.sensorInBase, match.scanInMap, nearest};
+        update.keyScan = KeyScanSample{now, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
         state.map.scans.push_back(std::move(key));

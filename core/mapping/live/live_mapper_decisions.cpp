@@ -126,7 +126,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     if (!sample.scan || state.find(sample.id) != nullptr) return;
     LiveKeyScan key;
     key.id = sample.id;
-    key.scan = sample.scan;
+    key.scan = keptOf(sample.scan);
     key.sensorInBase = sample.sensorInBase;
     key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
     key.matched = sample.matched;

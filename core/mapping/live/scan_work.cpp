@@ -15,20 +15,35 @@ namespace leitstand {
 
 namespace {
 
+/// All of @p scan but its points, and how they lay in the scanner's grid.
+Scan headOf(const Scan& scan) {
+    Scan head;
+    head.name = scan.name;
+    head.robot = scan.robot;
+    head.start = scan.start;
+    head.end = scan.end;
+    head.sensorInOdom = scan.sensorInOdom;
+    head.hasOdometry = scan.hasOdometry;
+    head.sweep = scan.sweep;
+    return head;
+}
+
 /// The first point of each cube of edge @p edge [m] among those of @p scan in range, with all that is known
 /// of it.
 Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
-    Scan result = scan;
-    result.rows = result.columns = 0;
-    result.points.clear();
-    result.intensities.clear();
-    result.labels.clear();
+    std::vector<std::size_t> kept;
     detail::CellTable cells(edge);
-    const bool intensities = scan.intensities.size() == scan.points.size();
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
         const double range = scan.points[i].cast<double>().norm();
         if (!(range >= settings.minRange && range <= settings.maxRange)) continue;
-        if (cells.cellOf(scan.points[i]) != result.points.size()) continue;
+        if (cells.cellOf(scan.points[i]) == kept.size()) kept.push_back(i);
+    }
+    Scan result = headOf(scan);
+    const bool intensities = scan.intensities.size() == scan.points.size();
+    result.points.reserve(kept.size());  // an hour has hundreds of scans: no spare room in any
+    result.labels.reserve(kept.size());
+    if (intensities) result.intensities.reserve(kept.size());
+    for (const std::size_t i : kept) {
         result.points.push_back(scan.points[i]);
         result.labels.push_back(scan.labels[i]);
         if (intensities) result.intensities.push_back(scan.intensities[i]);
@@ -57,6 +72,26 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
+}
+
+ScanPtr keptOf(const ScanPtr& scan) {
+    if (scan->intensities.empty()) return scan;
+    auto kept = std::make_shared<Scan>(headOf(*scan));
+    kept->rows = scan->rows;
+    kept->columns = scan->columns;
+    kept->points = scan->points;
+    kept->labels = scan->labels;
+    return kept;
+}
+
+std::size_t memoryOf(const LiveKeyScan& scan) {
+    const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list.front()); };
+    std::size_t sum = sizeof(LiveKeyScan);
+    if (scan.scan) sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels);
+    if (scan.reduced)
+        sum += bytes(scan.reduced->points) + bytes(scan.reduced->normals) + bytes(scan.reduced->labels) +
+               bytes(scan.reduced->weights);
+    return sum;
 }
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 #include "core/base/pose.h"
+#include "core/mapping/live/live_map.h"
 #include "core/mapping/live/live_scan.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/local_map.h"
@@ -24,6 +26,12 @@ struct ReadyScan {
 /// @p scanInMap; labels and reduces it.
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                                   const LiveSettings& settings, std::span<const PlacedBody> others = {});
+
+/// What the live map keeps of @p scan: nobody asks there how bright its points were, and the log has it.
+[[nodiscard]] ScanPtr keptOf(const ScanPtr& scan);
+
+/// Bytes that a key scan takes in the live map: its points, and what is matched of them.
+[[nodiscard]] std::size_t memoryOf(const LiveKeyScan& scan);
 
 /// What readyScan() made of a key scan, from its points as the log has them.
 [[nodiscard]] PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings);

@@ -1,5 +1,6 @@
 #include "widgets/map_view/render/actors.h"
 
+#include <span>
 #include <utility>
 
 #include <vtkActor.h>
@@ -27,7 +28,7 @@ static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Rgba) == 4)
 // VTK's arrays look at our memory and never write or free it, though their interface knows no const.
 constexpr int KeepMemory = 1;
 
-vtkNew<vtkPoints> pointsOver(const std::vector<Eigen::Vector3f>& positions) {
+vtkNew<vtkPoints> pointsOver(std::span<const Eigen::Vector3f> positions) {
     vtkNew<vtkFloatArray> array;
     array->SetNumberOfComponents(3);
     array->SetArray(const_cast<float*>(positions.data()->data()),
@@ -98,10 +99,15 @@ void ScanActor::update(const SceneScan& scan) {
 }
 
 void ScanActor::rebuild() {
+    Eigen::AlignedBox3d box;
     if (shownPoints() == 0) {
+        m_mapper->setBounds(box);
         m_mapper->SetInputDataObject(nullptr);
         return;
     }
+    for (const std::int32_t i : *m_look.shown)
+        box.extend(m_points->points[static_cast<std::size_t>(i)].cast<double>());
+    m_mapper->setBounds(box);
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOver(m_points->points));
     data->GetPointData()->SetScalars(coloursOver(*m_look.colours));

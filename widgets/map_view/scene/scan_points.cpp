@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -42,30 +43,50 @@ void addCells(ScanPoints& points) {
         while (end < keyed.size() && keyed[end].first == keyed[first].first) ++end;
         points.cells.push_back(cellOver(points, first, end));
     }
+    points.cells.shrink_to_fit();
+}
+
+/// The points @p kept of @p scan and their labels, nothing else of it.
+ScanPtr copyOf(const Scan& scan, const std::vector<std::int32_t>& kept, bool labelled) {
+    auto copy = std::make_shared<Scan>();
+    copy->points.reserve(kept.size());
+    copy->labels.reserve(kept.size());
+    for (const std::int32_t index : kept) {
+        const auto i = static_cast<std::size_t>(index);
+        copy->points.push_back(scan.points[i]);
+        copy->labels.push_back(labelled ? scan.labels[i] : Label::Unlabelled);
+    }
+    return copy;
 }
 
 }  // namespace
 
-ScanPoints drawablePoints(const Scan& scan, double minRange, double maxRange) {
+std::size_t ScanPoints::memory(const Scan& scan) const {
+    std::size_t bytes = cells.capacity() * sizeof(PointCell) + cellMembers.capacity() * sizeof(std::uint32_t);
+    if (order) bytes += order->capacity() * sizeof(std::int32_t);
+    if (owner && owner.get() != &scan) bytes += points.size_bytes() + labels.size_bytes();
+    return bytes;
+}
+
+ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange) {
     const auto lowest = static_cast<float>(minRange * minRange);
     const auto highest = static_cast<float>(maxRange * maxRange);
-    std::vector<std::uint32_t> order;
-    order.reserve(scan.points.size());
-    for (std::size_t i = 0; i < scan.points.size(); ++i) {
-        const float range = scan.points[i].squaredNorm();  // NaN passes neither comparison
-        if (range >= lowest && range <= highest) order.push_back(static_cast<std::uint32_t>(i));
+    std::vector<std::int32_t> drawn;
+    drawn.reserve(scan->points.size());
+    for (std::size_t i = 0; i < scan->points.size(); ++i) {
+        const float range = scan->points[i].squaredNorm();  // NaN passes neither comparison
+        if (range >= lowest && range <= highest) drawn.push_back(static_cast<std::int32_t>(i));
     }
-    std::shuffle(order.begin(), order.end(), std::minstd_rand(1));
-
     ScanPoints result;
-    result.points.reserve(order.size());
-    result.labels.reserve(order.size());
-    const bool labelled = scan.labels.size() == scan.points.size();
-    for (const std::uint32_t i : order) {
-        result.points.push_back(scan.points[i]);
-        result.labels.push_back(labelled ? scan.labels[i] : Label::Unlabelled);
-        ++result.labelCounts[static_cast<std::size_t>(result.labels.back())];
-    }
+    const bool labelled = scan->labels.size() == scan->points.size();
+    result.owner = labelled && drawn.size() == scan->points.size() ? scan : copyOf(*scan, drawn, labelled);
+    result.points = result.owner->points;
+    result.labels = result.owner->labels;
+    for (const Label label : result.labels) ++result.labelCounts[static_cast<std::size_t>(label)];
+    std::iota(drawn.begin(), drawn.end(), 0);
+    drawn.shrink_to_fit();
+    std::shuffle(drawn.begin(), drawn.end(), std::minstd_rand(1));
+    result.order = std::make_shared<const std::vector<std::int32_t>>(std::move(drawn));
     addCells(result);
     return result;
 }

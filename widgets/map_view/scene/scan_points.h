@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -19,18 +20,31 @@ struct PointCell {
     std::size_t first = 0, end = 0;  ///< in ScanPoints::cellMembers
 };
 
-/// The points of a scan that can be drawn, in random order: every beginning of the list is a fair sample.
+/// The points of a scan that can be drawn. A map has hundreds of scans: where all of a scan's points can be
+/// drawn, they are the scan's own memory, else a copy of those that can.
 struct ScanPoints {
-    std::vector<Eigen::Vector3f> points;  ///< in the scan's frame [m]
-    std::vector<Label> labels;            ///< one per point
+    std::shared_ptr<const Scan> owner;        ///< of the memory behind the next two
+    std::span<const Eigen::Vector3f> points;  ///< in the scan's frame [m], all of them finite
+    std::span<const Label> labels;            ///< one per point
+    /// All points once, at random: every beginning of the list is a fair sample.
+    std::shared_ptr<const std::vector<std::int32_t>> order;
     std::array<std::size_t, LabelCount> labelCounts{};
     std::vector<PointCell> cells;            ///< all points by place, for picking
     std::vector<std::uint32_t> cellMembers;  ///< the cells' points
+
+    /// The @p i-th point at random.
+    [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[at(i)]; }
+    [[nodiscard]] Label labelOfSample(std::size_t i) const { return labels[at(i)]; }
+    /// Bytes that it takes beside the scan's own.
+    [[nodiscard]] std::size_t memory(const Scan& scan) const;
+
+private:
+    [[nodiscard]] std::size_t at(std::size_t i) const { return static_cast<std::size_t>((*order)[i]); }
 };
 using ScanPointsPtr = std::shared_ptr<const ScanPoints>;
 
 /// The finite points of @p scan between @p minRange and @p maxRange from its sensor [m]; the same order for
-/// the same scan.
-[[nodiscard]] ScanPoints drawablePoints(const Scan& scan, double minRange, double maxRange);
+/// the same scan. Holds @p scan where it shares its points.
+[[nodiscard]] ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange);
 
 }  // namespace leitstand

@@ -17,14 +17,18 @@ constexpr double UncertainTint = 0.7, HighlightTint = 0.9;
 /// One of so many points of an uncertain scan is drawn: what is behind shines through.
 constexpr std::size_t UncertainOneOf = 3;
 
-std::vector<std::int32_t> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
-    std::vector<std::int32_t> shown;
-    const std::size_t count = points.points.size() / (thinned ? UncertainOneOf : 1);  // in random order
-    shown.reserve(count);
+using Indices = std::vector<std::int32_t>;
+
+std::shared_ptr<const Indices> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
+    const std::size_t ceiling = points.labelCounts[static_cast<std::size_t>(Label::Ceiling)];
+    if (!thinned && (withCeiling || ceiling == 0)) return points.order;
+    Indices shown;
+    const std::size_t count = points.points.size() / (thinned ? UncertainOneOf : 1);
+    shown.reserve(thinned ? count : count - ceiling);
     for (std::size_t i = 0; i < count; ++i) {
-        if (withCeiling || points.labels[i] != Label::Ceiling) shown.push_back(static_cast<std::int32_t>(i));
+        if (withCeiling || points.labelOfSample(i) != Label::Ceiling) shown.push_back((*points.order)[i]);
     }
-    return shown;
+    return std::make_shared<const Indices>(std::move(shown));
 }
 
 std::vector<Rgba> coloursOf(const ScanPoints& points, const MapViewSettings& settings, const Pose& poseInMap,
@@ -133,7 +137,7 @@ SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapVi
         ready.minRange = settings.minRange;
         ready.maxRange = settings.maxRange;
         ready.points =
-            std::make_shared<const ScanPoints>(drawablePoints(*scan, settings.minRange, settings.maxRange));
+            std::make_shared<const ScanPoints>(drawablePoints(scan, settings.minRange, settings.maxRange));
     }
     return ready;
 }
@@ -147,8 +151,7 @@ void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, c
     if (!ready.shown || ready.withCeiling != withCeiling || ready.thinned != thinned) {
         ready.withCeiling = withCeiling;
         ready.thinned = thinned;
-        ready.shown = std::make_shared<const std::vector<std::int32_t>>(
-            shownPoints(*ready.points, withCeiling, thinned));
+        ready.shown = shownPoints(*ready.points, withCeiling, thinned);
     }
     const double tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
     const ColourRamp ramp = content.ramp.value_or(ColourRamp{});

@@ -70,9 +70,9 @@ SceneSample sampleOf(const SceneContent& content) {
         const auto count =
             static_cast<std::size_t>(std::ceil(share * static_cast<double>(scan.points->points.size())));
         for (std::size_t i = 0; i < std::min(count, scan.points->points.size()); ++i) {
-            const Eigen::Vector3d inScan = scan.points->points[i].cast<double>();
+            const Eigen::Vector3d inScan = scan.points->sample(i).cast<double>();
             const Eigen::Vector3d inMap = scan.poseInMap * inScan;
-            if (!isShown(inMap.z(), scan.points->labels[i], content.settings)) continue;
+            if (!isShown(inMap.z(), scan.points->labelOfSample(i), content.settings)) continue;
             sample.points.push_back(inMap);
             sample.ranges.push_back(inScan.norm());
         }

@@ -71,12 +71,12 @@ bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recip
     const auto high = static_cast<float>(recipe.maxHeight.value_or(std::numeric_limits<float>::max()));
     for (std::size_t i = 0; i < source.points->points.size(); ++i) {
         if (i % PointsBetweenLooks == 0 && interrupted()) return false;
-        const Eigen::Vector3f& inScan = source.points->points[i];
+        const Eigen::Vector3f& inScan = source.points->sample(i);
         const Eigen::Vector3f inMap = rotation * inScan + translation;
         if (inMap.z() < low || inMap.z() > high) continue;
-        if (!recipe.withCeiling && source.points->labels[i] == Label::Ceiling) continue;
-        table.add(inMap, source.points->labels[i], inScan.norm(), static_cast<std::uint32_t>(source.scan),
-                  !source.uncertain);
+        const Label label = source.points->labelOfSample(i);
+        if (!recipe.withCeiling && label == Label::Ceiling) continue;
+        table.add(inMap, label, inScan.norm(), static_cast<std::uint32_t>(source.scan), !source.uncertain);
     }
     return true;
 }

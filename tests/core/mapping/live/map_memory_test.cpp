@@ -1,0 +1,62 @@
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "core/mapping/live/scan_work.h"
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+namespace {
+
+/// What a key scan may take: its points and labels, and what is matched of it with normals and labels.
+std::size_t mostOf(const LiveKeyScan& scan) {
+    constexpr std::size_t Point = 12 + 1, Matched = 12 + 12 + 1, Rest = 1'024;
+    return Point * scan.scan->points.size() + Matched * scan.reduced->size() + Rest;
+}
+
+LiveScan withIntensities(LiveScan live) {
+    auto scan = std::make_shared<Scan>(*live.scan);
+    scan->intensities.assign(scan->points.size(), 0.5F);
+    live.scan = std::move(scan);
+    return live;
+}
+
+TEST(MapMemory, AKeyScanTakesNoMoreThanItsPoints) {
+    MappedRoom room;
+    for (unsigned i = 0; i < 4; ++i) {
+        const Pose sensor = poseFrom({-1.4 + 0.4 * i, 0.0, 0.9}, 0, 0, 0);
+        const MapUpdate update = room.add(withIntensities(scanAt(sensor, i + 1)));
+        ASSERT_TRUE(update.keyScan);
+        EXPECT_EQ(update.keyScan->scan->intensities.size(), update.keyScan->scan->points.size())
+            << "the log has all that was measured";
+    }
+    const LiveMapPtr map = room.mapper.map();
+    for (const LiveKeyScan& scan : map->scans) {
+        EXPECT_GT(scan.scan->points.size(), 5'000U);
+        EXPECT_LE(memoryOf(scan), mostOf(scan)) << scan.id;
+        std::printf("[          ] %zu points, %zu matched: %.1f kB\n", scan.scan->points.size(),
+                    scan.reduced->size(), 1e-3 * static_cast<double>(memoryOf(scan)));
+    }
+}
+
+TEST(MapMemory, NorDoesOneThatIsTakenBackFromTheLog) {
+    MappedRoom room;
+    ASSERT_TRUE(room.add(withIntensities(scanAt(poseFrom({-1.4, 0.0, 0.9}, 0, 0, 0), 1))).keyScan);
+    const LiveMapper again = room.log.readAgain();
+    const LiveMapPtr map = again.map();
+    ASSERT_EQ(map->scans.size(), 1U);
+    EXPECT_LE(memoryOf(map->scans.front()), mostOf(map->scans.front()));
+}
+
+TEST(MapMemory, SnapshotsShareThePoints) {
+    MappedRoom room;
+    room.drive(2);
+    const LiveMapPtr first = room.mapper.map(), second = room.mapper.map();
+    for (std::size_t i = 0; i < first->scans.size(); ++i) {
+        EXPECT_EQ(first->scans[i].scan, second->scans[i].scan);
+        EXPECT_EQ(first->scans[i].reduced, second->scans[i].reduced);
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,92 @@
+#include "widgets/map_view/scene/scan_points.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace leitstand {
+namespace {
+
+constexpr double MinRange = 0.4, MaxRange = 15.0;
+
+/// Points of two walls, as a key scan of the live map has them.
+Scan keyScan(std::size_t count) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> along(-4.0F, 4.0F), up(-0.5F, 1.5F);
+    Scan scan;
+    for (std::size_t i = 0; i < count; ++i) {
+        scan.points.emplace_back(along(random), i % 2 == 0 ? 2.0F : -2.0F, up(random));
+        scan.labels.push_back(i % 5 == 0 ? Label::Ceiling : Label::Wall);
+    }
+    return scan;
+}
+
+TEST(ScanPoints, AKeyScanIsDrawnFromItsOwnMemory) {
+    const auto scan = std::make_shared<const Scan>(keyScan(10'000));
+    const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
+    EXPECT_EQ(points.points.data(), scan->points.data());
+    EXPECT_EQ(points.labels.data(), scan->labels.data());
+    // Its order and, for picking, its places: four bytes each.
+    EXPECT_LE(points.memory(*scan), 9 * scan->points.size());
+    EXPECT_EQ(points.labelCounts[static_cast<std::size_t>(Label::Ceiling)], 2'000U);
+}
+
+TEST(ScanPoints, WhatCannotBeDrawnIsLeftOut) {
+    Scan scan = keyScan(1'000);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    scan.points[3] = {nan, nan, nan};
+    scan.points[10] = {0.1F, 0.0F, 0.0F};
+    scan.points[20] = {40.0F, 0.0F, 0.0F};
+    const auto shared = std::make_shared<const Scan>(std::move(scan));
+    const ScanPoints points = drawablePoints(shared, MinRange, MaxRange);
+    ASSERT_EQ(points.points.size(), 997U);
+    ASSERT_EQ(points.labels.size(), 997U);
+    EXPECT_NE(points.owner, shared) << "the scan's memory may go";
+    for (const Eigen::Vector3f& point : points.points) {
+        EXPECT_TRUE(point.norm() >= 0.4F && point.norm() <= 15.0F) << point.transpose();
+    }
+}
+
+TEST(ScanPoints, AScanWithoutLabelsIsDrawnUnlabelled) {
+    Scan scan = keyScan(100);
+    scan.labels.clear();
+    const ScanPoints points = drawablePoints(std::make_shared<const Scan>(scan), MinRange, MaxRange);
+    ASSERT_EQ(points.labels.size(), 100U);
+    EXPECT_EQ(points.labelCounts[static_cast<std::size_t>(Label::Unlabelled)], 100U);
+}
+
+TEST(ScanPoints, TheOrderHasEveryPointOnceAndItsBeginningIsAFairSample) {
+    const auto scan = std::make_shared<const Scan>(keyScan(10'000));
+    const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
+    std::vector<std::int32_t> sorted = *points.order;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], static_cast<std::int32_t>(i));
+    std::size_t ceiling = 0;
+    for (std::size_t i = 0; i < 1'000; ++i) ceiling += points.labelOfSample(i) == Label::Ceiling ? 1 : 0;
+    EXPECT_NEAR(static_cast<double>(ceiling), 200.0, 60.0);
+    EXPECT_EQ(points.sample(0), scan->points[static_cast<std::size_t>(points.order->front())]);
+}
+
+TEST(ScanPoints, ItsCellsHaveEveryPointOnce) {
+    const auto scan = std::make_shared<const Scan>(keyScan(2'000));
+    const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
+    std::vector<int> met(points.points.size());
+    for (const PointCell& cell : points.cells) {
+        for (std::size_t i = cell.first; i < cell.end; ++i) {
+            const std::uint32_t point = points.cellMembers[i];
+            ++met[point];
+            EXPECT_LE((points.points[point] - cell.centre).norm(), cell.radius + 1e-4F);
+        }
+    }
+    EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](int count) { return count == 1; }));
+}
+
+TEST(ScanPoints, AnEmptyScanHasNone) {
+    const ScanPoints points = drawablePoints(std::make_shared<const Scan>(), MinRange, MaxRange);
+    EXPECT_TRUE(points.points.empty() && points.order->empty() && points.cells.empty());
+}
+
+}  // namespace
+}  // namespace leitstand
