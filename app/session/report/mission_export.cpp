@@ -72,19 +72,20 @@ FindList::Kind listKind(const fs::path& out) {
 Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel& model,
                                          const std::string& robot) {
     ExportOutcome outcome;
-    std::vector<const ReportRobot*> robots;
-    for (const ReportRobot& one : model.robots) {
-        if (!one.path.poses.empty() && (robot.empty() || one.name == robot)) robots.push_back(&one);
+    std::vector<std::size_t> robots;
+    for (std::size_t i = 0; i < model.robots.size(); ++i) {
+        const ReportRobot& one = model.robots[i];
+        if (!one.path.poses.empty() && (robot.empty() || one.name == robot)) robots.push_back(i);
     }
     if (robots.empty()) {
         return Error{fmt::format("{}: is not written: nobody knows the way of {} in the map", out.string(),
                                  robot.empty() ? "any robot" : robot)};
     }
-    for (const ReportRobot* one : robots) {
+    const std::vector<std::string> endings = trajectoryEndings(model.robots);
+    for (const std::size_t one : robots) {
         fs::path file = out;
-        if (robots.size() > 1)
-            file.replace_filename(fmt::format("{}_{}.tum", out.stem().string(), fileNamePart(one->name)));
-        auto written = again(writeTum(file, trajectoryOf(*one)), file);
+        if (robots.size() > 1) file.replace_filename(out.stem().string() + endings[one]);
+        auto written = again(writeTum(file, trajectoryOf(model.robots[one])), file);
         if (!written) return written.error();
         outcome.files.push_back(std::move(written).value());
     }

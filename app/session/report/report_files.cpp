@@ -10,6 +10,7 @@
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/mission/report/file_names.h"
 #include "core/scan/voxel_grid.h"
 
 namespace leitstand {
@@ -92,6 +93,14 @@ std::vector<TimedPose> trajectoryOf(const ReportRobot& robot) {
     std::vector<TimedPose> poses;
     for (const PathPose& pose : robot.path.poses) poses.push_back({pose.time, pose.baseInMap});
     return poses;
+}
+
+std::vector<std::string> trajectoryEndings(const std::vector<ReportRobot>& robots) {
+    std::vector<std::string> endings;
+    for (const ReportRobot& robot : robots) endings.push_back(robot.name);
+    endings = fileNameParts(endings);
+    for (std::string& ending : endings) ending = fmt::format("_{}.tum", ending);
+    return endings;
 }
 
 Result<std::string> checkFile(const fs::path& file) {

@@ -16,6 +16,9 @@ namespace leitstand {
 /// The way of @p robot as a trajectory.
 [[nodiscard]] std::vector<TimedPose> trajectoryOf(const ReportRobot& robot);
 
+/// How the name of each robot's trajectory ends, "_kurt3d.tum"; no two are the same.
+[[nodiscard]] std::vector<std::string> trajectoryEndings(const std::vector<ReportRobot>& robots);
+
 /// Reads @p file of a report again, whatever its ending says that it is: what is in it in words, or what is
 /// wrong with it. For files that writeReport() writes.
 [[nodiscard]] Result<std::string> checkFile(const std::filesystem::path& file);

@@ -39,18 +39,19 @@ Progress part(const Progress& progress, double begin, double end) {
             progress.stop};
 }
 
-/// The scans that a live map would have taken.
-std::vector<ScanPtr> chosen(const std::vector<ScanPtr>& scans) {
-    std::vector<ScanPtr> kept;
+/// The numbers of the scans that a live map would have taken.
+std::vector<std::size_t> chosen(const std::vector<ScanPtr>& scans) {
+    std::vector<std::size_t> kept;
     std::map<std::string, Pose> newest;
-    for (const ScanPtr& scan : scans) {
-        const auto before = newest.find(scan->robot);
-        const bool moved = !scan->hasOdometry || before == newest.end() ||
-                           distanceBetween(before->second, scan->sensorInOdom) >= KeyDistance ||
-                           angleBetween(before->second, scan->sensorInOdom) >= KeyAngle;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const Scan& scan = *scans[i];
+        const auto before = newest.find(scan.robot);
+        const bool moved = !scan.hasOdometry || before == newest.end() ||
+                           distanceBetween(before->second, scan.sensorInOdom) >= KeyDistance ||
+                           angleBetween(before->second, scan.sensorInOdom) >= KeyAngle;
         if (!moved) continue;
-        newest[scan->robot] = scan->sensorInOdom;
-        kept.push_back(scan);
+        newest[scan.robot] = scan.sensorInOdom;
+        kept.push_back(i);
     }
     return kept;
 }
@@ -76,7 +77,7 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
     for (const RobotDescription& robot : source.robots()) source.m_input.robots.push_back(robot.name);
     source.readState();
     source.readKeyScans(part(progress, 0.1, 0.5));
-    if (source.m_input.scans.empty() && source.m_input.uncertain == 0 && source.m_bag->lastSequence() > 0)
+    if (!source.m_hasKeyScans && source.m_bag->lastSequence() > 0)
         source.registerClouds(folder, part(progress, 0.1, 0.8));
     source.readWays(part(progress, 0.8, 1.0));
     if (source.m_bag->lastSequence() == 0) source.m_warnings.emplace_back("the mission holds no events");
@@ -97,6 +98,7 @@ void ReportSource::readState() {
 void ReportSource::readKeyScans(const Progress& progress) {
     const auto& known = *m_input.state.keyScans;
     for (KeyScanSample& sample : keyScansOf(*m_bag)) {
+        m_hasKeyScans = true;
         const auto state = known.find(sample.id);
         if (state == known.end() || state->second.pose.trust == ScanTrust::SetAside) continue;  // undone too
         if (state->second.pose.trust == ScanTrust::Uncertain) {
@@ -119,6 +121,8 @@ void ReportSource::readKeyScans(const Progress& progress) {
     }
     std::sort(m_input.scans.begin(), m_input.scans.end(),
               [](const ReportScan& a, const ReportScan& b) { return a.id < b.id; });
+    if (m_hasKeyScans && m_input.scans.empty() && m_input.uncertain == 0)
+        m_warnings.emplace_back("there is no map: all scans of the mission were set aside or taken back");
     if (m_input.uncertain > 0) {
         m_warnings.push_back(
             fmt::format("{} scans are not in the map, since they do not fit and nobody decided on them",
@@ -132,32 +136,27 @@ void ReportSource::registerClouds(const fs::path& folder, const Progress& progre
         m_warnings.push_back("there is no map: " + read.error().text);
         return;
     }
-    const std::vector<ScanPtr> scans = chosen(read->scans);
+    const std::vector<std::size_t> scans = chosen(read->scans);
     Mapper mapper(RegistrationSettings{});
     for (std::size_t i = 0; i < scans.size(); ++i) {
-        if (!mapper.add(scans[i], {{}, progress.stop})) break;
+        if (!mapper.add(read->scans[scans[i]], {{}, progress.stop})) break;
         progress.done(0.4 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(scans.size()));
     }
     const MapPtr map = mapper.map();
-    // Registration counts from the first scan; odometry is level, so the map is put where that has it.
-    // Where on earth that is (foreign odometry may count from afar) is no matter of a hand-in.
-    Pose first = !map->scans.empty() && map->scans.front().scan->hasOdometry
-                     ? map->scans.front().scan->sensorInOdom
-                     : Pose::Identity();
-    first.translation().head<2>().setZero();
-    std::map<std::string, const RobotDescription*> robots;
-    for (const RobotDescription& robot : this->robots()) robots[robot.name] = &robot;
-    for (const MapScan& scan : map->scans) {
-        ReportScan placed{.scan = scan.scan, .scanInMap = first * scan.poseInMap};
-        const auto robot = robots.find(scan.scan->robot);
-        if (robot != robots.end()) {
-            for (const StreamDescription& stream : robot->second->streams) {
-                const auto sensor = robot->second->sensors.find(stream.sensor);
-                if (stream.role == StreamRole::Points && sensor != robot->second->sensors.end())
-                    placed.sensorInBase = sensor->second.sensorInBase;
-            }
-        }
-        m_input.scans.push_back(std::move(placed));
+    // Registration counts from the first scan; odometry is level, so the map is put where that has it, and
+    // the robot's start at its origin. Where on earth that is (foreign odometry may count from afar) is no
+    // matter of a hand-in.
+    Pose first = Pose::Identity();
+    if (!map->scans.empty()) {
+        const Pose& sensorInBase = read->sensorsInBase[scans.front()];
+        first = map->scans.front().scan->hasOdometry ? map->scans.front().scan->sensorInOdom : sensorInBase;
+        first.translation().head<2>() -= (first * sensorInBase.inverse()).translation().head<2>();
+    }
+    for (std::size_t i = 0; i < map->scans.size(); ++i) {
+        const MapScan& scan = map->scans[i];
+        m_input.scans.push_back({.scan = scan.scan,
+                                 .scanInMap = first * scan.poseInMap,
+                                 .sensorInBase = read->sensorsInBase[scans[i]]});
     }
     m_warnings.push_back(
         fmt::format("no station made a map of this mission: {} of its {} scans were registered for "

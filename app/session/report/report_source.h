@@ -46,6 +46,7 @@ private:
     std::unique_ptr<EventDecoder> m_decoder;
     ReportInput m_input;
     std::vector<std::string> m_warnings;
+    bool m_hasKeyScans = false;  ///< some station mapped it, whatever became of its scans
 };
 
 }  // namespace leitstand

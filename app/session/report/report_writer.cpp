@@ -86,10 +86,11 @@ void writeClouds(Writing& writing, const ReportModel& model, const ReportInput& 
     writing.file(".bt", [&](const fs::path& file) { return writeOctomap(file, model.evidence); });
     writing.file(".ply",
                  [&](const fs::path& file) { return writePly(file, labelledCloud(input.scans, CloudEdge)); });
-    for (const ReportRobot& robot : model.robots) {
-        if (robot.path.poses.empty()) continue;
-        writing.file(fmt::format("_{}.tum", fileNamePart(robot.name)),
-                     [&](const fs::path& file) { return writeTum(file, trajectoryOf(robot)); });
+    const std::vector<std::string> endings = trajectoryEndings(model.robots);
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        if (model.robots[i].path.poses.empty()) continue;
+        writing.file(endings[i],
+                     [&](const fs::path& file) { return writeTum(file, trajectoryOf(model.robots[i])); });
     }
 }
 

@@ -1,6 +1,7 @@
 #include "app/session/scans/mission_scans.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <utility>
@@ -37,10 +38,17 @@ Progress part(const Progress& progress, double begin, double end) {
             progress.stop};
 }
 
+/// What is gathered of the clouds of one topic.
+struct CloudLane {
+    TurnAssembler assembler;
+    std::string sensor, frame;
+    std::chrono::nanoseconds late{};  ///< the clouds' stamps count so much later
+};
+
 /// What is gathered of one robot.
 struct RobotScans {
     SensorPoses poses;
-    std::map<std::string, TurnAssembler> assemblers;  ///< by topic
+    std::map<std::string, CloudLane> lanes;  ///< by topic
     int scans = 0, withoutPose = 0;
 };
 
@@ -48,7 +56,7 @@ class Reading {
 public:
     Reading(BagReader& bag, std::vector<RobotDescription> robots) : m_bag(bag), m_decoder(std::move(robots)) {
         for (const RobotDescription& robot : m_decoder.robots()) {
-            m_robots.emplace(robot.name, RobotScans{.poses = SensorPoses(robot), .assemblers = {}});
+            m_robots.emplace(robot.name, RobotScans{.poses = SensorPoses(robot), .lanes = {}});
         }
     }
     void readPoses(const Progress& progress);
@@ -57,11 +65,12 @@ public:
 private:
     void forEach(std::vector<std::string> topics, const Progress& progress,
                  const std::function<void(const Event&)>& take);
-    void keep(std::optional<Scan> scan, const std::string& robot, MissionScans& result);
+    void keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane);
 
     BagReader& m_bag;
     EventDecoder m_decoder;
     std::map<std::string, RobotScans> m_robots;
+    std::vector<std::pair<ScanPtr, Pose>> m_scans;  ///< with their sensors in the base
 };
 
 void Reading::forEach(std::vector<std::string> topics, const Progress& progress,
@@ -83,13 +92,18 @@ void Reading::readPoses(const Progress& progress) {
             [this](const Event& event) { m_robots.at(event.robot).poses.add(event); });
 }
 
-void Reading::keep(std::optional<Scan> scan, const std::string& robot, MissionScans& result) {
+void Reading::keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane) {
     if (!scan) return;
     RobotScans& of = m_robots.at(robot);
+    // As the odometry has both: that is true of sensors that turn, and of clouds told in the odometry's
+    // frame.
+    const auto base = scan->hasOdometry ? of.poses.baseInOdom(scan->end + lane.late) : std::nullopt;
+    const Pose sensorInBase =
+        base ? base->inverse() * scan->sensorInOdom : of.poses.inBase(lane.sensor, lane.frame);
     scan->robot = robot;
     scan->name = fmt::format("{} {:03}", robot, of.scans++);
     if (!scan->hasOdometry) ++of.withoutPose;
-    result.scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
+    m_scans.emplace_back(std::make_shared<const Scan>(std::move(*scan)), sensorInBase);
 }
 
 void Reading::readClouds(const Progress& progress, MissionScans& result) {
@@ -98,14 +112,18 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         if (cloud == nullptr) return;
         RobotScans& robot = m_robots.at(event.robot);
         const Time stamp = cloud->header.stamp == Time{} ? event.received : cloud->header.stamp;
+        CloudLane& lane = robot.lanes[event.topic];
+        lane.sensor = event.sensor;
+        lane.frame = cloud->header.frame;
         // A robot that does not stamp its clouds: they count as taken when they came.
-        const auto track = [&, late = stamp - cloud->header.stamp](Time at) {
-            return robot.poses.sensorInOdom(event, cloud->header, at + late);
+        lane.late = stamp - cloud->header.stamp;
+        const auto track = [&](Time at) {
+            return robot.poses.sensorInOdom(event, cloud->header, at + lane.late);
         };
-        keep(robot.assemblers[event.topic].add(*cloud, track), event.robot, result);
+        keep(lane.assembler.add(*cloud, track), event.robot, lane);
     });
     for (auto& [name, robot] : m_robots) {
-        for (auto& [topic, assembler] : robot.assemblers) keep(assembler.finish(), name, result);
+        for (auto& [topic, lane] : robot.lanes) keep(lane.assembler.finish(), name, lane);
         if (robot.withoutPose > 0) {
             result.warnings.push_back(
                 fmt::format("{}: {} of {} scans have no odometry within half a second of their stamp", name,
@@ -118,8 +136,12 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
                                               errors.count, topic, errors.last));
     }
     result.warnings.insert(result.warnings.end(), m_bag.problems().begin(), m_bag.problems().end());
-    std::stable_sort(result.scans.begin(), result.scans.end(),
-                     [](const ScanPtr& a, const ScanPtr& b) { return a->end < b->end; });
+    std::stable_sort(m_scans.begin(), m_scans.end(),
+                     [](const auto& a, const auto& b) { return a.first->end < b.first->end; });
+    for (auto& [scan, sensorInBase] : m_scans) {
+        result.scans.push_back(std::move(scan));
+        result.sensorsInBase.push_back(sensorInBase);
+    }
 }
 
 }  // namespace

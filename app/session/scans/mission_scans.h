@@ -14,6 +14,7 @@ namespace leitstand {
 /// The scans that a mission holds, in order of their stamps.
 struct MissionScans {
     std::vector<ScanPtr> scans;
+    std::vector<Pose> sensorsInBase;    ///< of each scan: where its sensor sat at the end of the sweep
     std::vector<std::string> warnings;  ///< what could not be read or is missing; each names its place
 };
 

@@ -1,6 +1,8 @@
 #include "core/mission/report/file_names.h"
 
+#include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace leitstand {
@@ -43,6 +45,25 @@ std::string fileNamePart(std::string_view text) {
     while (!name.empty() && (name.front() == '.' || name.front() == '_')) name.erase(0, 1);
     while (!name.empty() && (name.back() == '.' || name.back() == '_')) name.pop_back();
     return name;
+}
+
+std::vector<std::string> fileNameParts(const std::vector<std::string>& names) {
+    std::vector<std::string> parts;
+    std::set<std::string> taken;  // in small letters
+    const auto take = [&taken](std::string part) {
+        std::transform(part.begin(), part.end(), part.begin(), [](char letter) {
+            return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+        });
+        return taken.insert(std::move(part)).second;
+    };
+    for (const std::string& name : names) {
+        std::string plainName = fileNamePart(name);
+        if (plainName.empty()) plainName = "robot";
+        std::string part = plainName;
+        for (int number = 2; !take(part); ++number) part = plainName + "_" + std::to_string(number);
+        parts.push_back(std::move(part));
+    }
+    return parts;
 }
 
 std::string handInName(std::string_view competition, std::string_view team, std::string_view mission) {

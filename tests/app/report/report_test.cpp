@@ -239,6 +239,17 @@ TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
     EXPECT_FALSE(fs::exists(folder / "out" / "Competition-Team-empty.bt"));
 }
 
+TEST(ReportOfLittle, WhatTheOperatorRejectedIsNotRegisteredAgain) {
+    const TemporaryFolder folder;
+    writeSampleMission(folder / "rejected", {.setAside = true});
+    const ProcessOutcome outcome =
+        ctl({"report", (folder / "rejected").string(), "--out", (folder / "out").string(), "--no-pdf"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("there is no map: all scans of the mission were set aside"),
+                                   Not(HasSubstr("no station made a map"))));
+    EXPECT_FALSE(fs::exists(folder / "out" / (std::string(Name) + ".ply")));
+}
+
 TEST(ReportOfLittle, ADamagedMissionIsReportedAsFarAsItGoes) {
     const TemporaryFolder folder;
     writeSampleMission(folder / "torn");

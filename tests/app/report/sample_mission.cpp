@@ -182,6 +182,24 @@ void sayFinds(Writer& writer) {
     writer.say(object, station_topic::Victims);
 }
 
+/// What could be registered is there, but the operator has set every scan aside.
+void rejectAll(Writer& writer, const std::vector<ReportScan>& scans) {
+    ScanPosesSample poses;
+    poses.cause = ScanPosesSample::Cause::Operator;
+    for (const ReportScan& scan : scans) {
+        CloudSample cloud;
+        cloud.header = {scan.scan->end, "kurt3d/laser"};
+        cloud.points = scan.scan->points;
+        writer.receive(cloud, kurt().stream(StreamRole::Points)->topic);
+        ScanPose pose;
+        pose.scan = scan.id;
+        pose.scanInMap = scan.scanInMap;
+        pose.trust = ScanTrust::SetAside;
+        poses.poses.push_back(pose);
+    }
+    writer.say(poses, station_topic::ScanPoses);
+}
+
 }  // namespace
 
 void writeSampleMission(const std::filesystem::path& folder, const SampleMission& what) {
@@ -213,6 +231,7 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         sample.scanInMap = scan.scanInMap;
         writer.say(sample, station_topic::KeyScans);
     }
+    if (what.setAside) rejectAll(writer, scans);
     if (what.finds) sayFinds(writer);
 }
 

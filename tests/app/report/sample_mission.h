@@ -6,10 +6,11 @@ namespace leitstand::test {
 
 /// What a sample mission has.
 struct SampleMission {
-    int scans = 3;      ///< key scans of a furnished room of 8 m x 6 m
-    int odometry = 40;  ///< samples, along x
-    bool finds = true;  ///< V1 confirmed with pictures, V2 a hypothesis, V3 discarded, H1, Q1, O1
-    bool info = true;   ///< competition, team, country, mission
+    int scans = 3;          ///< key scans of a furnished room of 8 m x 6 m
+    int odometry = 40;      ///< samples, along x
+    bool finds = true;      ///< V1 confirmed with pictures, V2 a hypothesis, V3 discarded, H1, Q1, O1
+    bool info = true;       ///< competition, team, country, mission
+    bool setAside = false;  ///< the operator rejected every scan; their clouds are in the log too
 };
 
 /// Writes a mission of Kurt3D as a station would, into @p folder.

@@ -137,5 +137,12 @@ TEST(FileNames, TakeWhatEveryFileSystemTakes) {
     EXPECT_LE(fileNamePart(std::string(5000, 'x')).size(), 61u);
 }
 
+TEST(FileNames, NoTwoRobotsShareAFile) {
+    const std::vector<std::string> robots = {"rover_1", "rover__1", "Rover 1", "救助", "robot", "rover_1_2"};
+    EXPECT_EQ(fileNameParts(robots), (std::vector<std::string>{"rover_1", "rover_1_2", "Rover_1_3", "robot",
+                                                               "robot_2", "rover_1_2_2"}));
+    EXPECT_TRUE(fileNameParts({}).empty());
+}
+
 }  // namespace
 }  // namespace leitstand::test
