@@ -42,6 +42,12 @@ void CandidateThing::add(const PlacedCue& cue, const ScanPlaces& scans) {
     const double sure = sureness(cue.cue, 0.5), weight = 0.05 + sure;
     const double share = weight / (look.weight + weight);
     look.inScan += share * (mapInScan * cue.inMap - look.inScan);
+    if (cue.from.allFinite()) {
+        const Eigen::Vector3d from = mapInScan * cue.from;
+        look.fromInScan = look.fromInScan.allFinite()
+                              ? Eigen::Vector3d(look.fromInScan + share * (from - look.fromInScan))
+                              : from;
+    }
     if (look.cues == 0) look.covariance.setZero();
     look.covariance += share * (turn * cue.covariance * turn.transpose() - look.covariance);
     look.weight = std::min(look.weight + weight, 20.0);

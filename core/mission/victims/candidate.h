@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -17,7 +18,9 @@ using ScanPlaces = std::map<std::uint64_t, Pose>;  ///< key scans in the map
 
 /// What was seen of one thing from about one place: cues of a kind of a robot from a key scan, as one.
 struct CandidateLook {
-    Eigen::Vector3d inScan = Eigen::Vector3d::Zero();          ///< weighted mean, in the key scan's frame [m]
+    Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< weighted mean, in the key scan's frame [m]
+    Eigen::Vector3d fromInScan =
+        Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< camera, likewise; NaN: none
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of a usual one of them, likewise [m2]
     double weight = 0.0;                                       ///< sum of the cues' weights
     double evidence = 0.0;                                     ///< sum of confidence

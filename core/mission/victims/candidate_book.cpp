@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/mission/victims/behind.h"
 #include "core/mission/victims/candidate.h"
 
 namespace leitstand {
@@ -31,6 +32,9 @@ struct CandidateBook::State {
     [[nodiscard]] bool isSame(const CandidateThing& thing, const Eigen::Vector3d& inMap,
                               const Eigen::Matrix3d& covariance, const std::string& text) const;
     [[nodiscard]] CandidateThing* thingOf(const PlacedCue& cue);
+    [[nodiscard]] CandidateThing* standsBefore(const PlacedCue& cue);
+    void put(const PlacedCue& cue, CandidateThing& thing);
+    void dropSeenPast();
     void support(const PlacedCue& cue);
     void join(CandidateThing& thing);
     void forget();
@@ -75,6 +79,48 @@ CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
     return nearest;
 }
 
+/// The person that was told and that the camera saw @p cue past; the nearest to the camera.
+CandidateThing* CandidateBook::State::standsBefore(const PlacedCue& cue) {
+    CandidateThing* nearest = nullptr;
+    double least = 1.0;
+    for (CandidateThing& thing : things) {
+        if (thing.what != Kind::Victim || thing.id == 0 || thing.dismissed || thing.withdrawn) continue;
+        const auto share = sharePassing(cue.from, cue.inMap, thing.inMap, settings);
+        if (!share || *share >= least) continue;
+        least = *share;
+        nearest = &thing;
+    }
+    return nearest;
+}
+
+void CandidateBook::State::put(const PlacedCue& cue, CandidateThing& thing) {
+    thing.add(cue, scans);
+    thing.settle(scans, settings);
+}
+
+/// What a person before it explains, once that one is sure.
+void CandidateBook::State::dropSeenPast() {
+    const auto isOf = [this](const CandidateThing& far) {
+        return std::any_of(things.begin(), things.end(), [&](const CandidateThing& one) {
+            const bool sure = one.id != 0 || one.confidence >= settings.tell;
+            return &one != &far && one.what == Kind::Victim && sure && !one.dismissed && !one.withdrawn &&
+                   isSeenPast(far, one, scans, settings);
+        });
+    };
+    for (std::size_t i = 0; i < things.size();) {
+        CandidateThing& far = things[i];
+        // What was not told yet goes when it would be.
+        const bool matters = far.id != 0 || far.confidence >= settings.tell;
+        if (!matters || far.what != Kind::Victim || far.victim != 0 || far.dismissed || !isOf(far)) {
+            ++i;
+            continue;
+        }
+        far.confidence = 0.0;  // taken back by us: it may come again
+        if (far.id != 0 && !far.withdrawn) gone.push_back(far);
+        things.erase(things.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 void CandidateBook::State::support(const PlacedCue& cue) {
     // The one that it is most likely of, alone: a lamp beside a victim does not breathe.
     CandidateThing* best = nullptr;
@@ -87,9 +133,7 @@ void CandidateBook::State::support(const PlacedCue& cue) {
         most = likely;
         best = &thing;
     }
-    if (best == nullptr) return;
-    best->add(cue, scans);
-    best->settle(scans, settings);
+    if (best != nullptr) put(cue, *best);
 }
 
 void CandidateBook::State::join(CandidateThing& thing) {
@@ -143,11 +187,18 @@ void CandidateBook::add(const PlacedCue& cue) {
         for (CandidateThing& thing : state.things) {
             if (thing.what != Kind::Victim || (thing.inMap - cue.inMap).norm() > state.settings.codeNear)
                 continue;
-            thing.add(cue, state.scans);
-            thing.settle(state.scans, state.settings);
+            state.put(cue, thing);
         }
     }
     CandidateThing* thing = state.thingOf(cue);
+    if (cue.what == Kind::Victim && (thing == nullptr || thing->id == 0)) {
+        if (CandidateThing* nearer = state.standsBefore(cue)) {
+            PlacedCue moved = cue;
+            moved.inMap = cue.from + *sharePassing(cue.from, cue.inMap, nearer->inMap, state.settings) *
+                                         (cue.inMap - cue.from);
+            return state.put(moved, *nearer);
+        }
+    }
     if (thing == nullptr) {
         CandidateThing made;
         made.what = cue.what;
@@ -155,8 +206,7 @@ void CandidateBook::add(const PlacedCue& cue) {
         state.things.push_back(std::move(made));
         thing = &state.things.back();
     }
-    thing->add(cue, state.scans);
-    thing->settle(state.scans, state.settings);
+    state.put(cue, *thing);
     state.join(*thing);
     state.forget();
 }
@@ -260,6 +310,7 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
 
 std::vector<CandidateSample> CandidateBook::due(Time now) {
     State& state = *m_state;
+    state.dropSeenPast();
     std::vector<CandidateSample> samples;
     for (CandidateThing& thing : std::exchange(state.gone, {})) {
         thing.dismissed = true;

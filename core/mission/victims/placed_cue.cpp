@@ -7,6 +7,7 @@ namespace leitstand {
 void placeByRay(PlacedCue& cue, const Ray& ray, const RayHit& hit, double spread, bool certainPose,
                 const PlacingSettings& settings) {
     const Eigen::Vector3d along = ray.direction.normalized();
+    cue.from = ray.origin;
     cue.inMap = ray.origin + hit.range * along;
     const double pose = certainPose ? settings.pose : settings.doubted;
     const double angle = std::hypot(settings.pixel, settings.heading, 0.35 * spread);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -16,6 +17,8 @@ struct PlacedCue {
     VictimSample::Kind what = VictimSample::Kind::Victim;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();           ///< [m]
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< map frame [m2]
+    /// Camera that saw it, in the map [m]; NaN: it came by no ray.
+    Eigen::Vector3d from = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     double reach = 0.0;      ///< not 0: a disc about the robot, which only supports what is in it [m]
     std::uint64_t scan = 0;  ///< key scan from which it was seen: moves with it; 0: none
 };

@@ -24,6 +24,7 @@ struct Seen {
     std::string robot = "kurt3d";
     std::uint64_t scan = 0;
     double deviation = 0.08;
+    Eigen::Vector3d from = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
 PlacedCue cueOf(const Seen& seen) {
@@ -34,6 +35,7 @@ PlacedCue cueOf(const Seen& seen) {
     cue.cue.text = seen.text;
     cue.what = seen.kind == "code" ? Kind::Code : seen.kind == "hazard" ? Kind::Hazard : Kind::Victim;
     cue.inMap = seen.place;
+    cue.from = seen.from;
     cue.covariance = seen.deviation * seen.deviation * Eigen::Matrix3d::Identity();
     cue.reach = seen.kind == "co2" ? 1.5 : 0.0;
     cue.scan = seen.scan;
