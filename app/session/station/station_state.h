@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/finds/find_desk.h"
+#include "app/session/heap_keeper.h"
 #include "app/session/log/mission_feed.h"
 #include "app/session/station/robot_lines.h"
 #include "app/session/station/station.h"
@@ -49,6 +50,7 @@ struct Station::State {
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
     std::set<std::string> told;      ///< mismatches; under the mutex
+    HeapKeeper heap;
 
     ~State();
     Result<void> start();

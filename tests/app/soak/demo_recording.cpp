@@ -23,13 +23,13 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr double Near = 0.5;                 ///< of where it began [m]
-constexpr std::chrono::seconds ToAndFro(5);  ///< of the Crawler, one way
-constexpr std::chrono::seconds WayBack(90);  ///< at most
-constexpr std::chrono::seconds Again(8);     ///< until it is asked again
-constexpr double Gently = 0.1;               ///< [m/s]
-constexpr double Turn = 0.4;                 ///< [rad/s]
-constexpr double Aligned = 0.1;              ///< with how it stood at first [rad]
+constexpr double Near = 0.5;                  ///< of where it began [m]
+constexpr std::chrono::seconds ToAndFro(5);   ///< of the Crawler, one way
+constexpr std::chrono::seconds WayBack(300);  ///< at most
+constexpr std::chrono::seconds Again(15);     ///< until it is asked again
+constexpr double Gently = 0.1;                ///< [m/s]
+constexpr double Turn = 0.4;                  ///< [rad/s]
+constexpr double Aligned = 0.1;               ///< with how it stood at first [rad]
 
 /// Where @p robot is by its odometry; the origin before it said so.
 Pose placeOf(const Station& station, const std::string& robot) {

@@ -46,13 +46,29 @@ vtkNew<vtkUnsignedCharArray> coloursOver(const std::vector<Rgba>& colours) {
     return array;
 }
 
-/// Cells of @p size points each; the size of all @p indices makes one cell.
-vtkNew<vtkCellArray> cellsOver(const std::vector<std::int32_t>& indices, std::size_t size) {
+vtkNew<vtkTypeInt32Array> connectivityOver(const std::vector<std::int32_t>& indices) {
     vtkNew<vtkTypeInt32Array> connectivity;
     connectivity->SetArray(const_cast<std::int32_t*>(indices.data()), static_cast<vtkIdType>(indices.size()),
                            KeepMemory);
+    return connectivity;
+}
+
+vtkNew<vtkCellArray> trianglesOver(const std::vector<std::int32_t>& indices) {
     vtkNew<vtkCellArray> cells;
-    cells->SetData(static_cast<vtkIdType>(size), connectivity);
+    cells->SetData(3, connectivityOver(indices));
+    return cells;
+}
+
+/// Cells of many points each, since each costs an offset; but not one of all points: VTK keeps a copy of the
+/// largest cell, in twice as many bytes.
+vtkNew<vtkCellArray> verticesOver(const std::vector<std::int32_t>& indices) {
+    constexpr std::size_t Most = 256;
+    vtkNew<vtkTypeInt32Array> offsets;
+    for (std::size_t first = 0; first < indices.size(); first += Most)
+        offsets->InsertNextValue(static_cast<std::int32_t>(first));
+    offsets->InsertNextValue(static_cast<std::int32_t>(indices.size()));
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(offsets, connectivityOver(indices));
     return cells;
 }
 
@@ -99,19 +115,14 @@ void ScanActor::update(const SceneScan& scan) {
 }
 
 void ScanActor::rebuild() {
-    Eigen::AlignedBox3d box;
     if (shownPoints() == 0) {
-        m_mapper->setBounds(box);
         m_mapper->SetInputDataObject(nullptr);
         return;
     }
-    for (const std::int32_t i : *m_look.shown)
-        box.extend(m_points->points[static_cast<std::size_t>(i)].cast<double>());
-    m_mapper->setBounds(box);
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOver(m_points->points));
     data->GetPointData()->SetScalars(coloursOver(*m_look.colours));
-    data->SetVerts(cellsOver(*m_look.shown, m_look.shown->size()));
+    data->SetVerts(verticesOver(*m_look.shown));
     m_mapper->SetInputData(data);
     m_mapper->Update();
 }
@@ -152,7 +163,7 @@ void VoxelActor::update(std::shared_ptr<const VoxelMesh> mesh) {
         vtkNew<vtkPolyData> data;
         data->SetPoints(pointsOver(m_mesh->vertices));
         data->GetPointData()->SetScalars(coloursOver(m_mesh->colours));
-        data->SetPolys(cellsOver(m_mesh->triangles, 3));
+        data->SetPolys(trianglesOver(m_mesh->triangles));
         mapper->SetInputData(data);
     }
     mapper->Update();

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 
-#include <vtkMath.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLIndexBufferObject.h>
@@ -16,14 +15,6 @@ vtkStandardNewMacro(RangeMapper)
     void RangeMapper::setRange(double from, double to) {
     m_from = from;
     m_to = to;
-}
-
-void RangeMapper::ComputeBounds() {
-    if (m_bounds.isEmpty()) return vtkMath::UninitializeBounds(Bounds);
-    for (int axis = 0; axis < 3; ++axis) {
-        Bounds[2 * axis] = m_bounds.min()[axis];
-        Bounds[2 * axis + 1] = m_bounds.max()[axis];
-    }
 }
 
 void RangeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
