@@ -4,6 +4,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 for language in de ja; do
-    /usr/lib/qt6/bin/lupdate -silent -no-obsolete -locations none -I . app widgets -extensions cpp,h \
+    /usr/lib/qt6/bin/lupdate -silent -no-obsolete -locations none -I . app core widgets -extensions cpp,h \
         -source-language en -target-language "$language" -ts "translations/leitstand_$language.ts" 2>/dev/null
 done

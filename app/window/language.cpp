@@ -12,6 +12,7 @@
 #include <QTranslator>
 
 #include "app/window/commands/command_table.h"
+#include "core/base/words.h"
 
 static void registerTranslations() {
     Q_INIT_RESOURCE(translations);  // not within a namespace
@@ -53,6 +54,9 @@ const std::vector<Language>& languages() {
 
 bool useLanguage(const QString& code) {
     registerTranslations();
+    setTranslator([](const char* context, const char* text) {
+        return QCoreApplication::translate(context, text).toStdString();
+    });
     const auto& all = languages();
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const Language& one) { return one.code == code; });

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/session/log/sequencer.h"
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -25,7 +26,8 @@ Snapshots::Listener noting(const std::string& station, StationCameras::Note note
     kept.onWritten = [station, note = std::move(note), tell](const std::string& robot,
                                                              const std::filesystem::path& file) {
         const auto said = note({stationTime(), station, robot, "Snapshot " + file.string()});
-        tell(said ? "Snapshot kept: " + file.string() : said.error().text);
+        tell(said ? fill(translate("leitstand::Station", "Snapshot kept: {}"), file.string())
+                  : said.error().text);
     };
     kept.onProblem = std::move(tell);
     return kept;

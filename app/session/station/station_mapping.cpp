@@ -16,6 +16,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
+#include "core/base/words.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -66,7 +67,7 @@ struct StationMapping::State {
     [[nodiscard]] Result<void> known(std::uint64_t scan) const;
     [[nodiscard]] Result<void> granted() const;
     void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
-    [[nodiscard]] Result<void> takeBack(Undoing undoing, const char* nothing);
+    [[nodiscard]] Result<void> takeBack(Undoing undoing, const std::string& nothing);
 };
 
 void StationMapping::State::show(const LiveMapPtr& map) {
@@ -103,13 +104,16 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     const bool before = std::exchange(certain[place.robot], place.certain);
     if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
     using Cause = RobotPlaceSample::Cause;
-    const char* what =
+    const std::string what =
         place.cause == Cause::Tracked
-            ? (place.certain ? "its laser fits the map again" : "its place in the map is doubted")
-        : place.certain ? "found in the map"
+            ? (place.certain ? translate("leitstand::Station", "its laser fits the map again")
+                             : translate("leitstand::Station", "its place in the map is doubted"))
+        : place.certain ? translate("leitstand::Station", "found in the map")
         : place.cause == Cause::Slot
-            ? "not found beside the other robot: put it to where it stands, or let the other one see it"
-            : "not found there";
+            ? translate(
+                  "leitstand::Station",
+                  "not found beside the other robot: put it to where it stands, or let the other one see it")
+            : translate("leitstand::Station", "not found there");
     tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
 }
 
@@ -167,7 +171,8 @@ MapCrop StationMapping::State::cropInLog() const {
 
 Result<void> StationMapping::State::granted() const {
     if (mayMap()) return {};
-    return Error{"the map is another station's: ask it for the map, or wait until it is silent"};
+    return Error{translate("leitstand::Station",
+                           "the map is another station's: ask it for the map, or wait until it is silent")};
 }
 
 Result<void> StationMapping::State::known(std::uint64_t id) const {
@@ -187,7 +192,7 @@ void StationMapping::State::decide(std::function<Result<ScanPosesSample>(LiveMap
     });
 }
 
-Result<void> StationMapping::State::takeBack(Undoing undoing, const char* nothing) {
+Result<void> StationMapping::State::takeBack(Undoing undoing, const std::string& nothing) {
     if (auto may = granted(); !may) return may;
     bool calm = false;
     {
@@ -279,17 +284,21 @@ Result<void> StationMapping::rewind(Time moment) {
     const bool any = std::any_of(map->scans.begin(), map->scans.end(), [&](const LiveKeyScan& scan) {
         return scan.entered > moment && scan.pose.trust != ScanTrust::SetAside;
     });
-    if (!any) return Error{"rewind: no scan entered the map after that moment"};
+    if (!any)
+        return Error{translate("leitstand::Station", "rewind: no scan entered the map after that moment")};
     m_state->decide([moment](LiveMapper& mapper, Time now) { return mapper.rewind(moment, now); });
     return {};
 }
 
 Result<void> StationMapping::undo() {
-    return m_state->takeBack(&undoOnMap, "nothing to be taken back: no decision on the map stands");
+    return m_state->takeBack(
+        &undoOnMap,
+        translate("leitstand::Station", "nothing to be taken back: no decision on the map stands"));
 }
 
 Result<void> StationMapping::redo() {
-    return m_state->takeBack(&redoOnMap, "nothing to be done again: nothing was taken back last");
+    return m_state->takeBack(
+        &redoOnMap, translate("leitstand::Station", "nothing to be done again: nothing was taken back last"));
 }
 
 std::optional<MapDecision> StationMapping::undoable() const {
@@ -322,7 +331,8 @@ Result<void> StationMapping::place(const std::string& robot, const Pose& baseInM
     if (auto may = m_state->granted(); !may) return may;
     if (!m_state->robots.contains(robot))
         return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
-    if (scans()->scans.empty()) return Error{"there is no map yet to put a robot into"};
+    if (scans()->scans.empty())
+        return Error{translate("leitstand::Station", "there is no map yet to put a robot into")};
     m_state->mapping->place(robot, baseInMap);
     return {};
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/live_mapper_state.h"
 #include "core/mapping/live/scan_doubts.h"
@@ -117,7 +118,8 @@ Result<ScanPosesSample> LiveMapper::rewind(Time moment, Time now) {
         poses.push_back(scan.pose);
         poses.back().trust = ScanTrust::SetAside;
     }
-    if (poses.empty()) return Error{"rewind: no scan entered the map after that moment"};
+    if (poses.empty())
+        return Error{translate("leitstand::Station", "rewind: no scan entered the map after that moment")};
     return m_state->decided(std::move(poses), now);
 }
 

@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
+#include "core/base/words.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/models/numbers.h"
 
@@ -46,7 +47,7 @@ std::vector<Text> textsOf(const QString& file) {
 
 QStringList placeholdersOf(const QString& text) {
     QStringList all;
-    auto found = QRegularExpression(QStringLiteral("%[0-9]")).globalMatch(text);
+    auto found = QRegularExpression(QStringLiteral("%[0-9]|\\{[^}]*\\}")).globalMatch(text);
     while (found.hasNext()) all += found.next().captured();
     all.sort();
     all.removeDuplicates();
@@ -81,14 +82,24 @@ TEST_P(Translation, HasEveryTextOfTheProgram) {
     ASSERT_TRUE(QFile::copy(file(), copy));
     QProcess update;
     update.setWorkingDirectory(QStringLiteral(LEITSTAND_SOURCE_DIR));
-    update.start(lupdate, {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "widgets",
-                           "-extensions", "cpp,h", "-source-language", "en", "-target-language",
+    update.start(lupdate, {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "core",
+                           "widgets", "-extensions", "cpp,h", "-source-language", "en", "-target-language",
                            QLatin1String(GetParam()), "-ts", copy});
     ASSERT_TRUE(update.waitForFinished(120'000));
     ASSERT_EQ(update.exitCode(), 0);
     for (const Text& one : textsOf(copy))
         EXPECT_TRUE(one.finished) << one.context.toStdString() << ": " << one.source.toStdString()
                                   << " (translations/update.sh brings it into the files)";
+}
+
+TEST_P(Translation, IsWhatTheStationItselfSpeaks) {
+    const auto said = [] {
+        return fill(translate("leitstand::Station", "{} filed: press again to confirm"), std::string("V1"));
+    };
+    EXPECT_EQ(said(), "V1 filed: press again to confirm");
+    ASSERT_TRUE(useLanguage(QLatin1String(GetParam())));
+    EXPECT_NE(said(), "V1 filed: press again to confirm");
+    EXPECT_NE(said().find("V1"), std::string::npos);
 }
 
 TEST_P(Translation, IsSpokenAtOnceAndLeftAgain) {

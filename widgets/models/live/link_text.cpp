@@ -51,6 +51,12 @@ QString streamRoleText(StreamRole role) {
             return LinkTexts::tr("diagnostics");
         case StreamRole::Mode:
             return LinkTexts::tr("mode");
+        case StreamRole::Bumps:
+            return LinkTexts::tr("contacts");
+        case StreamRole::Sightings:
+            return LinkTexts::tr("sightings");
+        case StreamRole::StopState:
+            return LinkTexts::tr("STOP");
         default:
             return QString::fromStdString(toString(role)).replace(QLatin1Char('_'), QLatin1Char(' '));
     }

@@ -65,13 +65,13 @@ QString doubtDetails(std::uint8_t doubts) {
 QString trustText(ScanTrust trust) {
     switch (trust) {
         case ScanTrust::Certain:
-            return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "certain"));
+            return Say::tr("certain");
         case ScanTrust::Uncertain:
-            return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "uncertain ?"));
+            return Say::tr("uncertain ?");
         case ScanTrust::SetAside:
             break;
     }
-    return Say::tr(QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "set aside"));
+    return Say::tr("set aside");
 }
 
 Tone toneOf(ScanTrust trust) {
