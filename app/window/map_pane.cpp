@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/look_bar.h"
+#include "widgets/elided_label.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map_summary.h"
 
@@ -43,7 +44,7 @@ MapPane::MapPane(ViewState& state, QWidget* parent)
     : QWidget(parent),
       m_view(new MapView(this)),
       m_title(new QLabel(this)),
-      m_result(new QLabel(this)),
+      m_result(new ElidedLabel(this)),
       m_help(help()),
       m_stage(new QGridLayout) {
     m_view->setObjectName(QStringLiteral("map"));
@@ -67,6 +68,7 @@ QWidget* MapPane::header(ViewState& state) {
     rows->setSpacing(0);
     auto* line = new QHBoxLayout;
     line->setContentsMargins(10, 8, 10, 7);
+    line->setSpacing(14);
     m_title->setObjectName(QStringLiteral("mapTitle"));
     m_result->setObjectName(QStringLiteral("mapResult"));
     m_result->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

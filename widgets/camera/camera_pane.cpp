@@ -18,7 +18,8 @@ CameraPane::CameraPane(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setToolTip(
         tr("The ring tells how near things are: faint is far, dots are unknown, amber near, thick "
-           "red-orange at the body.\nThe blue line is the horizon."));
+           "red-orange at the body.\nThe blue line is the horizon. Shift and a click file the victim that is "
+           "there."));
 }
 
 void CameraPane::setCamera(const RobotFace& face, const QString& title) {
@@ -99,7 +100,18 @@ void CameraPane::setTurnable(bool turnable) {
     if (m_turnable == turnable) return;
     m_turnable = turnable;
     m_dragging = false;
-    setCursor(turnable ? Qt::OpenHandCursor : Qt::ArrowCursor);
+    showCursor();
+}
+
+void CameraPane::setPointing(bool pointing) {
+    m_pointing = pointing;
+    m_pressed.reset();
+    m_dragging = false;
+    showCursor();
+}
+
+void CameraPane::showCursor() {
+    setCursor(m_pointing ? Qt::CrossCursor : m_turnable ? Qt::OpenHandCursor : Qt::ArrowCursor);
 }
 
 QRectF CameraPane::pictureArea() const {
@@ -198,14 +210,17 @@ void CameraPane::leaveEvent(QEvent* /*event*/) {
 void CameraPane::mousePressEvent(QMouseEvent* event) {
     const QPointF at = inPicture(event->position());
     const bool inside = at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0;
-    if (event->button() == Qt::LeftButton && inside) m_pressed = event->position();
+    if (event->button() == Qt::RightButton && m_pointing) return emit pointingEnded();
+    if (event->button() != Qt::LeftButton || !inside) return;
+    if (m_pointing || event->modifiers().testFlag(Qt::ShiftModifier)) return emit pointedAt(at);
+    m_pressed = event->position();
 }
 
 void CameraPane::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !m_pressed) return;
     const QPointF at = inPicture(*std::exchange(m_pressed, std::nullopt));
     if (std::exchange(m_dragging, false)) {
-        setCursor(Qt::OpenHandCursor);
+        showCursor();
     } else {
         emit pictureClicked(at.x(), at.y());
     }

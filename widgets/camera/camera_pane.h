@@ -57,6 +57,8 @@ public:
     void setFront(const std::optional<QPointF>& ahead);
     /// Whether dragging the picture turns the camera.
     void setTurnable(bool turnable);
+    /// The next click points at something, as clicks with Shift always do.
+    void setPointing(bool pointing);
 
     /// Where the picture is painted [px]; empty without one.
     [[nodiscard]] QRectF pictureArea() const;
@@ -64,6 +66,9 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 140}; }
 
 signals:
+    /// The operator pointed at @p place, 0 to 1 of the picture's width and height.
+    void pointedAt(const QPointF& place);
+    void pointingEnded();  ///< by the right button: at nothing
     /// The picture was clicked at @p x, @p y, 0 to 1 of its width and height.
     void pictureClicked(double x, double y);
     /// A camera that can be turned was taken hold of at @p from; places as above, @p to maybe outside. Told
@@ -78,6 +83,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    void showCursor();
     void paintPicture(QPainter& painter, Freshness freshness);
     void scalePicture(const QSize& size, bool grey);
     void paintThermal(QPainter& painter, bool live) const;
@@ -95,7 +101,7 @@ private:
     CameraOverlay m_overlay;
     std::optional<PanoramaShape> m_panorama;
     std::optional<QPointF> m_front;
-    bool m_turnable = false, m_dragging = false;
+    bool m_turnable = false, m_dragging = false, m_pointing = false;
     std::optional<QPointF> m_pressed;  ///< where the button went down [px]
     std::optional<QPointF> m_pointer;
 };

@@ -35,7 +35,10 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     paintFigure(painter, {left, y, inner, 32}, m_battery.charge, NumberSize, colours);
     y += 33.0;
     if (tall) {
-        paintCaption(painter, {left, y, inner, 18}, m_battery.left, colours.muted);
+        const QFontMetricsF metrics(sized(painter.font(), CaptionSize));
+        const bool fits = metrics.horizontalAdvance(m_battery.left) <= inner;
+        paintCaption(painter, {left, y, inner, 18}, fits ? m_battery.left : m_battery.leftBrief,
+                     colours.muted);
         y += 21.0;
     }
     if (std::isfinite(m_battery.fraction)) {

@@ -13,14 +13,16 @@ void paintCaption(QPainter& painter, const QRectF& line, const QString& text, co
 
 double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, int pixels,
                    const ThemeColours& colours) {
-    painter.setFont(fitted(painter.font(), figure.value, line.width(), pixels, 11));
+    // A number without its unit may be taken for another one: it gets smaller before that.
+    const double unit = QFontMetricsF(sized(painter.font(), CaptionSize)).horizontalAdvance(figure.unit);
+    painter.setFont(
+        fitted(painter.font(), figure.value, line.width() - (unit > 0.0 ? unit + 4.0 : 0.0), pixels, 13));
     const QFontMetricsF large(painter.font());
     const double baseline = line.center().y() + 0.36 * pixels;
     painter.setPen(toneColour(figure.tone, colours));
     painter.drawText(QPointF(line.left(), baseline), figure.value);
     double end = line.left() + large.horizontalAdvance(figure.value);
     painter.setFont(sized(painter.font(), CaptionSize));
-    const double unit = QFontMetricsF(painter.font()).horizontalAdvance(figure.unit);
     if (end + 4.0 + unit > line.right() + 0.5) return end;
     painter.setPen(colours.muted);
     painter.drawText(QPointF(end + 4.0, baseline), figure.unit);

@@ -26,9 +26,10 @@ QRectF areaOf(const QWidget& pane) {
 VirtualScanPane::VirtualScanPane(QWidget* parent) : QWidget(parent) {
     m_head.title = tr("Virtual scan");
     setFocusPolicy(Qt::TabFocus);
-    setToolTip(
-        tr("What is around the robot, its front up.\nYellow: walls. Dots: obstacles, fainter the longer "
-           "ago they were seen.\nDashed: where it goes. The wheel, + and − zoom; a double click resets."));
+    setToolTip(tr(
+        "What is around the robot, its front up.\nYellow: walls. Dots: obstacles, fainter the longer "
+        "ago they were seen.\nDashed: where it goes. The wheel, + and − zoom; a double click resets.\nShift "
+        "and a click file the victim that is there."));
     setAccessibleName(m_head.title);
 }
 
@@ -65,6 +66,18 @@ QPointF VirtualScanPane::pixelOf(const Eigen::Vector2d& point) const {
     const double scale = OriginAt * area.height() / m_range;
     return QPointF(area.center().x(), area.top() + OriginAt * area.height()) -
            scale * QPointF(point.y(), point.x());
+}
+
+Eigen::Vector2d VirtualScanPane::pointOf(const QPointF& pixel) const {
+    const QRectF area = areaOf(*this);
+    const double scale = OriginAt * area.height() / m_range;
+    const QPointF away = pixelOf(Eigen::Vector2d::Zero()) - pixel;
+    return Eigen::Vector2d(away.y(), away.x()) / scale;
+}
+
+void VirtualScanPane::setPointing(bool pointing) {
+    m_pointing = pointing;
+    setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 void VirtualScanPane::paintEvent(QPaintEvent* /*event*/) {
@@ -114,6 +127,13 @@ void VirtualScanPane::keyPressEvent(QKeyEvent* event) {
     } else {
         QWidget::keyPressEvent(event);
     }
+}
+
+void VirtualScanPane::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton && m_pointing) return emit pointingEnded();
+    const bool points = m_pointing || event->modifiers().testFlag(Qt::ShiftModifier);
+    if (event->button() == Qt::LeftButton && points && areaOf(*this).contains(event->position()))
+        emit pointedAt(pointOf(event->position()));
 }
 
 void VirtualScanPane::mouseDoubleClickEvent(QMouseEvent* /*event*/) {

@@ -30,13 +30,21 @@ public:
 
     /// Where a point of base_link is painted [px].
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
+    [[nodiscard]] Eigen::Vector2d pointOf(const QPointF& pixel) const;  ///< the other way round [m]
+    /// The next click points at something, as clicks with Shift always do.
+    void setPointing(bool pointing);
     [[nodiscard]] QSize sizeHint() const override { return {320, 300}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 140}; }
+
+signals:
+    void pointedAt(const Eigen::Vector2d& place);  ///< base_link [m]
+    void pointingEnded();                          ///< by the right button: at nothing
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
@@ -46,6 +54,7 @@ private:
     std::optional<VirtualScanView> m_view;
     DriveVelocity m_commanded;
     double m_range = UsualRange;
+    bool m_pointing = false;
 };
 
 }  // namespace leitstand

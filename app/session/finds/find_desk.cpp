@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/mission/decisions.h"
 
 namespace leitstand {
@@ -104,14 +105,16 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     }
     const auto baseInMap = m_setup.robotInMap(frozen.robot);
     if (!baseInMap) {
-        m_setup.tell(fmt::format("{} is not in the map yet: nothing was filed", robot(frozen.robot)->title));
+        m_setup.tell(fill(translate("leitstand::Station", "{} is not in the map yet: nothing was filed"),
+                          robot(frozen.robot)->title));
         return;
     }
     // Better roughly than not at all: the operator moves it.
     frozen.deviation = NearbyDeviation;
     hang(frozen, *state, newestScan(*state, frozen.robot), *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0));
     file(std::move(frozen), kind);
-    m_setup.tell("no range there: filed ahead of the robot; move it on the map");
+    m_setup.tell(
+        translate("leitstand::Station", "no range there: filed ahead of the robot; move it on the map"));
 }
 
 MissionStatePtr FindDesk::known() {
@@ -154,8 +157,9 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
         m_newest = key;
         ++m_filings;
     }
-    m_setup.tell(fmt::format("{} {}: press again to confirm", nameOf(key.first, key.second),
-                             joined ? "has new evidence" : "filed"));
+    m_setup.tell(fill(joined ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
+                             : translate("leitstand::Station", "{} filed: press again to confirm"),
+                      nameOf(key.first, key.second)));
 }
 
 std::uint64_t FindDesk::filings() const {
@@ -223,7 +227,7 @@ Result<void> FindDesk::undo() {
         return m_setup.undo({m_setup.now(), m_setup.station, decision->sequence,
                              "undo: " + nameOf(sample->kind, sample->number)});
     }
-    return Error{"there is nothing on finds to take back"};
+    return Error{translate("leitstand::Station", "there is nothing on finds to take back")};
 }
 
 }  // namespace leitstand

@@ -51,6 +51,16 @@ Sharpest sharpestOf(const std::vector<Event>& pictures) {
     return best;
 }
 
+/// The picture that @p at points into; none: it is gone already or cannot be read.
+Sharpest pointedOf(const std::vector<Event>& pictures, const PicturePoint& at) {
+    for (auto event = pictures.rbegin(); event != pictures.rend(); ++event) {
+        const auto* sample = std::get_if<PictureSample>(&event->sample);
+        if (sample == nullptr || (at.sequence != 0 && event->sequence != at.sequence)) continue;
+        if (const auto picture = decodePicture(*sample)) return {&*event, picture->width, picture->height};
+    }
+    return {};
+}
+
 /// The newest thermal picture that shows a body, else the newest.
 struct Hottest {
     const Event* event = nullptr;
@@ -111,8 +121,12 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
         if (sensor != aimed || !recent.cameras.contains(sensor)) return;
         lookThrough(chosen, event, width, height, {share.x() * width, share.y() * height}, Crosshair);
     };
+    const auto pointedIn = [&](const std::string& sensor, const std::vector<Event>& pictures) {
+        return at && sensor == aimed ? pointedOf(pictures, *at) : Sharpest();
+    };
     for (const auto& [sensor, pictures] : recent.pictures) {
-        const Sharpest best = sharpestOf(pictures);
+        Sharpest best = pointedIn(sensor, pictures);
+        if (best.event == nullptr) best = sharpestOf(pictures);
         if (best.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("picture", *best.event));
         aim(sensor, *best.event, best.width, best.height);
@@ -125,7 +139,8 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
             pictures, camera == recent.cameras.end() ? CameraInfoSample() : camera->second, stream->thermal);
         if (hottest.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("thermal", *hottest.event));
-        if (at) aim(sensor, *hottest.event, hottest.width, hottest.height);
+        if (const Sharpest pointed = pointedIn(sensor, pictures); pointed.event != nullptr)
+            aim(sensor, *pointed.event, pointed.width, pointed.height);
         if (!hottest.blob) continue;
         chosen.frozen.heat = hottest.blob->peak;
         if (!at && camera != recent.cameras.end())

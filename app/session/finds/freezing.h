@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ namespace leitstand {
 struct PicturePoint {
     std::string sensor;                                 ///< StreamDescription::sensor
     Eigen::Vector2d share = Eigen::Vector2d(0.5, 0.5);  ///< of the picture's width and height, from top left
+    std::uint64_t sequence = 0;                         ///< of the picture's event; 0: the newest
 };
 
 /// The evidence that shows a find, chosen from what a robot said.
@@ -32,7 +34,8 @@ struct ChosenEvidence {
 
 /// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with its
 /// hottest body, gas where it rose, newest scan, odometry and sightings. The place is looked for through
-/// @p at where it is told, else through the hot spot, else through the middle of the camera @p looksThrough.
+/// @p at where it is told (that picture is the one kept of its camera: the robot may have moved since), else
+/// through the hot spot, else through the middle of the camera @p looksThrough.
 /// Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
                                             const std::string& looksThrough,

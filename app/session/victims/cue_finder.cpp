@@ -11,6 +11,7 @@
 #include "core/perception/cues/body_heat.h"
 #include "core/perception/cues/hazard.h"
 #include "core/perception/heat.h"
+#include "core/perception/omni/mei_camera.h"
 #include "core/perception/picture_decoding.h"
 
 namespace leitstand {
@@ -231,7 +232,10 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
     const auto* sample = std::get_if<PictureSample>(&looked.picture.sample);
     const auto camera = m_cameras.find(looked.picture.sensor);
     if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return std::nullopt;
-    const auto direction = pixelDirection(*camera->second.info, looked.pixel, looked.width, looked.height);
+    const auto mirror = MeiCamera::of(*camera->second.info, looked.width, looked.height);
+    const auto direction =
+        mirror ? mirror->direction(looked.pixel)
+               : pixelDirection(*camera->second.info, looked.pixel, looked.width, looked.height);
     const Time stamp = stampOf(looked.picture, sample->header);
     const auto inBase = m_frames.inBase(looked.picture.sensor, sample->header.frame, stamp);
     const auto motion = m_tracker.motion().at(stamp);

@@ -28,6 +28,7 @@
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/victims/find_pointing.h"
 #include "app/window/live/victims/victims_feature.h"
 #include "widgets/theme.h"
 
@@ -60,8 +61,10 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     auto* mapActions = new MapActions(context, *m_map);
     connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
     connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
-    new ScanFeature(context);
+    auto* scan = new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);
+    auto* pointing = new FindPointing(context, *m_map, *m_cameras, *scan);
+    connect(pointing, &FindPointing::told, this, &LiveWindow::tell);
     m_report = new ReportFeature(context);
     m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
     m_link = new LinkFeature(context);

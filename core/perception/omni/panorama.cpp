@@ -112,10 +112,10 @@ Picture Panorama::unwrapped(const Picture& picture) const {
 }
 
 std::optional<Eigen::Vector2d> rawPlaceOf(const CameraInfoSample& info, const Pose& cameraInBase, double yaw,
-                                          int width, int height) {
+                                          int width, int height, double elevation) {
     const auto camera = MeiCamera::of(info, width, height);
     if (!camera) return std::nullopt;
-    const auto pixel = camera->project(cameraInBase.linear().transpose() * directionOf(yaw, 0.0));
+    const auto pixel = camera->project(cameraInBase.linear().transpose() * directionOf(yaw, elevation));
     if (!pixel) return std::nullopt;
     return Eigen::Vector2d((pixel->x() + 0.5) / width, (pixel->y() + 0.5) / height);
 }

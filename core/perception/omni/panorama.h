@@ -49,10 +49,12 @@ private:
     std::vector<float> m_x, m_y;  ///< where each pixel of the panorama comes from, row by row
 };
 
-/// Where @p yaw (to the left of ahead, at the height of the camera) is in a picture of @p width x @p height
-/// that was not unwrapped, 0 to 1 of both; empty where the camera does not see it or is not calibrated.
+/// Where @p yaw (to the left of ahead) at @p elevation above the height of the camera [rad] is in a picture
+/// of
+/// @p width x @p height that was not unwrapped, 0 to 1 of both; empty where the camera does not see it or is
+/// not calibrated.
 [[nodiscard]] std::optional<Eigen::Vector2d> rawPlaceOf(const CameraInfoSample& info,
                                                         const Pose& cameraInBase, double yaw, int width,
-                                                        int height);
+                                                        int height, double elevation = 0.0);
 
 }  // namespace leitstand

@@ -13,8 +13,10 @@
 #include "app/window/live/layouts/layout_feature.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
+#include "widgets/camera/camera_pane.h"
 #include "widgets/mission/mission_form.h"
 #include "widgets/victims/victim_form.h"
+#include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand::test {
 namespace {
@@ -118,6 +120,46 @@ TEST_F(LiveVictims, HazardsAreFiledPlacedMergedAndDiscarded) {
     ASSERT_TRUE(soon([&] { return victim(1, Kind::Hazard)->victim.status == Status::Discarded; }));
     trigger("victim.undo");
     ASSERT_TRUE(soon([&] { return victim(1, Kind::Hazard)->victim.status == Status::Hypothesis; }));
+}
+
+TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
+    m_window->layouts().use("drive");
+    auto* const large = m_window->findChild<CameraPane*>("cameraPane");
+    ASSERT_NE(large, nullptr);
+    ASSERT_TRUE(soon([&] { return !large->pictureArea().isEmpty(); }));
+    // Below the horizon, where there is floor or what stands on it.
+    const QRectF area = large->pictureArea();
+    QTest::mouseClick(large, Qt::LeftButton, Qt::ShiftModifier,
+                      QPointF(area.left() + 0.3 * area.width(), area.top() + 0.6 * area.height()).toPoint());
+    ASSERT_TRUE(soon([&] { return victim(1) != nullptr; })) << m_window->newest().toStdString();
+    EXPECT_FALSE(m_window->driving()) << "that click is not for driving";
+    const VictimSample pictured = victim(1)->victim;
+    Eigen::Vector3d seen = pictured.positionInMap;
+    Pose base = Pose::Identity();
+    for (const RobotInMap& one : *station().mapping().robots()) {
+        if (one.robot == "kurt3d") base = one.baseInMap;
+    }
+    seen = base.inverse() * seen;
+    EXPECT_GT(seen.x(), 0.2) << "ahead";
+    EXPECT_GT(seen.y(), 0.0) << "and to the left: " << seen.transpose();
+
+    auto* const around = m_window->findChild<VirtualScanPane*>();
+    ASSERT_NE(around, nullptr);
+    ASSERT_TRUE(soon([&] { return around->isVisible(); }));
+    trigger("victim.point");
+    EXPECT_EQ(around->cursor().shape(), Qt::CrossCursor);
+    EXPECT_EQ(large->cursor().shape(), Qt::CrossCursor);
+    QTest::mouseClick(around, Qt::LeftButton, {}, around->pixelOf({-1.2, -0.9}).toPoint());
+    ASSERT_TRUE(soon([&] { return victim(2) != nullptr; })) << m_window->newest().toStdString();
+    const Eigen::Vector3d behind = base.inverse() * victim(2)->victim.positionInMap;
+    EXPECT_LT((behind.head<2>() - Eigen::Vector2d(-1.2, -0.9)).norm(), 0.1) << behind.transpose();
+    EXPECT_FALSE(m_window->commands().find("victim.point")->isChecked());
+    EXPECT_NE(around->cursor().shape(), Qt::CrossCursor) << "one click, one victim";
+
+    trigger("victim.point");
+    QTest::mouseClick(around, Qt::RightButton, {}, around->pixelOf({1.0, 0.0}).toPoint());
+    EXPECT_FALSE(m_window->commands().find("victim.point")->isChecked()) << "at nothing";
+    EXPECT_EQ(victim(3), nullptr);
 }
 
 TEST_F(LiveVictims, MissionDataAreAskedForWithoutStoppingAnything) {

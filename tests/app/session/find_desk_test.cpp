@@ -122,6 +122,21 @@ protected:
     std::unique_ptr<FindDesk> m_desk;
 };
 
+TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(8.5), 2));  // sharper, but the robot moved on
+    const Event pointed = m_robot.picture(at(9.5), 14);
+    m_desk->take(pointed);
+    m_desk->take(m_robot.picture(at(9.9), 12));
+    m_desk->freeze("kurt3d", Kind::Victim, "right", PicturePoint{"left", {0.25, 0.75}, pointed.sequence});
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_EQ(find(1).evidence.at(0).sequence, pointed.sequence);
+    ASSERT_TRUE(m_asked && m_asked->picture);
+    EXPECT_EQ(m_asked->picture->sequence, pointed.sequence);
+    EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(16.0, 36.0));
+}
+
 TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
     m_desk->take(m_robot.info());
     m_desk->take(m_robot.picture(at(1.0), 1));  // sharp, but long ago

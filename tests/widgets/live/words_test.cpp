@@ -244,6 +244,7 @@ TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
 TEST_F(LiveWords, BatteryTellsMinutesAndWarnsWhenLow) {
     EXPECT_EQ(stateOf(robot).battery.charge.value.toStdString(), "71");
     EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "38 min at this load");
+    EXPECT_EQ(stateOf(robot).battery.leftBrief.toStdString(), "38 min");
     robot.said.battery->sample.fraction = 0.2;
     EXPECT_EQ(stateOf(robot).battery.charge.tone, Tone::Attention);
     robot.said.battery->sample.fraction = 0.05;

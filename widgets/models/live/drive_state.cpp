@@ -162,10 +162,11 @@ BatteryFigures batteryOf(const RobotState& said, Time now) {
     } else if (battery.status == BatterySample::Status::Charging) {
         figures.left = DriveTexts::tr("charging");
     } else if (std::isfinite(minutes)) {
-        figures.left = minutes < 600.0
-                           ? DriveTexts::tr("%1 min at this load").arg(numberText(minutes, 0))
-                           : DriveTexts::tr("%1 h at this load").arg(numberText(minutes / 60.0, 0));
+        figures.leftBrief = minutes < 600.0 ? DriveTexts::tr("%1 min").arg(numberText(minutes, 0))
+                                            : DriveTexts::tr("%1 h").arg(numberText(minutes / 60.0, 0));
+        figures.left = DriveTexts::tr("%1 at this load").arg(figures.leftBrief);
     }
+    if (figures.leftBrief.isEmpty()) figures.leftBrief = figures.left;
     return figures;
 }
 

@@ -38,6 +38,7 @@ struct BatteryFigures {
     Figure charge;
     double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
     QString left;                                                ///< "38 min at this load"; may be empty
+    QString leftBrief;                                           ///< "38 min", where there is little room
 };
 
 struct GasFigures {

@@ -41,6 +41,11 @@ CameraFeature::CameraFeature(const ViewContext& context)
     addInfrared();
     connect(m_large, &CameraPane::pictureClicked, this, &CameraFeature::driveWanted);
     connect(m_large, &CameraPane::pictureDragged, this, &CameraFeature::drag);
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
+        connect(&pane(place), &CameraPane::pointedAt, this,
+                [this, place](const QPointF& at) { point(place, at); });
+        connect(&pane(place), &CameraPane::pointingEnded, this, &CameraFeature::pointingEnded);
+    }
     connect(&context.selection, &Selection::changed, this, &CameraFeature::choose);
     connect(&context.source, &MomentSource::pictured, this, &CameraFeature::showPicture);
     connect(&context.source, &MomentSource::pictureGone, this, &CameraFeature::forget);
@@ -267,6 +272,18 @@ void CameraFeature::drag(const QPointF& from, const QPointF& to, bool first) {
     }
     const PanTiltAngles wanted = dragged(m_grabbedAt, m_grabbed, directionAt(*picture, to));
     turnTo(wanted.pan, wanted.tilt);
+}
+
+void CameraFeature::setPointing(bool pointing) {
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small})
+        pane(place).setPointing(pointing);
+}
+
+void CameraFeature::point(CameraPlace place, const QPointF& at) {
+    const ShownPicturePtr picture = m_views.newest(place);
+    if (!picture || m_views.robot() == nullptr) return;
+    if (const auto raw = rawPlace(*m_views.robot(), *picture, at))
+        emit pointed({picture->sensor, *raw, picture->sequence});
 }
 
 void CameraFeature::keep(CameraPlace place) {

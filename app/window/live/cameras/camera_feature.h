@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "app/session/finds/freezing.h"
 #include "app/window/live/cameras/camera_views.h"
 #include "app/window/live/cameras/picture_looks.h"
 #include "app/window/live/live_context.h"
@@ -30,6 +31,7 @@ public:
     /// Cameras that are in a pane and have sent no picture yet.
     [[nodiscard]] QStringList missing() const;
     [[nodiscard]] const CameraViews& views() const { return m_views; }
+    void setPointing(bool pointing);  ///< the next click into a picture points
 
 public slots:
     // The large camera, and what is on its pan-tilt unit: pan to the left, tilt down.
@@ -39,6 +41,8 @@ public slots:
     void recentre();                        ///< all cameras of the robot
 
 signals:
+    void pointed(const PicturePoint& at);  ///< into a picture of the selected robot
+    void pointingEnded();
     void driveWanted();              ///< the large picture was clicked
     void told(const QString& text);  ///< for the operator
 
@@ -55,6 +59,7 @@ private:
     void forget(const std::string& robot, const std::string& sensor);
     void showIn(CameraPane& pane, const ShownPicturePtr& picture);
     void show(const LiveMoment& moment);
+    void point(CameraPlace place, const QPointF& at);
     void drag(const QPointF& from, const QPointF& to, bool first);
     void keep(CameraPlace place);  ///< a snapshot
     [[nodiscard]] CameraPane& pane(CameraPlace place) const;

@@ -41,6 +41,16 @@ Eigen::Vector3d directionAt(const ShownPicture& picture, const QPointF& place) {
         .normalized();
 }
 
+std::optional<Eigen::Vector2d> rawPlace(const RobotDescription& robot, const ShownPicture& picture,
+                                        const QPointF& place) {
+    if (!picture.panorama) return Eigen::Vector2d(place.x(), place.y());
+    const auto sensor = robot.sensors.find(picture.sensor);
+    if (sensor == robot.sensors.end() || !picture.camera) return std::nullopt;
+    const PanoramaShape& shape = *picture.panorama;
+    return rawPlaceOf(*picture.camera, sensor->second.sensorInBase, shape.yawAt(place.x() * shape.width),
+                      picture.width, picture.height, shape.elevationAt(place.y() * shape.height));
+}
+
 std::optional<QPointF> frontIn(const RobotDescription& robot, const ShownPicture& picture) {
     const auto sensor = robot.sensors.find(picture.sensor);
     if (!isOmni(&picture) || picture.panorama || sensor == robot.sensors.end()) return std::nullopt;

@@ -29,6 +29,10 @@ void addDriving(CameraOverlay& overlay, const RobotDescription& robot, const Liv
 /// Where the camera of @p picture looks at @p place (0 to 1 of both sides) in its optical frame; by 60
 /// degrees across where it is not calibrated.
 [[nodiscard]] Eigen::Vector3d directionAt(const ShownPicture& picture, const QPointF& place);
+/// Where @p place of @p picture as it is shown is in the picture as it came, which a panorama is not; 0 to 1
+/// of both sides. Empty: what @p robot's camera does not see.
+[[nodiscard]] std::optional<Eigen::Vector2d> rawPlace(const RobotDescription& robot,
+                                                      const ShownPicture& picture, const QPointF& place);
 /// Where the robot's front is in @p picture of an omnidirectional camera that was not unwrapped.
 [[nodiscard]] std::optional<QPointF> frontIn(const RobotDescription& robot, const ShownPicture& picture);
 

@@ -36,6 +36,12 @@ ScanFeature::ScanFeature(const ViewContext& context)
     connect(&context.selection, &Selection::changed, this, setRobot);
     setRobot();
     connect(&context.source, &MomentSource::ticked, this, &ScanFeature::show);
+    connect(m_pane, &VirtualScanPane::pointedAt, this, &ScanFeature::pointed);
+    connect(m_pane, &VirtualScanPane::pointingEnded, this, &ScanFeature::pointingEnded);
+}
+
+void ScanFeature::setPointing(bool pointing) {
+    m_pane->setPointing(pointing);
 }
 
 void ScanFeature::show(const LiveMoment& moment) {

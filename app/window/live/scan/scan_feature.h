@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <QObject>
 
 #include "app/window/live/live_context.h"
@@ -14,6 +15,11 @@ class ScanFeature final : public QObject {
     Q_OBJECT
 public:
     explicit ScanFeature(const ViewContext& context);
+    void setPointing(bool pointing);  ///< the next click points
+
+signals:
+    void pointed(const Eigen::Vector2d& place);  ///< of the selected robot's base_link [m]
+    void pointingEnded();
 
 private:
     void show(const LiveMoment& moment);
