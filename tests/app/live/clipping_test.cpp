@@ -95,6 +95,12 @@ protected:
 
 TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    {
+        QLabel narrow(QStringLiteral("far too long"), m_window.get());
+        narrow.setGeometry(0, 0, 20, 20);
+        narrow.show();
+        ASSERT_EQ(cutIn(*m_window).size(), 1) << "what is cut is seen";
+    }
     for (const char* language : {"en", "de", "ja"}) {
         useLanguage(QLatin1String(language));
         restart();
