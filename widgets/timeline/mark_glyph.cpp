@@ -1,5 +1,7 @@
 #include "widgets/timeline/mark_glyph.h"
 
+#include <QPainterPath>
+
 #include "widgets/pane_paint.h"
 
 namespace leitstand {
@@ -17,9 +19,9 @@ QPolygonF polygon(const QPointF& middle, std::initializer_list<QPointF> corners)
 
 void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& middle, const QFont& font) {
     const ThemeColours& colours = coloursOf(presentTheme());
-    const bool discarded = glyph.mark.key == "discarded";
-    const QColor ink =
-        glyph.shape == MarkShape::Disc && !discarded ? colours.select : toneColour(glyph.tone, colours);
+    const bool discarded = glyph.tone == Tone::Muted;
+    const bool find = glyph.shape == MarkShape::Disc || glyph.shape == MarkShape::Drop;
+    const QColor ink = find && !discarded ? colours.select : toneColour(glyph.tone, colours);
     const QRectF box(middle.x() - Half, middle.y() - Half, 2 * Half, 2 * Half);
     painter.setPen(QPen(colours.strip, 1.5));  // parts marks that overlap
     painter.setBrush(ink);
@@ -30,6 +32,18 @@ void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& mid
             painter.setPen(colours.window);
             painter.drawText(box.adjusted(-2, -2, 2, 2), Qt::AlignCenter, glyph.letter);
             break;
+        case MarkShape::Drop: {  // points down to its moment, hollow: nobody has said yet that it is one
+            QPainterPath drop(middle + QPointF(0, Half + 4));
+            drop.quadTo(middle + QPointF(-Half - 3, 0), middle + QPointF(-Half + 1, -Half + 1));
+            drop.quadTo(middle + QPointF(0, -Half - 5), middle + QPointF(Half - 1, -Half + 1));
+            drop.quadTo(middle + QPointF(Half + 3, 0), middle + QPointF(0, Half + 4));
+            painter.setPen(QPen(ink, 1.5));
+            painter.setBrush(colours.strip);
+            painter.drawPath(drop);
+            painter.setFont(sized(font, 10, true));
+            painter.drawText(box.adjusted(-2, -3, 2, 0), Qt::AlignCenter, glyph.letter);
+            break;
+        }
         case MarkShape::Triangle:
             painter.drawPolygon(polygon(middle, {{0, -1}, {1.1, 0.9}, {-1.1, 0.9}}));
             break;

@@ -21,9 +21,9 @@ constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
     std::vector<std::string> topics;
     for (const auto topic :
-         {station_topic::Victims, station_topic::KeyScans, station_topic::ScanPoses,
-          station_topic::RobotPlaces, station_topic::Undo, station_topic::Notes, station_topic::Sessions,
-          station_topic::Alarms, station_topic::Clock, station_topic::Grants})
+         {station_topic::Victims, station_topic::Candidates, station_topic::KeyScans,
+          station_topic::ScanPoses, station_topic::RobotPlaces, station_topic::Undo, station_topic::Notes,
+          station_topic::Sessions, station_topic::Alarms, station_topic::Clock, station_topic::Grants})
         topics.emplace_back(topic);
     for (const RobotDescription& robot : robots) {
         for (const StreamDescription& stream : robot.streams) {

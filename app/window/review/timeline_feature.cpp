@@ -78,15 +78,21 @@ void TimelineFeature::addCommands() {
        [this] { change(true); });
     m_transport->addGap();
     m_context.commands.separate(CommandMenu::Mission);
-    on(add("review.nextVictim", tr("Next &victim"), tr("On to the next victim, from the last to the first"),
-           Qt::Key_V),
-       [this] { jumpTo(Kind::Victim); });
+    const std::vector finds = {Kind::Victim, Kind::Candidate};
+    on(add("review.nextVictim", tr("Next &victim"),
+           tr("On to the next victim, other find or candidate, from the last to the first"), Qt::Key_V),
+       [this, finds] { jumpTo(finds, true); });
+    QAction& before =
+        add("review.previousVictim", tr("Previous v&ictim"),
+            tr("Back to the victim, other find or candidate before, from the first to the last"),
+            Qt::SHIFT | Qt::Key_V);
+    connect(&before, &QAction::triggered, this, [this, finds] { jumpTo(finds, false); });
     on(add("review.nextAlarm", tr("Next &alarm"), tr("On to the next alarm, from the last to the first"),
            Qt::Key_A),
-       [this] { jumpTo(Kind::Alarm); });
+       [this] { jumpTo({Kind::Alarm}, true); });
     on(add("review.nextNote", tr("Next n&ote"), tr("On to the next note, from the last to the first"),
            Qt::Key_O),
-       [this] { jumpTo(Kind::Note); });
+       [this] { jumpTo({Kind::Note}, true); });
     m_context.commands.separate(CommandMenu::Mission);
     QAction& finished = add("review.finished", tr("&Map as finished"),
                             tr("The map as the mission ended, with all corrections; else as it was then"),
@@ -125,12 +131,14 @@ void TimelineFeature::jump(bool forwards) {
     go(forwards ? markAfter(m_marks, now) : markBefore(m_marks, now));
 }
 
-void TimelineFeature::jumpTo(TimelineMark::Kind kind) {
+void TimelineFeature::jumpTo(const std::vector<TimelineMark::Kind>& kinds, bool forwards) {
     std::vector<TimelineMark> of;
-    std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(of),
-                 [kind](const TimelineMark& mark) { return mark.kind == kind; });
-    const TimelineMark* const next = markAfter(of, m_bridge.player().position());
-    go(next != nullptr || of.empty() ? next : &of.front());
+    std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(of), [&kinds](const TimelineMark& mark) {
+        return std::find(kinds.begin(), kinds.end(), mark.kind) != kinds.end();
+    });
+    const Time now = m_bridge.player().position();
+    const TimelineMark* const next = forwards ? markAfter(of, now) : markBefore(of, now);
+    go(next != nullptr || of.empty() ? next : forwards ? &of.front() : &of.back());
 }
 
 void TimelineFeature::setOwnMarks(std::vector<TimelineMark> marks) {

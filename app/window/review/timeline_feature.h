@@ -41,7 +41,8 @@ private:
     void toggle(double direction);
     void change(bool faster);
     void jump(bool forwards);
-    void jumpTo(TimelineMark::Kind kind);  ///< the next one, of the last the first
+    /// The next of these, of the last the first; or the one before.
+    void jumpTo(const std::vector<TimelineMark::Kind>& kinds, bool forwards);
     void go(const TimelineMark* mark);
     void showMission();
     void showMoment();

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <variant>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace leitstand {
 namespace {
 
@@ -16,6 +19,30 @@ std::string wordOf(VictimSample::Status status) {
             break;
     }
     return "discarded";
+}
+
+std::string wordOf(VictimSample::Kind kind) {
+    switch (kind) {
+        case VictimSample::Kind::Victim:
+            return "victim";
+        case VictimSample::Kind::Hazard:
+            return "hazard";
+        case VictimSample::Kind::Code:
+            return "code";
+        case VictimSample::Kind::Object:
+            break;
+    }
+    return "object";
+}
+
+/// What a code or a sign says, else the kinds of cues, the first of each.
+std::string cuesOf(const CandidateSample& candidate) {
+    std::vector<std::string> kinds;
+    for (const Cue& cue : candidate.cues) {
+        if (candidate.kind != VictimSample::Kind::Victim && !cue.text.empty()) return cue.text;
+        if (std::find(kinds.begin(), kinds.end(), cue.kind) == kinds.end()) kinds.push_back(cue.kind);
+    }
+    return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
 }  // namespace
@@ -46,6 +73,22 @@ void TimelineCollector::addSightings(const Event& event, const SightingSample& s
     }
 }
 
+void TimelineCollector::addCandidate(const Event& event, const CandidateSample& candidate) {
+    // It is said again whenever it moves, and with less than that when it is taken back.
+    const auto known = m_candidates.find(candidate.id);
+    const bool shown = candidate.confidence >= LeastShownConfidence && candidate.victim == 0;
+    if (known == m_candidates.end() ? candidate.dismissed || !shown : known->second || !candidate.dismissed)
+        return;
+    m_candidates[candidate.id] = candidate.dismissed;
+    put(event, {.kind = TimelineMark::Kind::Candidate,
+                .robot = candidate.cues.empty() ? std::string() : candidate.cues.front().robot,
+                .key = candidate.dismissed ? "dismissed" : "told",
+                .name = wordOf(candidate.kind),
+                .text = cuesOf(candidate),
+                .candidate = candidate.id,
+                .confidence = candidate.confidence});
+}
+
 void TimelineCollector::add(const Event& event) {
     using Kind = TimelineMark::Kind;
     if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
@@ -56,6 +99,8 @@ void TimelineCollector::add(const Event& event) {
         known->second = victim->status;
         put(event,
             {.kind = Kind::Victim, .robot = victim->robot, .key = wordOf(victim->status), .name = name});
+    } else if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) {
+        addCandidate(event, *candidate);
     } else if (const auto* alarm = std::get_if<AlarmSample>(&event.sample)) {
         if (alarm->state != AlarmSample::State::Raised) return;
         put(event, {.kind = Kind::Alarm,

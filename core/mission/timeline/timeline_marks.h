@@ -15,24 +15,31 @@ namespace leitstand {
 /// Something of a mission that a reviewer wants to jump to.
 struct TimelineMark {
     enum class Kind : std::uint8_t {
-        Victim,    ///< filed or changed; name: "V1", key: "hypothesis", "confirmed", "discarded"
-        Alarm,     ///< raised; key: AlarmSample::key, text: as logged
-        Note,      ///< text: what was written
-        Decision,  ///< of the operator on scans, or an undo; key: "poses", "undo"; text: what is undone
-        Mode,      ///< of a robot; key: ModeSample::mode
-        Bump,      ///< key: the bumper
-        Sighting,  ///< a robot's own; key: Sighting::kind, text: of a code
-        Session,   ///< a station began or ended to write; key: "start", "end"; text: its title
+        Victim,     ///< filed or changed; name: "V1", key: "hypothesis", "confirmed", "discarded"
+        Candidate,  ///< told first, or dismissed by the operator; key: "told", "dismissed", name: "victim",
+                    ///< "hazard", "code", "object", text: kinds of its cues ("heat, motion") or what it says
+        Alarm,      ///< raised; key: AlarmSample::key, text: as logged
+        Note,       ///< text: what was written
+        Decision,   ///< of the operator on scans, or an undo; key: "poses", "undo"; text: what is undone
+        Mode,       ///< of a robot; key: ModeSample::mode
+        Bump,       ///< key: the bumper
+        Sighting,   ///< a robot's own; key: Sighting::kind, text: of a code
+        Session,    ///< a station began or ended to write; key: "start", "end"; text: its title
     };
     Kind kind = Kind::Note;
-    Time at{};                   ///< station's clock
-    std::uint64_t sequence = 0;  ///< of the event
-    std::string robot = {};      ///< may be empty
-    std::string key = {};        ///< as the kind says
-    std::string name = {};       ///< likewise
-    std::string text = {};       ///< likewise
-    bool act = false;            ///< an alarm that says "act", a bump
+    Time at{};                    ///< station's clock
+    std::uint64_t sequence = 0;   ///< of the event
+    std::string robot = {};       ///< may be empty
+    std::string key = {};         ///< as the kind says
+    std::string name = {};        ///< likewise
+    std::string text = {};        ///< likewise
+    bool act = false;             ///< an alarm that says "act", a bump
+    std::uint32_t candidate = 0;  ///< CandidateSample::id of one; 0: none
+    double confidence = Unknown;  ///< of a candidate when it was told, 0 to 1
 };
+
+/// Confidence from which a candidate is shown to people.
+constexpr double LeastShownConfidence = 0.5;
 
 /// Finds the marks in a mission's events, which come in their order. Pure.
 class TimelineCollector {
@@ -45,12 +52,14 @@ private:
     void put(const Event& event, TimelineMark mark);
     void addBumps(const Event& event, const BumpSample& bumps);
     void addSightings(const Event& event, const SightingSample& sightings);
+    void addCandidate(const Event& event, const CandidateSample& candidate);
 
     std::vector<TimelineMark> m_marks;
     std::map<std::string, std::string> m_modes;                           ///< newest, by robot
     std::map<std::pair<std::string, std::string>, std::uint32_t> m_hits;  ///< by robot and bumper
     std::set<std::pair<std::string, std::uint32_t>> m_sightings;          ///< robot and id
     std::map<std::string, VictimSample::Status> m_victims;                ///< newest, by name
+    std::map<std::uint32_t, bool> m_candidates;                           ///< told; whether dismissed
 };
 
 /// A stretch of time in which something was recorded.

@@ -92,6 +92,14 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
         {.kind = Kind::Decision, .at = at(5), .key = "undo", .text = "scan 4 rejected"},
         {.kind = Kind::Bump, .at = at(6), .robot = "kurt3d", .key = "front_left", .act = true},
         {.kind = Kind::Sighting, .at = at(7), .robot = "else", .key = "code", .text = "exit"},
+        {.kind = Kind::Candidate,
+         .at = at(8),
+         .robot = "kurt3d",
+         .key = "told",
+         .name = "victim",
+         .text = "heat, motion",
+         .candidate = 3,
+         .confidence = 0.72},
     };
     const TimelineAxis axis({TimelineStretch{at(0), at(10)}});
     const auto glyphs = glyphsOf(marks, axis, faces);
@@ -110,6 +118,15 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
     EXPECT_EQ(markText(marks[5], faces), "undone: scan 4 rejected");
     EXPECT_EQ(markText(marks[6], faces), "K · bumped: front left");
     EXPECT_EQ(markText(marks[7], faces), "else · the robot saw a code: exit");
+    EXPECT_EQ(markText(marks[8], faces).toStdString(), "K · candidate: a victim, 72\u202f% (heat, motion)");
+    EXPECT_EQ(glyphs[8].letter, "?");
+    TimelineMark dismissed = marks[8];
+    dismissed.key = "dismissed";
+    EXPECT_EQ(markText(dismissed, faces), "K · candidate dismissed: a victim");
+    EXPECT_EQ(glyphsOf({dismissed}, axis, faces).front().tone, Tone::Muted);
+    TimelineMark code = marks[8];
+    code.name = "code", code.text = "A, B";
+    EXPECT_EQ(markText(code, faces).toStdString(), "K · candidate: a code, 72\u202f% (A, B)");
 }
 
 TEST(TimelineWords, RatesGoThroughTheirStepsInBothDirections) {

@@ -28,7 +28,9 @@ protected:
         const std::vector<TimelineMark> marks = {
             {.kind = Kind::Session, .at = at(0), .key = "start", .text = "Desk"},
             {.kind = Kind::Mode, .at = at(40), .key = "explore"},
+            {.kind = Kind::Candidate, .at = at(180), .key = "told", .name = "victim", .candidate = 3},
             {.kind = Kind::Victim, .at = at(200), .key = "hypothesis", .name = "V1"},
+            {.kind = Kind::Candidate, .at = at(240), .key = "dismissed", .name = "victim", .candidate = 4},
             {.kind = Kind::Alarm, .at = at(260), .key = "link_lost", .text = "link lost", .act = true},
             {.kind = Kind::Sighting, .at = at(300), .key = "heat"},
             {.kind = Kind::Note, .at = at(420), .text = "door"},

@@ -31,18 +31,37 @@ QString victimText(const TimelineMark& mark) {
     return TimelineTexts::tr("%1 filed").arg(name);
 }
 
+/// A cue or what a robot says to have seen, in words.
+QString seenText(const std::string& kind) {
+    if (kind == "victim") return TimelineTexts::tr("a victim");
+    if (kind == "heat") return TimelineTexts::tr("heat");
+    if (kind == "motion") return TimelineTexts::tr("motion");
+    if (kind == "sound") return TimelineTexts::tr("sound");
+    if (kind == "co2") return TimelineTexts::tr("CO₂");
+    if (kind == "code") return TimelineTexts::tr("a code");
+    if (kind == "hazard") return TimelineTexts::tr("a hazard sign");
+    if (kind == "object") return TimelineTexts::tr("an object");
+    if (kind == "sighting") return TimelineTexts::tr("the robot's own sighting");
+    return words(kind);
+}
+
 QString sightingText(const TimelineMark& mark) {
-    const QString what = mark.key == "victim"   ? TimelineTexts::tr("a victim")
-                         : mark.key == "heat"   ? TimelineTexts::tr("heat")
-                         : mark.key == "motion" ? TimelineTexts::tr("motion")
-                         : mark.key == "sound"  ? TimelineTexts::tr("sound")
-                         : mark.key == "co2"    ? TimelineTexts::tr("CO₂")
-                         : mark.key == "code"   ? TimelineTexts::tr("a code")
-                         : mark.key == "hazard" ? TimelineTexts::tr("a hazard sign")
-                                                : words(mark.key);
+    const QString what = seenText(mark.key);
     return mark.text.empty()
                ? TimelineTexts::tr("the robot saw %1").arg(what)
                : TimelineTexts::tr("the robot saw %1: %2").arg(what, QString::fromStdString(mark.text));
+}
+
+QString candidateText(const TimelineMark& mark) {
+    const QString what = seenText(mark.name);
+    if (mark.key == "dismissed") return TimelineTexts::tr("candidate dismissed: %1").arg(what);
+    QStringList cues;
+    for (const QString& cue :
+         QString::fromStdString(mark.text).split(QStringLiteral(", "), Qt::SkipEmptyParts))
+        cues += mark.name == "victim" ? seenText(cue.toStdString()) : cue;
+    const QString sure =
+        TimelineTexts::tr("candidate: %1, %2", "a victim, 72 %").arg(what, percentText(mark.confidence));
+    return cues.empty() ? sure : QStringLiteral("%1 (%2)").arg(sure, cues.join(QStringLiteral(", ")));
 }
 
 QString contentOf(const TimelineMark& mark) {
@@ -50,6 +69,8 @@ QString contentOf(const TimelineMark& mark) {
     switch (mark.kind) {
         case Kind::Victim:
             return victimText(mark);
+        case Kind::Candidate:
+            return candidateText(mark);
         case Kind::Alarm:
             return TimelineTexts::tr("alarm: %1").arg(text.isEmpty() ? words(mark.key) : text);
         case Kind::Note:
@@ -77,6 +98,8 @@ MarkShape shapeOf(Kind kind) {
     switch (kind) {
         case Kind::Victim:
             return MarkShape::Disc;
+        case Kind::Candidate:
+            return MarkShape::Drop;
         case Kind::Alarm:
             return MarkShape::Triangle;
         case Kind::Note:
@@ -98,7 +121,8 @@ MarkShape shapeOf(Kind kind) {
 Tone toneOf(const TimelineMark& mark) {
     if (mark.kind == Kind::Alarm) return mark.act ? Tone::Act : Tone::Attention;
     if (mark.kind == Kind::Bump) return Tone::Attention;
-    const bool aside = mark.kind == Kind::Session || mark.kind == Kind::Mode || mark.key == "discarded";
+    const bool aside = mark.kind == Kind::Session || mark.kind == Kind::Mode || mark.key == "discarded" ||
+                       mark.key == "dismissed";
     return aside ? Tone::Muted : Tone::Normal;
 }
 
@@ -129,6 +153,7 @@ std::vector<TimelineGlyph> glyphsOf(const std::vector<TimelineMark>& marks, cons
         glyph.tone = toneOf(mark);
         if (mark.kind == Kind::Victim && mark.name.size() > 1)
             glyph.letter = QString::fromStdString(mark.name.front() == 'V' ? mark.name.substr(1) : mark.name);
+        if (mark.kind == Kind::Candidate) glyph.letter = QStringLiteral("?");
         glyph.details = wallText(mark.at) + QStringLiteral(" · ") + markText(mark, faces);
         glyphs.push_back(std::move(glyph));
     }

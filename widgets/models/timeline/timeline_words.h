@@ -15,6 +15,7 @@ namespace leitstand {
 /// The shapes in which marks stand on a timeline: each kind has its own.
 enum class MarkShape {
     Disc,      ///< victim
+    Drop,      ///< candidate
     Triangle,  ///< alarm
     Square,    ///< note
     Diamond,   ///< decision

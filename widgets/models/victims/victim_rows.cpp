@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "core/mission/finds/find_book.h"
+#include "core/mission/timeline/timeline_marks.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -15,7 +16,6 @@ namespace {
 
 using Kind = VictimSample::Kind;
 using Status = VictimSample::Status;
-constexpr double LeastShown = 0.5;  // confidence of a candidate
 
 struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::VictimRows)
@@ -135,7 +135,7 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
     std::vector<const CandidateSample*> candidates;
     for (const auto& [id, entry] : *mission.candidates) {
         const CandidateSample& one = entry.candidate;
-        if (one.victim != 0 || one.dismissed || !(one.confidence >= LeastShown)) continue;
+        if (one.victim != 0 || one.dismissed || !(one.confidence >= LeastShownConfidence)) continue;
         if (!findNear(mission, one.kind, positionInMap(mission, one))) candidates.push_back(&one);
     }
     std::stable_sort(candidates.begin(), candidates.end(),
