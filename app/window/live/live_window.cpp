@@ -3,10 +3,6 @@
 #include <utility>
 
 #include <QApplication>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QMenuBar>
-#include <QVBoxLayout>
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
@@ -30,6 +26,7 @@
 #include "app/window/live/selection.h"
 #include "app/window/live/victims/find_pointing.h"
 #include "app/window/live/victims/victims_feature.h"
+#include "app/window/live/window_frame.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -86,34 +83,9 @@ LiveWindow::~LiveWindow() {
 }
 
 void LiveWindow::build() {
-    m_word = new QLabel(this);
-    m_word->setObjectName(QStringLiteral("word"));
-    m_word->setAccessibleName(tr("Newest message"));
-    m_word->setProperty("muted", true);
-    m_word->setContentsMargins(8, 7, 12, 0);
-    menuBar()->setCornerWidget(m_word);
-
-    auto* top = new QWidget(this);
-    top->setAttribute(Qt::WA_StyledBackground);
-    auto* bar = new QHBoxLayout(top);
-    bar->setContentsMargins(8, 6, 8, 6);
-    bar->setSpacing(12);
-    bar->addWidget(m_robots->bar());
-    bar->addWidget(m_layouts->bar());
-    bar->addWidget(m_mission->bar());
-    bar->addStretch(1);
-    bar->addWidget(m_robots->stop());
-
-    auto* whole = new QWidget(this);
-    auto* rows = new QVBoxLayout(whole);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    rows->addWidget(top);
-    rows->addWidget(m_panes, 1);
-    setCentralWidget(whole);
+    m_frame = new WindowFrame(*this);
+    m_frame->build({m_robots->bar(), m_layouts->bar(), m_mission->bar()}, {m_robots->stop()}, *m_panes);
     m_panes->setFocus();  // and not STOP, which Space would press
-    for (QMenu* menu : menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
-        menu->menuAction()->setVisible(!menu->isEmpty());
 }
 
 void LiveWindow::connectFeatures() {
@@ -162,15 +134,11 @@ void LiveWindow::setDriving(bool on) {
 }
 
 void LiveWindow::tell(const QString& text) {
-    // The menus need the other half.
-    m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, width() / 2));
-    m_word->setToolTip(text);
-    menuBar()->setCornerWidget(m_word);  // lays it out anew
-    m_word->show();
+    m_frame->tell(text);
 }
 
 QString LiveWindow::newest() const {
-    return m_word->toolTip();
+    return m_frame->newest();
 }
 
 QString LiveWindow::missing() const {

@@ -9,8 +9,6 @@
 #include "app/session/pad/pad_memory.h"
 #include "widgets/map_view/map_view_settings.h"
 
-class QLabel;
-
 namespace leitstand {
 
 class AlarmsFeature;
@@ -30,6 +28,7 @@ class ReportFeature;
 class RobotsFeature;
 class Selection;
 class VictimsFeature;
+class WindowFrame;
 
 /// The window on live robots (design, section 7): a bar with all robots and STOP, below it the panes of its
 /// features, as the layout in use places them. Puts features together; what they do is theirs.
@@ -85,7 +84,7 @@ private:
     PreflightFeature* m_preflight = nullptr;
     VictimsFeature* m_victims = nullptr;
     ReportFeature* m_report = nullptr;
-    QLabel* m_word = nullptr;  ///< newest message
+    WindowFrame* m_frame = nullptr;
 };
 
 }  // namespace leitstand

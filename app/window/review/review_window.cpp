@@ -5,10 +5,7 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QMenuBar>
-#include <QVBoxLayout>
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
@@ -21,6 +18,7 @@
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/window_frame.h"
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
@@ -90,40 +88,15 @@ void ReviewWindow::addCommands() {
 }
 
 void ReviewWindow::build() {
-    m_word = new QLabel(this);
-    m_word->setObjectName(QStringLiteral("word"));
-    m_word->setAccessibleName(tr("Newest message"));
-    m_word->setProperty("muted", true);
-    m_word->setContentsMargins(8, 7, 12, 0);
-    menuBar()->setCornerWidget(m_word);
-
-    auto* top = new QWidget(this);
-    top->setAttribute(Qt::WA_StyledBackground);
-    auto* bar = new QHBoxLayout(top);
-    bar->setContentsMargins(8, 6, 8, 6);
-    bar->setSpacing(12);
-    bar->addWidget(m_robots->bar());
-    bar->addWidget(m_layouts->bar());
-    bar->addWidget(m_review->clock());
-    bar->addStretch(1);
+    m_frame = new WindowFrame(*this);
     auto* name = new QLabel(
-        tr("REVIEW · %1").arg(QString::fromStdString(m_bridge.player().folder().filename().string())), top);
+        tr("REVIEW · %1").arg(QString::fromStdString(m_bridge.player().folder().filename().string())), this);
     name->setObjectName(QStringLiteral("reviewName"));
     name->setToolTip(QString::fromStdString(m_bridge.player().folder().string()));
     name->setProperty("muted", true);
-    bar->addWidget(name);
-
-    auto* whole = new QWidget(this);
-    auto* rows = new QVBoxLayout(whole);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    rows->addWidget(top);
-    rows->addWidget(m_panes, 1);
-    rows->addWidget(m_timeline->widget());
-    setCentralWidget(whole);
+    m_frame->build({m_robots->bar(), m_layouts->bar(), m_review->clock()}, {name}, *m_panes,
+                   m_timeline->widget());
     m_timeline->bar().setFocus();
-    for (QMenu* menu : menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
-        menu->menuAction()->setVisible(!menu->isEmpty());
 }
 
 MapView& ReviewWindow::mapView() const {
@@ -135,15 +108,11 @@ const MapViewSettings& ReviewWindow::view() const {
 }
 
 void ReviewWindow::tell(const QString& text) {
-    // The menus need the other half.
-    m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, width() / 2));
-    m_word->setToolTip(text);
-    menuBar()->setCornerWidget(m_word);  // lays it out anew
-    m_word->show();
+    m_frame->tell(text);
 }
 
 QString ReviewWindow::newest() const {
-    return m_word->toolTip();
+    return m_frame->newest();
 }
 
 QString ReviewWindow::missing() const {

@@ -5,8 +5,6 @@
 #include "app/session/layouts/layout_book.h"
 #include "widgets/map_view/map_view_settings.h"
 
-class QLabel;
-
 namespace leitstand {
 
 class CameraFeature;
@@ -21,6 +19,7 @@ class ReviewPanes;
 class RobotsFeature;
 class Selection;
 class TimelineFeature;
+class WindowFrame;
 
 /// The window on a recorded mission (design, section 7): the live window's panes, and below them the
 /// timeline, which they follow. Puts features together; what they do is theirs.
@@ -69,7 +68,7 @@ private:
     TimelineFeature* m_timeline = nullptr;
     FindsFeature* m_finds = nullptr;
     LayoutFeature* m_layouts = nullptr;
-    QLabel* m_word = nullptr;  ///< newest message
+    WindowFrame* m_frame = nullptr;
 };
 
 }  // namespace leitstand
