@@ -61,8 +61,15 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     return bridge;
 }
 
+void ReviewBridge::showInstead(MapPtr map) {
+    if (map == m_instead) return;
+    m_instead = std::move(map);
+    if (m_shown) emit mapChanged(m_instead ? m_instead : m_shown->map);
+}
+
 void ReviewBridge::showAgain() {
     m_shown.reset();
+    m_instead.reset();
     m_fed.clear();
     if (m_index) emit opened(m_index);
     tick();
@@ -106,7 +113,7 @@ void ReviewBridge::tick() {
     m_moment.places = moment->places;
     m_moment.scans = moment->scans;
     showPictures(*moment);
-    if (!before || before->map != moment->map) emit mapChanged(moment->map);
+    if (!m_instead && (!before || before->map != moment->map)) emit mapChanged(moment->map);
     if (!before || before->scans != moment->scans) emit scansChanged(moment->scans);
     emit ticked(m_moment);
 }

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
     /// What is written in this review, whatever window it is written in.
     [[nodiscard]] ReviewPen& pen() { return *m_pen; }
+    /// Panes see @p map in place of that of the moment; null: the moment's again.
+    void showInstead(MapPtr map);
     /// Tells a new window everything that was told before.
     void showAgain();
     [[nodiscard]] const ReviewIndexPtr& index() const { return m_index; }      ///< null: still read through
@@ -52,6 +54,7 @@ private:
     QTimer m_tick;
     ReviewIndexPtr m_index;
     ReviewMomentPtr m_shown;
+    MapPtr m_instead;      ///< of the moment's map; null: none
     bool m_again = false;  ///< a picture came after its moment was shown
     std::string m_watched;
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic

@@ -19,6 +19,7 @@
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
 #include "app/window/live/window_frame.h"
+#include "app/window/review/compare_feature.h"
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
@@ -50,6 +51,8 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
     new ScanFeature(context);
+    auto* compare = new CompareFeature(context, bridge);
+    connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));

@@ -11,6 +11,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QRadioButton>
+#include <QTableView>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -191,6 +193,35 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_EQ(finds.topLevelItem(0)->text(1), "discarded");
     find<QToolButton>("undoCorrection").click();
     EXPECT_EQ(finds.topLevelItem(0)->text(1), "confirmed");
+}
+
+TEST_F(ReviewWindowTest, TheMapRegisteredAgainIsShownBesideTheRecordedOne) {
+    goTo(47.0);
+    m_window->commands().trigger(QStringLiteral("review.compare"));
+    EXPECT_TRUE(m_window->panes().isPaneVisible(QStringLiteral("compare")));
+    auto& distances = find<QLineEdit>("compareDistances");
+    auto& begin = find<QToolButton>("beginComparison");
+    distances.setText(QStringLiteral("far"));
+    EXPECT_FALSE(begin.isEnabled());
+    distances.setText(QStringLiteral("1.0, 0.5"));
+    EXPECT_FALSE(find<QRadioButton>("mapAgain").isEnabled()) << "there is none yet";
+    begin.click();
+    auto& figures = find<QTableView>("comparisonFigures");
+    ASSERT_TRUE(soon([&] { return figures.model()->rowCount() > 0; })) << m_window->newest().toStdString();
+    EXPECT_THAT(m_window->newest().toStdString(), HasSubstr("13 key scans registered again"));
+    EXPECT_EQ(find<QTableView>("comparisonScans").model()->rowCount(), 13);
+    int shown = 0;
+    QObject::connect(m_bridge.get(), &MomentSource::mapChanged, m_window.get(),
+                     [&shown](const MapPtr& map) { shown = static_cast<int>(map->scans.size()); });
+    find<QRadioButton>("mapBoth").click();
+    EXPECT_EQ(shown, 26);
+    lookAt("compared");
+    goTo(12.0);
+    EXPECT_EQ(shown, 26) << "it stays while the moment changes";
+    find<QRadioButton>("mapAgain").click();
+    EXPECT_EQ(shown, 13);
+    find<QRadioButton>("mapRecorded").click();
+    EXPECT_EQ(shown, 3) << "as then";
 }
 
 TEST_F(ReviewWindowTest, NothingOffersToMoveARobot) {

@@ -1,0 +1,147 @@
+#include "app/session/comparison/map_comparing.h"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <map>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/session/comparison/recorded_truth.h"
+#include "app/session/job_queue.h"
+#include "core/io/bag/bag_reader.h"
+
+namespace leitstand {
+namespace {
+
+std::vector<ComparedScan> scansOf(const ReviewIndex& index, int& rejected) {
+    std::vector<ComparedScan> scans;
+    for (const auto& [id, kept] : *index.finished->keyScans) {
+        const auto said = index.keyScans.find(id);
+        if (said == index.keyScans.end() || !said->second.scan) continue;
+        if (kept.pose.trust == ScanTrust::SetAside) {
+            ++rejected;
+            continue;
+        }
+        ComparedScan one;
+        one.id = id;
+        one.scan = said->second.scan;
+        one.robot = kept.entry.robot.empty() ? one.scan->robot : kept.entry.robot;
+        one.end = one.scan->end == Time{} ? kept.entry.stamp : one.scan->end;
+        one.sensorInBase = kept.entry.sensorInBase;
+        one.recorded = one.again = kept.pose.scanInMap;
+        one.uncertainRecorded = kept.pose.trust == ScanTrust::Uncertain;
+        scans.push_back(std::move(one));
+    }
+    return scans;
+}
+
+std::optional<TrajectoryError> errorOf(const MapComparison& whole, const RecordedTruth& truth,
+                                       Pose ComparedScan::*pose) {
+    std::map<std::string, std::vector<StampedPose>> ways;
+    for (const ComparedScan& one : whole.scans)
+        ways[one.robot].push_back({one.end, one.*pose * one.sensorInBase.inverse()});
+    std::vector<PosePair> pairs;
+    for (const auto& [robot, way] : ways) {
+        const auto known = truth.robots.find(robot);
+        if (known == truth.robots.end()) continue;
+        const auto more = pairsOf(way, known->second);
+        pairs.insert(pairs.end(), more.begin(), more.end());
+    }
+    return trajectoryError(pairs);
+}
+
+std::optional<FindsError> findsOf(const MissionState& state, const MapComparison& whole,
+                                  const RecordedTruth& truth, const Pose& mapInWorld,
+                                  Pose ComparedScan::*pose) {
+    FindsError error;
+    for (const auto& [key, kept] : *state.victims) {
+        const VictimSample& find = kept.victim;
+        if (find.kind != VictimSample::Kind::Victim || find.status == VictimSample::Status::Discarded)
+            continue;
+        const auto scan = std::find_if(whole.scans.begin(), whole.scans.end(),
+                                       [&](const ComparedScan& one) { return one.id == find.scan; });
+        const bool hangs = find.scan != 0 && scan != whole.scans.end();
+        const Eigen::Vector3d place = mapInWorld * (hangs ? Eigen::Vector3d(*scan.*pose * find.positionInScan)
+                                                          : positionInMap(state, find));
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector3d& victim : truth.victims)
+            nearest = std::min(nearest, (victim - place).head<2>().norm());
+        ++error.finds;
+        error.mean += nearest;
+        error.worst = std::max(error.worst, nearest);
+    }
+    if (error.finds == 0 || truth.victims.empty()) return std::nullopt;
+    error.mean /= error.finds;
+    return error;
+}
+
+}  // namespace
+
+Result<MapComparisonPtr> compareMaps(const std::filesystem::path& folder, const ReviewIndex& index,
+                                     const RegistrationSettings& settings, const Progress& progress) {
+    int rejected = 0;
+    auto scans = scansOf(index, rejected);
+    if (scans.empty())
+        return Error{
+            fmt::format("{}: there are no key scans that could be registered again", folder.string())};
+    auto made = registeredAgain(std::move(scans), settings, progress);
+    if (!made) return MapComparisonPtr();
+    made->rejected = rejected;
+    auto bag = BagReader::open(folder);
+    if (!bag) return bag.error();
+    const RecordedTruth truth = readTruth(**bag, progress);
+    for (const bool again : {false, true}) {
+        MapFigures& figures = again ? made->again : made->recorded;
+        const auto pose = again ? &ComparedScan::again : &ComparedScan::recorded;
+        figures.truth = errorOf(*made, truth, pose);
+        if (figures.truth)
+            figures.finds = findsOf(*index.finished, *made, truth, figures.truth->mapInWorld, pose);
+    }
+    if (progress.cancelled()) return MapComparisonPtr();
+    return std::make_shared<const MapComparison>(std::move(*made));
+}
+
+struct MapComparing::State {
+    Listener listener;
+    JobQueue queue;
+    std::jthread thread;  ///< last: joined first
+
+    void compare(const std::filesystem::path& folder, const ReviewIndex& index,
+                 const RegistrationSettings& settings, const std::stop_token& cancelled) {
+        Result<MapComparisonPtr> result = MapComparisonPtr();
+        try {
+            result = compareMaps(folder, index, settings, {listener.onProgress, cancelled});
+        } catch (const std::exception& broken) {
+            result = Error{broken.what()};
+        }
+        if (listener.onFinished) listener.onFinished(result);
+    }
+};
+
+MapComparing::MapComparing(Listener listener) : m_state(std::make_unique<State>()) {
+    m_state->listener = std::move(listener);
+    m_state->thread =
+        std::jthread([state = m_state.get()](const std::stop_token& stop) { state->queue.work(stop); });
+}
+
+MapComparing::~MapComparing() {
+    m_state->thread.request_stop();
+    m_state->queue.cancel();
+}
+
+void MapComparing::begin(std::filesystem::path folder, ReviewIndexPtr index, RegistrationSettings settings) {
+    m_state->queue.submit([state = m_state.get(), folder = std::move(folder), index = std::move(index),
+                           settings = std::move(settings)](const std::stop_token& cancelled) {
+        state->compare(folder, *index, settings, cancelled);
+    });
+}
+
+void MapComparing::cancel() {
+    m_state->queue.cancel();
+}
+
+}  // namespace leitstand

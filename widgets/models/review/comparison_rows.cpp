@@ -1,0 +1,117 @@
+#include "widgets/models/review/comparison_rows.h"
+
+#include <optional>
+
+#include <QCoreApplication>
+
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct Say {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::Comparison)
+};
+
+const QString None = QStringLiteral("–");
+
+QString millimetres(double metres) {
+    return Say::tr("%1 mm").arg(millimetresText(metres));
+}
+
+QString ofTwo(const QString& mean, const QString& most) {
+    return Say::tr("%1, at most %2", "mean and largest").arg(mean, most);
+}
+
+template <class T, class Text>
+QString optionalText(const std::optional<T>& value, Text text) {
+    return value ? text(*value) : None;
+}
+
+void addTruth(TextTable& table, const MapComparison& whole) {
+    if (!whole.recorded.truth && !whole.again.truth) return;
+    const auto add = [&](const QString& name, const QString& hint, auto text) {
+        table.rows.push_back(
+            {{name, optionalText(whole.recorded.truth, text), optionalText(whole.again.truth, text)}, hint});
+    };
+    add(Say::tr("Off the truth"),
+        Say::tr("Root mean square of the robots' positions at the key scans, after the map was turned and "
+                "shifted to fit the recorded truth best"),
+        [](const TrajectoryError& error) { return millimetres(error.position); });
+    add(Say::tr("Turned off the truth"), Say::tr("The same of their attitudes"),
+        [](const TrajectoryError& error) { return degreesText(error.rotation); });
+    if (!whole.recorded.finds && !whole.again.finds) return;
+    const auto finds = [](const FindsError& error) {
+        return ofTwo(millimetres(error.mean), millimetres(error.worst));
+    };
+    table.rows.push_back({{Say::tr("Victims off the truth"), optionalText(whole.recorded.finds, finds),
+                           optionalText(whole.again.finds, finds)},
+                          Say::tr("From each filed victim to the nearest true one, seen from above")});
+}
+
+}  // namespace
+
+TextTable figuresOf(const MapComparison& whole) {
+    const MapFigures &recorded = whole.recorded, &again = whole.again;
+    const QString scans = countText(whole.scans.size());
+    const auto number = [](int count) { return countText(static_cast<std::size_t>(count)); };
+    const auto metres = [](double length) { return Say::tr("%1 m").arg(numberText(length, 2)); };
+    TextTable table;
+    table.header = {Say::tr("Figure"), Say::tr("As recorded"), Say::tr("Registered again")};
+    table.rows = {
+        {{Say::tr("Key scans"), scans, scans}, Say::tr("Those that were not set aside")},
+        {{Say::tr("Uncertain"), number(recorded.uncertain), number(again.uncertain)},
+         Say::tr("Scans of which the registration was not sure")},
+        {{Say::tr("Set aside"), number(whole.rejected), None},
+         Say::tr("Rejected or rewound by the operator; they are not registered again")},
+        {{Say::tr("Residual"), millimetres(recorded.rms), millimetres(again.rms)},
+         Say::tr("Mean over scans: root mean square distance to the key scan before, of points that have a "
+                 "partner within 10 cm")},
+        {{Say::tr("Overlap"), percentText(recorded.overlap), percentText(again.overlap)},
+         Say::tr("Mean over scans: share of points that have such a partner")},
+        {{Say::tr("Path"), metres(recorded.path), metres(again.path)},
+         Say::tr("Way of the robots from key scan to key scan")},
+        {{Say::tr("Moved"), None, ofTwo(millimetres(whole.meanMoved), millimetres(whole.mostMoved))},
+         Say::tr("How far scans are from where they were recorded, mean and largest")},
+        {{Say::tr("Turned"), None, ofTwo(degreesText(whole.meanTurned), degreesText(whole.mostTurned))},
+         Say::tr("The same of their attitudes")},
+        {{Say::tr("Time taken"), None,
+          optionalText(again.seconds,
+                       [](double seconds) { return Say::tr("%1 s").arg(numberText(seconds, 1)); })},
+         Say::tr("Of registering all scans; live, it was spread over the mission")},
+    };
+    addTruth(table, whole);
+    return table;
+}
+
+TextTable scansOf(const MapComparison& whole) {
+    TextTable table;
+    table.header = {Say::tr("Scan"),
+                    Say::tr("Residual"),
+                    Say::tr("again", "residual of a scan"),
+                    Say::tr("Overlap"),
+                    Say::tr("again", "overlap of a scan"),
+                    Say::tr("Moved"),
+                    Say::tr("Turned"),
+                    Say::tr("State")};
+    const auto rms = [](const ScanFit& fit) { return millimetres(fit.rms); };
+    const auto overlap = [](const ScanFit& fit) { return percentText(fit.overlap); };
+    for (const ComparedScan& one : whole.scans) {
+        const QString state = one.uncertainAgain      ? Say::tr("uncertain again")
+                              : one.uncertainRecorded ? Say::tr("was uncertain")
+                                                      : Say::tr("certain");
+        table.rows.push_back({{QStringLiteral("%1 %2").arg(QString::fromStdString(one.robot)).arg(one.id),
+                               optionalText(one.fitRecorded, rms), optionalText(one.fitAgain, rms),
+                               optionalText(one.fitRecorded, overlap), optionalText(one.fitAgain, overlap),
+                               millimetres(distanceBetween(one.recorded, one.again)),
+                               degreesText(angleBetween(one.recorded, one.again)), state}});
+    }
+    return table;
+}
+
+QString comparedText(const MapComparison& whole) {
+    return Say::tr("%1 key scans registered again: moved %2 at most")
+        .arg(countText(whole.scans.size()), millimetres(whole.mostMoved));
+}
+
+}  // namespace leitstand
