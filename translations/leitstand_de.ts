@@ -665,12 +665,6 @@
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
-The blue line is the horizon.</source>
-        <translation>Der Ring zeigt, wie nah Hindernisse sind: blass ist fern, Punkte sind unbekannt, Bernstein ist nah, dick rot-orange direkt am Roboter.
-Die blaue Linie ist der Horizont.</translation>
-    </message>
-    <message>
         <source>ahead</source>
         <translation>vorn</translation>
     </message>
@@ -758,6 +752,12 @@ Die blaue Linie ist der Horizont.</translation>
         <source>behind</source>
         <translation>hinten</translation>
     </message>
+    <message>
+        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
+The blue line is the horizon. Shift and a click file the victim that is there.</source>
+        <translation>Der Ring zeigt, wie nah Hindernisse sind: blass ist fern, Punkte sind unbekannt, Bernstein ist nah, dick rot-orange direkt am Roboter.
+Die blaue Linie ist der Horizont. Umschalt und ein Klick erfassen das Opfer, das dort ist.</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ClockFace</name>
@@ -822,6 +822,278 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CompareFeature</name>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>&amp;Compare registrations</source>
+        <translation>Registrierungen &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Registers the key scans with other settings and shows both maps and their figures</source>
+        <translation>Registriert die Schlüsselscans mit anderen Einstellungen und zeigt beide Karten und ihre Kennzahlen</translation>
+    </message>
+    <message>
+        <source>The mission is still read through</source>
+        <translation>Die Mission wird noch durchgelesen</translation>
+    </message>
+    <message>
+        <source>Registering again was cancelled</source>
+        <translation>Die erneute Registrierung wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ComparePanel</name>
+    <message>
+        <source>Registered again and compared</source>
+        <translation>Neu registriert und verglichen</translation>
+    </message>
+    <message>
+        <source>How far the comparison is</source>
+        <translation>Wie weit der Vergleich ist</translation>
+    </message>
+    <message>
+        <source>M&amp;inimise</source>
+        <translation>M&amp;inimieren</translation>
+    </message>
+    <message>
+        <source>&amp;Against</source>
+        <translation>Geg&amp;en</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance m</source>
+        <translation>Größter &amp;Abstand m</translation>
+    </message>
+    <message>
+        <source>Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at most the one before: 1.5, 0.5</source>
+        <translation>Weiter entfernte Punktpaare zählen nicht; 0,01 bis 10 m. Mehrere Werte sind Stufen, jede höchstens so groß wie die davor: 1.5, 0.5</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>alle Punkte</translation>
+    </message>
+    <message>
+        <source>Voxe&amp;ls</source>
+        <translation>Voxe&amp;l</translation>
+    </message>
+    <message>
+        <source>Edge of the grid to which scans are thinned</source>
+        <translation>Kantenlänge des Gitters, auf das Scans ausgedünnt werden</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The map pane shows the mission's own map</source>
+        <translation>Die Karte zeigt die eigene Karte der Mission</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>It shows the map registered again</source>
+        <translation>Sie zeigt die neu registrierte Karte</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>It shows both: the recorded one in grey, the one registered again in its colours</source>
+        <translation>Sie zeigt beide: die aufgezeichnete grau, die neu registrierte in ihren Farben</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Key scans</source>
+        <translation>Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>Neu registrieren</translation>
+    </message>
+    <message>
+        <source>What was compared before stays</source>
+        <translation>Der vorige Vergleich bleibt</translation>
+    </message>
+    <message>
+        <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
+        <translation>Registriert die Schlüsselscans der Mission mit diesen Einstellungen und vergleicht; die Mission bleibt, wie sie ist</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Comparison</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <comment>mean and largest</comment>
+        <translation>%1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Off the truth</source>
+        <translation>Neben der Wahrheit</translation>
+    </message>
+    <message>
+        <source>Root mean square of the robots' positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
+        <translation>Quadratisches Mittel der Roboterpositionen an den Schlüsselscans, nachdem die Karte bestmöglich auf die aufgezeichnete Wahrheit gedreht und verschoben wurde</translation>
+    </message>
+    <message>
+        <source>Turned off the truth</source>
+        <translation>Gegen die Wahrheit gedreht</translation>
+    </message>
+    <message>
+        <source>The same of their attitudes</source>
+        <translation>Dasselbe für ihre Lage</translation>
+    </message>
+    <message>
+        <source>Victims off the truth</source>
+        <translation>Opfer neben der Wahrheit</translation>
+    </message>
+    <message>
+        <source>From each filed victim to the nearest true one, seen from above</source>
+        <translation>Von jedem erfassten Opfer zum nächsten wahren, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Registered again</source>
+        <translation>Neu registriert</translation>
+    </message>
+    <message>
+        <source>Key scans</source>
+        <translation>Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>Those that were not set aside</source>
+        <translation>Alle, die nicht beiseitegelegt sind</translation>
+    </message>
+    <message>
+        <source>Uncertain</source>
+        <translation>Unsicher</translation>
+    </message>
+    <message>
+        <source>Scans of which the registration was not sure</source>
+        <translation>Scans, bei denen die Registrierung unsicher war</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Beiseite</translation>
+    </message>
+    <message>
+        <source>Rejected or rewound by the operator; they are not registered again</source>
+        <translation>Vom Operator verworfen oder zurückgespult; sie werden nicht neu registriert</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Mean over scans: root mean square distance to the key scan before, of points that have a partner within 10 cm</source>
+        <translation>Mittel über die Scans: quadratisches Mittel des Abstands zum vorigen Schlüsselscan, für Punkte mit Partner innerhalb 10 cm</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Mean over scans: share of points that have such a partner</source>
+        <translation>Mittel über die Scans: Anteil der Punkte mit solchem Partner</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Way of the robots from key scan to key scan</source>
+        <translation>Weg der Roboter von Schlüsselscan zu Schlüsselscan</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Verschoben</translation>
+    </message>
+    <message>
+        <source>How far scans are from where they were recorded, mean and largest</source>
+        <translation>Wie weit Scans von ihrem aufgezeichneten Ort liegen, Mittel und Größtes</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Time taken</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Of registering all scans; live, it was spread over the mission</source>
+        <translation>Für die Registrierung aller Scans; live verteilte sie sich über die Mission</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>again</source>
+        <comment>residual of a scan</comment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>again</source>
+        <comment>overlap of a scan</comment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>uncertain again</source>
+        <translation>neu unsicher</translation>
+    </message>
+    <message>
+        <source>was uncertain</source>
+        <translation>war unsicher</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>%1 key scans registered again: moved %2 at most</source>
+        <translation>%1 Schlüsselscans neu registriert: höchstens %2 verschoben</translation>
     </message>
 </context>
 <context>
@@ -1198,14 +1470,6 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>lädt</translation>
     </message>
     <message>
-        <source>%1 min at this load</source>
-        <translation>%1 min bei dieser Last</translation>
-    </message>
-    <message>
-        <source>%1 h at this load</source>
-        <translation>%1 h bei dieser Last</translation>
-    </message>
-    <message>
         <source>ppm</source>
         <translation>ppm</translation>
     </message>
@@ -1256,6 +1520,18 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>%1 drives</source>
         <translation>%1 fährt</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 at this load</source>
+        <translation>%1 bei dieser Last</translation>
     </message>
 </context>
 <context>
@@ -1364,6 +1640,29 @@ Funk: %4 %5</translation>
     <message>
         <source>&amp;Forget these</source>
         <translation>Liste &amp;leeren</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindPointing</name>
+    <message>
+        <source>Victim where I &amp;click</source>
+        <translation>Opfer dort, wo ich &amp;klicke</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map; in pictures and the virtual scan a click with Shift does the same at any time</source>
+        <translation>Danach im Bild, im virtuellen Scan oder auf der Karte darauf klicken; in Bildern und im virtuellen Scan geht es jederzeit mit Umschalt und Klick</translation>
+    </message>
+    <message>
+        <source>Click where the victim is · right button: not at all</source>
+        <translation>Auf den Ort des Opfers klicken · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>Click on the victim: in a picture, in the virtual scan or on the map</source>
+        <translation>Auf das Opfer klicken: im Bild, im virtuellen Scan oder auf der Karte</translation>
+    </message>
+    <message>
+        <source>The robot is not in the map yet: nothing was filed</source>
+        <translation>Der Roboter ist noch nicht in der Karte: nichts wurde erfasst</translation>
     </message>
 </context>
 <context>
@@ -2066,6 +2365,18 @@ Apache License 2.0</translation>
         <source>%1 loss</source>
         <translation>%1 Verlust</translation>
     </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>sightings</source>
+        <translation>Sichtungen</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LiveSummary</name>
@@ -2107,10 +2418,6 @@ Apache License 2.0</translation>
     <message>
         <source>Leitstand</source>
         <translation>Leitstand</translation>
-    </message>
-    <message>
-        <source>Newest message</source>
-        <translation>Neueste Meldung</translation>
     </message>
     <message>
         <source>%1 is not connected</source>
@@ -3794,10 +4101,6 @@ F1 listet alle Tasten</translation>
         <translation>Registriert die Scans der Mission neu, in einem eigenen Fenster, mit eigenen Einstellungen; die Mission bleibt, wie sie ist</translation>
     </message>
     <message>
-        <source>Newest message</source>
-        <translation>Neueste Meldung</translation>
-    </message>
-    <message>
         <source>REVIEW · %1</source>
         <translation>AUSWERTUNG · %1</translation>
     </message>
@@ -3969,6 +4272,18 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Too few points: reject it, the next scan says more.</source>
         <translation>Zu wenige Punkte: ablehnen, der nächste Scan sagt mehr.</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>unsicher ?</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>beiseite</translation>
     </message>
 </context>
 <context>
@@ -4315,6 +4630,73 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::Station</name>
+    <message>
+        <source>{} is not in the map yet: nothing was filed</source>
+        <translation>{} ist noch nicht in der Karte: nichts wurde erfasst</translation>
+    </message>
+    <message>
+        <source>no range there: filed ahead of the robot; move it on the map</source>
+        <translation>dort ist keine Entfernung gemessen: vor dem Roboter erfasst; auf der Karte verschieben</translation>
+    </message>
+    <message>
+        <source>{} has new evidence: press again to confirm</source>
+        <translation>{} hat neue Belege: noch einmal drücken bestätigt</translation>
+    </message>
+    <message>
+        <source>{} filed: press again to confirm</source>
+        <translation>{} erfasst: noch einmal drücken bestätigt</translation>
+    </message>
+    <message>
+        <source>there is nothing on finds to take back</source>
+        <translation>an Funden ist nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>Snapshot kept: {}</source>
+        <translation>Aufnahme gesichert: {}</translation>
+    </message>
+    <message>
+        <source>its laser fits the map again</source>
+        <translation>sein Laser passt wieder zur Karte</translation>
+    </message>
+    <message>
+        <source>its place in the map is doubted</source>
+        <translation>sein Ort in der Karte ist fraglich</translation>
+    </message>
+    <message>
+        <source>found in the map</source>
+        <translation>in der Karte gefunden</translation>
+    </message>
+    <message>
+        <source>not found beside the other robot: put it to where it stands, or let the other one see it</source>
+        <translation>nicht neben dem anderen Roboter gefunden: dorthin setzen, wo er steht, oder den anderen ihn sehen lassen</translation>
+    </message>
+    <message>
+        <source>not found there</source>
+        <translation>dort nicht gefunden</translation>
+    </message>
+    <message>
+        <source>the map is another station's: ask it for the map, or wait until it is silent</source>
+        <translation>die Karte gehört einer anderen Station: sie um die Karte bitten oder warten, bis sie schweigt</translation>
+    </message>
+    <message>
+        <source>rewind: no scan entered the map after that moment</source>
+        <translation>Zurückspulen: danach kam kein Scan in die Karte</translation>
+    </message>
+    <message>
+        <source>nothing to be taken back: no decision on the map stands</source>
+        <translation>nichts zurückzunehmen: keine Entscheidung zur Karte gilt</translation>
+    </message>
+    <message>
+        <source>nothing to be done again: nothing was taken back last</source>
+        <translation>nichts zu wiederholen: zuletzt wurde nichts zurückgenommen</translation>
+    </message>
+    <message>
+        <source>there is no map yet to put a robot into</source>
+        <translation>es gibt noch keine Karte, in die ein Roboter gesetzt werden könnte</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::StickGauge</name>
     <message>
         <source>Tick: the stick as it is held; shade: dead zone; bar: what comes of it</source>
@@ -4597,6 +4979,23 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>backwards %1</source>
         <translation>rückwärts %1</translation>
     </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>the robot's own sighting</source>
+        <translation>eigene Sichtung des Roboters</translation>
+    </message>
+    <message>
+        <source>candidate dismissed: %1</source>
+        <translation>Kandidat verworfen: %1</translation>
+    </message>
+    <message>
+        <source>candidate: %1, %2</source>
+        <comment>a victim, 72 %</comment>
+        <translation>Kandidat: %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -4668,10 +5067,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Nächstes &amp;Opfer</translation>
     </message>
     <message>
-        <source>On to the next victim, from the last to the first</source>
-        <translation>Weiter zum nächsten Opfer, vom letzten zum ersten</translation>
-    </message>
-    <message>
         <source>Next &amp;alarm</source>
         <translation>Nächster Alar&amp;m</translation>
     </message>
@@ -4702,6 +5097,18 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>There is no such mark</source>
         <translation>Es gibt keine solche Marke</translation>
+    </message>
+    <message>
+        <source>On to the next victim, other find or candidate, from the last to the first</source>
+        <translation>Zum nächsten Opfer, anderen Fund oder Kandidaten, vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Previous v&amp;ictim</source>
+        <translation>Voriges O&amp;pfer</translation>
+    </message>
+    <message>
+        <source>Back to the victim, other find or candidate before, from the first to the last</source>
+        <translation>Zurück zum vorigen Opfer, anderen Fund oder Kandidaten, vom ersten zum letzten</translation>
     </message>
 </context>
 <context>
@@ -5367,16 +5774,25 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Virtueller Scan</translation>
     </message>
     <message>
-        <source>What is around the robot, its front up.
-Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
-Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
-        <translation>Was um den Roboter ist, vorn ist oben.
-Gelb: Wände. Punkte: Hindernisse, blasser, je länger sie zurückliegen.
-Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.</translation>
-    </message>
-    <message>
         <source>nearest obstacle %1 m</source>
         <translation>nächstes Hindernis %1 m</translation>
+    </message>
+    <message>
+        <source>What is around the robot, its front up.
+Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.
+Shift and a click file the victim that is there.</source>
+        <translation>Was um den Roboter ist, vorn ist oben.
+Gelb: Wände. Punkte: Hindernisse, blasser, je länger sie zurückliegen.
+Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.
+Umschalt und ein Klick erfassen das Opfer, das dort ist.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::WindowFrame</name>
+    <message>
+        <source>Newest message</source>
+        <translation>Neueste Meldung</translation>
     </message>
 </context>
 </TS>

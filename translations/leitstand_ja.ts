@@ -665,12 +665,6 @@
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
-The blue line is the horizon.</source>
-        <translation>リングは周囲の近さを示す: 薄色は遠い、点は不明、琥珀色は近い、太い赤橙は車体に接近。
-青線は水平線。</translation>
-    </message>
-    <message>
         <source>ahead</source>
         <translation>前方</translation>
     </message>
@@ -758,6 +752,12 @@ The blue line is the horizon.</source>
         <source>behind</source>
         <translation>後方</translation>
     </message>
+    <message>
+        <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
+The blue line is the horizon. Shift and a click file the victim that is there.</source>
+        <translation>リングは周囲の近さを示す: 薄色は遠い、点は不明、琥珀色は近い、太い赤橙は車体に接近。
+青線は水平線。Shift+クリックでその場所の被災者を登録。</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ClockFace</name>
@@ -822,6 +822,278 @@ The blue line is the horizon.</source>
     <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CompareFeature</name>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>&amp;Compare registrations</source>
+        <translation>レジストレーションを比較(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Registers the key scans with other settings and shows both maps and their figures</source>
+        <translation>別の設定でキースキャンを再レジストレーションし、両方の地図と数値を表示</translation>
+    </message>
+    <message>
+        <source>The mission is still read through</source>
+        <translation>ミッションを読み込み中</translation>
+    </message>
+    <message>
+        <source>Registering again was cancelled</source>
+        <translation>再レジストレーションを中止</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ComparePanel</name>
+    <message>
+        <source>Registered again and compared</source>
+        <translation>再レジストレーションと比較</translation>
+    </message>
+    <message>
+        <source>How far the comparison is</source>
+        <translation>比較の進み具合</translation>
+    </message>
+    <message>
+        <source>M&amp;inimise</source>
+        <translation>最小化(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Against</source>
+        <translation>対象(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance m</source>
+        <translation>最大距離(&amp;D) m</translation>
+    </message>
+    <message>
+        <source>Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at most the one before: 1.5, 0.5</source>
+        <translation>これより離れた点の組は除外。0.01～10 m。複数の値は段階で、前の値以下: 1.5, 0.5</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>全点</translation>
+    </message>
+    <message>
+        <source>Voxe&amp;ls</source>
+        <translation>ボクセル(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Edge of the grid to which scans are thinned</source>
+        <translation>スキャンを間引く格子の辺の長さ</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>記録時</translation>
+    </message>
+    <message>
+        <source>The map pane shows the mission's own map</source>
+        <translation>地図にミッション自身の地図を表示</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>再計算</translation>
+    </message>
+    <message>
+        <source>It shows the map registered again</source>
+        <translation>再レジストレーションした地図を表示</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>It shows both: the recorded one in grey, the one registered again in its colours</source>
+        <translation>両方を表示: 記録時は灰色、再計算は通常の色</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Key scans</source>
+        <translation>キースキャン</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>再レジストレーション</translation>
+    </message>
+    <message>
+        <source>What was compared before stays</source>
+        <translation>前の比較は残る</translation>
+    </message>
+    <message>
+        <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
+        <translation>この設定でミッションのキースキャンを再レジストレーションして比較。ミッションは変更しない</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Comparison</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <comment>mean and largest</comment>
+        <translation>%1、最大 %2</translation>
+    </message>
+    <message>
+        <source>Off the truth</source>
+        <translation>真値との差</translation>
+    </message>
+    <message>
+        <source>Root mean square of the robots' positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
+        <translation>記録された真値に地図を最もよく合わせた後の、キースキャンでのロボット位置の二乗平均平方根</translation>
+    </message>
+    <message>
+        <source>Turned off the truth</source>
+        <translation>真値との角度差</translation>
+    </message>
+    <message>
+        <source>The same of their attitudes</source>
+        <translation>姿勢について同様</translation>
+    </message>
+    <message>
+        <source>Victims off the truth</source>
+        <translation>被災者の真値との差</translation>
+    </message>
+    <message>
+        <source>From each filed victim to the nearest true one, seen from above</source>
+        <translation>登録した被災者から最も近い真の被災者まで、上から見て</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>記録時</translation>
+    </message>
+    <message>
+        <source>Registered again</source>
+        <translation>再レジストレーション</translation>
+    </message>
+    <message>
+        <source>Key scans</source>
+        <translation>キースキャン</translation>
+    </message>
+    <message>
+        <source>Those that were not set aside</source>
+        <translation>除外されていないもの</translation>
+    </message>
+    <message>
+        <source>Uncertain</source>
+        <translation>不確実</translation>
+    </message>
+    <message>
+        <source>Scans of which the registration was not sure</source>
+        <translation>レジストレーションが不確実だったスキャン</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Rejected or rewound by the operator; they are not registered again</source>
+        <translation>操縦者が除外または巻き戻したもの。再レジストレーションしない</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Mean over scans: root mean square distance to the key scan before, of points that have a partner within 10 cm</source>
+        <translation>スキャン平均: 10 cm 以内に対応点を持つ点の、直前のキースキャンまでの距離の二乗平均平方根</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重なり</translation>
+    </message>
+    <message>
+        <source>Mean over scans: share of points that have such a partner</source>
+        <translation>スキャン平均: 対応点を持つ点の割合</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>Way of the robots from key scan to key scan</source>
+        <translation>キースキャン間のロボットの移動距離</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>How far scans are from where they were recorded, mean and largest</source>
+        <translation>記録時の位置からのずれ、平均と最大</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Time taken</source>
+        <translation>所要時間</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Of registering all scans; live, it was spread over the mission</source>
+        <translation>全スキャンのレジストレーション時間。実走時はミッション全体に分散</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>again</source>
+        <comment>residual of a scan</comment>
+        <translation>再計算</translation>
+    </message>
+    <message>
+        <source>again</source>
+        <comment>overlap of a scan</comment>
+        <translation>再計算</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>uncertain again</source>
+        <translation>再計算で不確実</translation>
+    </message>
+    <message>
+        <source>was uncertain</source>
+        <translation>不確実だった</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>確実</translation>
+    </message>
+    <message>
+        <source>%1 key scans registered again: moved %2 at most</source>
+        <translation>キースキャン %1 件を再レジストレーション: 最大移動 %2</translation>
     </message>
 </context>
 <context>
@@ -1198,14 +1470,6 @@ The blue line is the horizon.</source>
         <translation>充電中</translation>
     </message>
     <message>
-        <source>%1 min at this load</source>
-        <translation>この負荷で %1 min</translation>
-    </message>
-    <message>
-        <source>%1 h at this load</source>
-        <translation>この負荷で %1 h</translation>
-    </message>
-    <message>
         <source>ppm</source>
         <translation>ppm</translation>
     </message>
@@ -1256,6 +1520,18 @@ The blue line is the horizon.</source>
     <message>
         <source>%1 drives</source>
         <translation>%1 が操縦中</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 at this load</source>
+        <translation>この負荷で %1</translation>
     </message>
 </context>
 <context>
@@ -1364,6 +1640,29 @@ Link: %4 %5</source>
     <message>
         <source>&amp;Forget these</source>
         <translation>履歴を消去(&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindPointing</name>
+    <message>
+        <source>Victim where I &amp;click</source>
+        <translation>クリックした場所の被災者(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map; in pictures and the virtual scan a click with Shift does the same at any time</source>
+        <translation>続けて画像、仮想スキャン、または地図上でクリック。画像と仮想スキャンでは Shift+クリックでいつでも同じ操作</translation>
+    </message>
+    <message>
+        <source>Click where the victim is · right button: not at all</source>
+        <translation>被災者の位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>Click on the victim: in a picture, in the virtual scan or on the map</source>
+        <translation>被災者をクリック: 画像、仮想スキャン、または地図上で</translation>
+    </message>
+    <message>
+        <source>The robot is not in the map yet: nothing was filed</source>
+        <translation>ロボットがまだ地図にない: 登録なし</translation>
     </message>
 </context>
 <context>
@@ -2066,6 +2365,18 @@ Apache License 2.0</translation>
         <source>%1 loss</source>
         <translation>欠落 %1</translation>
     </message>
+    <message>
+        <source>contacts</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>sightings</source>
+        <translation>発見報告</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LiveSummary</name>
@@ -2107,10 +2418,6 @@ Apache License 2.0</translation>
     <message>
         <source>Leitstand</source>
         <translation>Leitstand</translation>
-    </message>
-    <message>
-        <source>Newest message</source>
-        <translation>最新のメッセージ</translation>
     </message>
     <message>
         <source>%1 is not connected</source>
@@ -3794,10 +4101,6 @@ F1 でキー一覧</translation>
         <translation>ミッションのスキャンを別ウィンドウで独自の設定により位置合わせし直す。ミッションは変わらない</translation>
     </message>
     <message>
-        <source>Newest message</source>
-        <translation>最新のメッセージ</translation>
-    </message>
-    <message>
         <source>REVIEW · %1</source>
         <translation>レビュー · %1</translation>
     </message>
@@ -3969,6 +4272,18 @@ F1 でキー一覧</translation>
     <message>
         <source>Too few points: reject it, the next scan says more.</source>
         <translation>点不足: 除外する。次のスキャンで情報が増える。</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>確実</translation>
+    </message>
+    <message>
+        <source>uncertain ?</source>
+        <translation>不確実 ?</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>除外</translation>
     </message>
 </context>
 <context>
@@ -4315,6 +4630,73 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::Station</name>
+    <message>
+        <source>{} is not in the map yet: nothing was filed</source>
+        <translation>{} がまだ地図にない: 登録なし</translation>
+    </message>
+    <message>
+        <source>no range there: filed ahead of the robot; move it on the map</source>
+        <translation>その方向に距離なし: ロボットの前方に登録。地図上で移動</translation>
+    </message>
+    <message>
+        <source>{} has new evidence: press again to confirm</source>
+        <translation>{} に証拠を追加: もう一度押すと確定</translation>
+    </message>
+    <message>
+        <source>{} filed: press again to confirm</source>
+        <translation>{} を登録: もう一度押すと確定</translation>
+    </message>
+    <message>
+        <source>there is nothing on finds to take back</source>
+        <translation>発見に取り消せる操作なし</translation>
+    </message>
+    <message>
+        <source>Snapshot kept: {}</source>
+        <translation>スナップショットを保存: {}</translation>
+    </message>
+    <message>
+        <source>its laser fits the map again</source>
+        <translation>レーザーが再び地図と一致</translation>
+    </message>
+    <message>
+        <source>its place in the map is doubted</source>
+        <translation>地図内の位置が疑わしい</translation>
+    </message>
+    <message>
+        <source>found in the map</source>
+        <translation>地図内で発見</translation>
+    </message>
+    <message>
+        <source>not found beside the other robot: put it to where it stands, or let the other one see it</source>
+        <translation>もう一方のロボットの横に見つからない: 実際の位置に置くか、もう一方に見せる</translation>
+    </message>
+    <message>
+        <source>not found there</source>
+        <translation>そこには見つからない</translation>
+    </message>
+    <message>
+        <source>the map is another station's: ask it for the map, or wait until it is silent</source>
+        <translation>地図は別の局が管理中: 譲渡を求めるか、応答がなくなるまで待つ</translation>
+    </message>
+    <message>
+        <source>rewind: no scan entered the map after that moment</source>
+        <translation>巻き戻し: その時点以降に地図へ入ったスキャンなし</translation>
+    </message>
+    <message>
+        <source>nothing to be taken back: no decision on the map stands</source>
+        <translation>取り消すものなし: 地図に関する有効な操作なし</translation>
+    </message>
+    <message>
+        <source>nothing to be done again: nothing was taken back last</source>
+        <translation>やり直すものなし: 直前の取り消しなし</translation>
+    </message>
+    <message>
+        <source>there is no map yet to put a robot into</source>
+        <translation>ロボットを置く地図がまだない</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::StickGauge</name>
     <message>
         <source>Tick: the stick as it is held; shade: dead zone; bar: what comes of it</source>
@@ -4597,6 +4979,23 @@ A function of this program, no certified emergency stop.</source>
         <source>backwards %1</source>
         <translation>逆再生 %1</translation>
     </message>
+    <message>
+        <source>an object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>the robot's own sighting</source>
+        <translation>ロボット自身の発見報告</translation>
+    </message>
+    <message>
+        <source>candidate dismissed: %1</source>
+        <translation>候補を却下: %1</translation>
+    </message>
+    <message>
+        <source>candidate: %1, %2</source>
+        <comment>a victim, 72 %</comment>
+        <translation>候補: %1、%2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -4668,10 +5067,6 @@ A function of this program, no certified emergency stop.</source>
         <translation>次の被災者(&amp;V)</translation>
     </message>
     <message>
-        <source>On to the next victim, from the last to the first</source>
-        <translation>次の被災者へ。最後の次は最初に戻る</translation>
-    </message>
-    <message>
         <source>Next &amp;alarm</source>
         <translation>次の警報(&amp;A)</translation>
     </message>
@@ -4702,6 +5097,18 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>There is no such mark</source>
         <translation>該当するマークなし</translation>
+    </message>
+    <message>
+        <source>On to the next victim, other find or candidate, from the last to the first</source>
+        <translation>次の被災者、その他の発見、候補へ。最後の次は最初</translation>
+    </message>
+    <message>
+        <source>Previous v&amp;ictim</source>
+        <translation>前の被災者(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Back to the victim, other find or candidate before, from the first to the last</source>
+        <translation>前の被災者、その他の発見、候補へ。最初の前は最後</translation>
     </message>
 </context>
 <context>
@@ -5367,16 +5774,25 @@ A function of this program, no certified emergency stop.</source>
         <translation>仮想スキャン</translation>
     </message>
     <message>
-        <source>What is around the robot, its front up.
-Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
-Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
-        <translation>ロボットの周囲、前方が上。
-黄: 壁。点: 障害物、見てから時間が経つほど薄い。
-破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。</translation>
-    </message>
-    <message>
         <source>nearest obstacle %1 m</source>
         <translation>最近接の障害物 %1 m</translation>
+    </message>
+    <message>
+        <source>What is around the robot, its front up.
+Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.
+Shift and a click file the victim that is there.</source>
+        <translation>ロボットの周囲、前方が上。
+黄: 壁。点: 障害物、見てから時間が経つほど薄い。
+破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。
+Shift+クリックでその場所の被災者を登録。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::WindowFrame</name>
+    <message>
+        <source>Newest message</source>
+        <translation>最新メッセージ</translation>
     </message>
 </context>
 </TS>
