@@ -33,8 +33,7 @@ constexpr double Hour = 3600.0;                ///< [s]
 constexpr double Rate = 12.0;                  ///< of the mission's time to real time
 constexpr double MostMegabytes = 1500.0, MostCores = 1.0;
 constexpr double MostMegabytesAScan = 1.0;  ///< that enters the map
-constexpr double LeastHeard =
-    0.9;  ///< of what was said, pictures apart: a busy computer hears less at that pace
+constexpr double LeastHeard = 0.95;  ///< of what was said, pictures apart: 12 times as much as robots say
 constexpr double Warming = 5.0, AtRateOne = 40.0;  ///< [s]
 constexpr double Calm = 0.5;                       ///< cores of a station that has worked off all that came
 constexpr std::chrono::seconds Behind(2);          ///< at most, is its log then
