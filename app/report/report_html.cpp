@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/report/coverage_html.h"
 #include "app/report/score_html.h"
 #include "app/session/report/report_words.h"
 
@@ -208,6 +209,7 @@ QString overviewHtml(const ReportContent& content) {
     if (content.model.discarded > 0)
         html += QStringLiteral("<p>%1</p>")
                     .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
+    html += coverageHtml(content);
     html += scoreHtml(content);
     html += heading(ReportText::tr("What was computed where")) + whereComputed();
     if (!content.warnings.empty()) {

@@ -68,4 +68,23 @@ FindList listOf(const ReportModel& model, FindList::Kind kind) {
     return list;
 }
 
+std::vector<ListedSearch> searchListOf(const ReportModel& model) {
+    std::vector<ListedSearch> rows;
+    const double all = model.search.reachable;
+    for (const ReportSearch::Sensor& one : model.search.sensors) {
+        const std::string sensor(nameOf(one.sensor));
+        rows.push_back({.sensor = sensor, .what = "reachable", .area = all, .share = 1.0});
+        rows.push_back({.sensor = sensor, .what = "seen", .area = one.seen, .share = one.seen / all});
+        for (const MissedRegion& region : one.missed) {
+            rows.push_back({.sensor = sensor,
+                            .what = "missed",
+                            .area = region.area,
+                            .share = region.area / all,
+                            .x = region.place.x(),
+                            .y = region.place.y()});
+        }
+    }
+    return rows;
+}
+
 }  // namespace leitstand

@@ -10,6 +10,7 @@
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/io/report/search_list.h"
 #include "core/mission/report/file_names.h"
 #include "core/scan/voxel_grid.h"
 
@@ -23,6 +24,12 @@ Result<std::string> checkTiff(const fs::path& file) {
     if (!map) return map.error();
     return fmt::format("{} x {} pixels of {:g} cm, georeferenced", map->picture.width, map->picture.height,
                        100 * map->perPixel);
+}
+
+Result<std::string> checkSearch(const fs::path& file) {
+    const auto rows = readSearchList(file);
+    if (!rows) return rows.error();
+    return fmt::format("{} rows", rows->size());
 }
 
 Result<std::string> checkList(const fs::path& file) {
@@ -106,6 +113,7 @@ std::vector<std::string> trajectoryEndings(const std::vector<ReportRobot>& robot
 Result<std::string> checkFile(const fs::path& file) {
     const std::string ending = file.extension().string();
     if (ending == ".tif") return checkTiff(file);
+    if (file.filename().string().ends_with("_searched.csv")) return checkSearch(file);
     if (ending == ".csv") return checkList(file);
     if (ending == ".bt") return checkOctomap(file);
     if (ending == ".ply") return checkCloud(file);

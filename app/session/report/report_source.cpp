@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/session/coverage/logged_views.h"
 #include "app/session/log/bag_history.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
@@ -79,7 +80,8 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
     source.readKeyScans(part(progress, 0.1, 0.5));
     if (!source.m_hasKeyScans && source.m_bag->lastSequence() > 0)
         source.registerClouds(folder, part(progress, 0.1, 0.8));
-    source.readWays(part(progress, 0.8, 1.0));
+    source.readWays(part(progress, 0.8, 0.9));
+    source.readViews(part(progress, 0.9, 1.0));
     if (source.m_bag->lastSequence() == 0) source.m_warnings.emplace_back("the mission holds no events");
     const auto& problems = source.m_bag->problems();
     source.m_warnings.insert(source.m_warnings.end(), problems.begin(), problems.end());
@@ -201,6 +203,12 @@ void ReportSource::readWays(const Progress& progress) {
         std::stable_sort(track.begin(), track.end(),
                          [](const PathPose& a, const PathPose& b) { return a.time < b.time; });
     }
+}
+
+void ReportSource::readViews(const Progress& progress) {
+    const bool ours = std::any_of(m_input.scans.begin(), m_input.scans.end(),
+                                  [](const ReportScan& scan) { return scan.id != 0; });
+    if (ours) m_input.views = loggedViews(*m_bag, *m_decoder, progress);
 }
 
 Result<Event> ReportSource::event(std::uint64_t sequence) {

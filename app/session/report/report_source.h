@@ -41,6 +41,7 @@ private:
     void readKeyScans(const Progress& progress);
     void registerClouds(const std::filesystem::path& folder, const Progress& progress);
     void readWays(const Progress& progress);
+    void readViews(const Progress& progress);
 
     std::unique_ptr<BagReader> m_bag;
     std::unique_ptr<EventDecoder> m_decoder;

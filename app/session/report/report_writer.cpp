@@ -16,6 +16,7 @@
 #include "core/io/report/checksums.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/io/report/search_list.h"
 #include "core/io/settings/score_file.h"
 #include "core/mission/report/file_names.h"
 
@@ -79,6 +80,12 @@ void writeLists(Writing& writing, const ReportModel& model) {
         writing.file(endingOf(kind),
                      [&](const fs::path& file) { return writeFindList(file, listOf(model, kind)); });
     }
+}
+
+void writeSearch(Writing& writing, const ReportModel& model) {
+    if (model.search.sensors.empty()) return;
+    writing.file("_searched.csv",
+                 [&](const fs::path& file) { return writeSearchList(file, searchListOf(model)); });
 }
 
 void writeClouds(Writing& writing, const ReportModel& model, const ReportInput& input) {
@@ -188,6 +195,7 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     Writing writing(out, outcome.name, progress);
     writeMaps(writing, model);
     writeLists(writing, model);
+    writeSearch(writing, model);
     writeClouds(writing, model, source.input());
     progress.done(0.8);
     if (options.pdf && !progress.cancelled()) {

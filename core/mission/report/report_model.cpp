@@ -142,6 +142,17 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
         model.grids.push_back(model.hasMap() ? gridOf(model.evidence, model.floor, band) : OccupancyGrid());
     }
     model.explored = exploredArea(model.grids.front());
+    if (model.hasMap()) {
+        const CoverageMapPtr coverage = coverageOf(input.scans, input.views, ground);
+        model.search = searchOf(*coverage);
+        // Of a bag without key scans nobody knows where cameras looked; some robots have none.
+        std::erase_if(model.search.sensors, [&](const ReportSearch::Sensor& one) {
+            return one.sensor != SearchSensor::Scanner &&
+                   std::none_of(input.views.begin(), input.views.end(),
+                                [&](const SearchView& view) { return view.sensor == one.sensor; });
+        });
+        for (OccupancyGrid& grid : model.grids) markCleared(grid, *coverage);
+    }
     addFinds(model, input.state);
     return model;
 }

@@ -13,6 +13,7 @@
 #include "core/mission/report/floor_heights.h"
 #include "core/mission/report/map_drawing.h"
 #include "core/mission/report/report_scan.h"
+#include "core/mission/report/report_search.h"
 #include "core/mission/report/robot_path.h"
 #include "core/mission/report/voxel_evidence.h"
 #include "core/mission/report/ways.h"
@@ -37,6 +38,7 @@ struct ReportInput {
     std::map<std::string, std::vector<PathAnchor>>
         places;  ///< where a robot was placed by its laser; likewise
     std::map<std::string, std::vector<ModeChange>> modes;  ///< by time
+    std::vector<SearchView> views;                         ///< where cameras looked from, hung on scans
 };
 
 /// What a report says of the mission as a whole.
@@ -81,6 +83,7 @@ struct ReportModel {
     FloorHeights floor;
     std::vector<OccupancyGrid> grids;  ///< one for each of reportBands()
     double explored = 0.0;             ///< area at the lower height [m2]
+    ReportSearch search;
 
     [[nodiscard]] bool hasMap() const { return !evidence.empty(); }
 };

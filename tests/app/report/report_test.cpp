@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <regex>
 #include <string>
@@ -11,6 +12,7 @@
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/io/report/search_list.h"
 #include "core/io/tum.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/process.h"
@@ -226,6 +228,40 @@ TEST(ShippedSample, IsSmallAndReportedWhole) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("1 confirmed victims of 1 finds"));
     EXPECT_THAT(pdfText(folder / "out" / "RoboCup2026-Leitstand-Sample.pdf"), HasSubstr("V1"));
+}
+
+TEST(ShippedSample, TellsWhatWasSearchedAndWhatWasMissed) {
+    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const TemporaryFolder folder;
+    const ProcessOutcome outcome = ctl({"report", sample.string(), "--out", (folder / "out").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto rows = readSearchList(folder / "out" / "RoboCup2026-Leitstand-Sample_searched.csv");
+    ASSERT_TRUE(rows) << rows.error().text;
+    std::map<std::string, double> seen;
+    double reachable = 0.0;
+    for (const ListedSearch& row : *rows) {
+        if (row.what == "reachable") reachable = row.area;
+        if (row.what == "seen") seen[row.sensor] = row.area;
+    }
+    EXPECT_GT(reachable, 5.0);
+    for (const char* sensor : {"scanner", "camera", "infrared"}) {
+        EXPECT_GT(seen[sensor], 0.5) << sensor;
+        EXPECT_LT(seen[sensor], reachable) << sensor;
+    }
+    const auto map = readGeoTiff(folder / "out" / "RoboCup2026-Leitstand-Sample.tif");
+    ASSERT_TRUE(map) << map.error().text;
+    std::size_t cleared = 0, explored = 0;
+    for (int row = 0; row < map->picture.height; ++row) {
+        for (int column = 0; column < map->picture.width; ++column) {
+            const Rgb colour = map->at(column, row);
+            cleared += colour.green == 230 && colour.red == colour.blue && colour.red <= 180 ? 1 : 0;
+            explored += colour.green == colour.red && colour.red == colour.blue ? 1 : 0;
+        }
+    }
+    EXPECT_GT(cleared, 5000U) << "half a square metre, in pixels of a centimetre";
+    EXPECT_GT(explored, 0U) << "and floor that nobody looked at";
+    EXPECT_THAT(pdfText(folder / "out" / "RoboCup2026-Leitstand-Sample.pdf"),
+                AllOf(HasSubstr("Searched"), HasSubstr("Infrared")));
 }
 
 TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {

@@ -1,0 +1,73 @@
+#include "app/report/coverage_html.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+
+namespace leitstand {
+namespace {
+
+/// Text of the report, for translators.
+struct CoverageText {
+    Q_DECLARE_TR_FUNCTIONS(CoverageText)
+};
+
+constexpr std::size_t MostListed = 5;  ///< pieces that were missed, for each sensor
+
+QString titleOf(SearchSensor sensor) {
+    switch (sensor) {
+        case SearchSensor::Camera:
+            return CoverageText::tr("Camera");
+        case SearchSensor::Infrared:
+            return CoverageText::tr("Infrared");
+        case SearchSensor::Scanner:
+            break;
+    }
+    return CoverageText::tr("Scanner");
+}
+
+QString number(double value, int digits) {
+    return QString::number(value, 'f', digits);
+}
+
+QString missedText(const std::vector<MissedRegion>& regions) {
+    if (regions.empty()) return CoverageText::tr("nothing");
+    QStringList texts;
+    for (std::size_t i = 0; i < std::min(MostListed, regions.size()); ++i) {
+        texts += CoverageText::tr("%1 m\u00B2 at x %2, y %3")
+                     .arg(number(regions[i].area, 1), number(regions[i].place.x(), 1),
+                          number(regions[i].place.y(), 1));
+    }
+    if (regions.size() > MostListed)
+        texts += CoverageText::tr("and %1 more").arg(regions.size() - MostListed);
+    return texts.join(QStringLiteral("<br>"));
+}
+
+}  // namespace
+
+QString coverageHtml(const ReportContent& content) {
+    const ReportSearch& search = content.model.search;
+    if (!(search.reachable > 0.0)) return {};
+    QString html =
+        QStringLiteral("<h2>%1</h2><p>%2</p>")
+            .arg(CoverageText::tr("Searched"),
+                 CoverageText::tr("Of %1 m\u00B2 of floor that the robots can reach. Seen is where a "
+                                  "body on the floor would span enough pixels or points.")
+                     .arg(number(search.reachable, 1)));
+    html += QStringLiteral(
+                "<table border='1' cellspacing='0' cellpadding='4' width='100%' "
+                "style='border-collapse:collapse; border-color:#999999'><tr><th align='left'>%1</th>"
+                "<th align='left'>%2</th><th align='left'>%3</th></tr>")
+                .arg(CoverageText::tr("Sensor"), CoverageText::tr("Seen"),
+                     CoverageText::tr("Missed, the largest first"));
+    for (const ReportSearch::Sensor& one : search.sensors) {
+        html += QStringLiteral("<tr><td>%1</td><td>%2</td><td>%3</td></tr>")
+                    .arg(titleOf(one.sensor),
+                         CoverageText::tr("%1 m\u00B2, %2 %")
+                             .arg(number(one.seen, 1), number(100.0 * one.seen / search.reachable, 0)),
+                         missedText(one.missed));
+    }
+    return html + QStringLiteral("</table>");
+}
+
+}  // namespace leitstand

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "app/session/report/report_content.h"
+
+namespace leitstand {
+
+/// What was searched with each kind of sensor, and the largest pieces of floor that were missed. Empty where
+/// nobody knows of any floor.
+[[nodiscard]] QString coverageHtml(const ReportContent& content);
+
+}  // namespace leitstand

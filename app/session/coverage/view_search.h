@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/session/coverage/view_finder.h"
+#include "core/mission/event.h"
+
+namespace leitstand {
+
+/// Follows where the cameras of all robots look from, and hangs every view on a key scan. All that it knows
+/// of the map is in events too, so it does on a log what it does live. Without thread; one at a time.
+class ViewSearch {
+public:
+    explicit ViewSearch(const std::vector<RobotDescription>& robots);
+
+    /// Whether a search wants to know of @p event at all.
+    [[nodiscard]] static bool wants(const Event& event);
+    /// All events of a mission, in order.
+    void take(const Event& event);
+    /// Where key scans are: of earlier sessions, or after an undo.
+    void follow(std::span<const ScanPose> poses);
+    /// Where @p robot was, by every scan that fits: live, more than the key scans tell.
+    void correct(const std::string& robot, const MapFix& fix);
+    /// Views that came since the last call.
+    [[nodiscard]] std::vector<SearchView> found();
+
+private:
+    struct Scan {
+        std::string robot;
+        Time end{};  ///< robot's clock
+        Pose sensorInBase = Pose::Identity(), scanInMap = Pose::Identity();
+        bool counts = true;
+    };
+    void move(const ScanPose& pose);
+    void correct(const Scan& scan, double certainty);
+    /// The key scan that a view of @p robot from @p place hangs on; 0: there is none.
+    [[nodiscard]] std::uint64_t scanFor(const std::string& robot, const Eigen::Vector3d& place) const;
+
+    std::map<std::string, ViewFinder> m_finders;  ///< fixed
+    std::map<std::uint64_t, Scan> m_scans;
+    std::map<std::string, std::uint64_t> m_newest;  ///< key scan of each robot
+    std::vector<SearchView> m_found;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,93 @@
+#include "core/mission/coverage/coverage_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace leitstand {
+
+CoverageMap::CoverageMap(SearchGround ground, const CoverageSettings& settings)
+    : m_ground(std::move(ground)), m_settings(settings) {
+    for (Layer& layer : m_layers) layer.assign(m_ground.size(), 0);
+}
+
+/// Marks the floor within @p range of @p from that nothing hides. @p spans tells how many times what is
+/// needed a body at a place of the map would span.
+template <class Spans>
+void CoverageMap::sweep(SearchSensor sensor, const Eigen::Vector3d& from, double range, Spans spans) {
+    if (m_ground.size() == 0 || !from.allFinite() || !(range > 0.0)) return;
+    Layer& layer = m_layers[static_cast<std::size_t>(sensor)];
+    const auto first = [&](double at, double origin) {
+        return std::floor(std::clamp((at - range - origin) / m_ground.cell(), 0.0, 1e6));
+    };
+    const auto last = [&](double at, double origin, int count) {
+        return std::min(count - 1.0, std::floor((at + range - origin) / m_ground.cell()));
+    };
+    const Eigen::Vector2d& origin = m_ground.origin();
+    for (double row = first(from.y(), origin.y()); row <= last(from.y(), origin.y(), m_ground.rows());
+         ++row) {
+        for (double column = first(from.x(), origin.x());
+             column <= last(from.x(), origin.x(), m_ground.columns()); ++column) {
+            const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(m_ground.columns()) +
+                              static_cast<std::size_t>(column);
+            if (!m_ground.isFloor(cell) || layer[cell] == 255) continue;
+            Eigen::Vector3d body;
+            body << m_ground.middleOf(cell),
+                static_cast<double>(m_ground.height(cell)) + m_settings.bodyMiddle;
+            if ((body - from).squaredNorm() > range * range) continue;
+            const double times = spans(body);
+            if (!(times >= 1.0)) continue;
+            const double well = std::min(1.0, (times - 1.0) / std::max(1e-6, m_settings.sure - 1.0));
+            const auto value = static_cast<std::uint8_t>(1 + std::lround(254.0 * well));
+            // Looking whether something hides it is what takes time.
+            if (value <= layer[cell] || m_ground.hides(from, body)) continue;
+            layer[cell] = value;
+        }
+    }
+}
+
+void CoverageMap::look(const SearchView& view, const Pose& scanInMap) {
+    const Pose cameraInMap = scanInMap * view.cameraInScan, mapInCamera = cameraInMap.inverse();
+    const Eigen::Vector3d from = cameraInMap.translation();
+    const double needed =
+        view.sensor == SearchSensor::Infrared ? m_settings.infraredPixels : m_settings.cameraPixels;
+    sweep(view.sensor, from, view.range(m_settings), [&](const Eigen::Vector3d& body) {
+        if (!view.field.holds(mapInCamera * body)) return 0.0;
+        const double away = std::max(0.05, (body - from).norm());
+        return m_settings.bodySide / away * view.field.pixelsPerRadian / std::max(1e-6, needed);
+    });
+}
+
+void CoverageMap::scan(const ShotDensity& shots, const Pose& scanInMap) {
+    const Eigen::Vector3d from = scanInMap.translation();
+    const Eigen::Matrix3d mapInScan = scanInMap.linear().transpose();
+    sweep(SearchSensor::Scanner, from, m_settings.farthest, [&](const Eigen::Vector3d& body) {
+        const Eigen::Vector3d away = body - from;
+        const double points =
+            shots.about(mapInScan * away) * m_settings.bodyArea / std::max(0.01, away.squaredNorm());
+        return points / std::max(1e-6, m_settings.scannerPoints);
+    });
+}
+
+float CoverageMap::quality(SearchSensor sensor, std::size_t cell) const {
+    const std::uint8_t value = of(sensor)[cell];
+    return value == 0 ? -1.0F : static_cast<float>(value - 1) / 254.0F;
+}
+
+float CoverageMap::cleared(const Eigen::Vector2d& place) const {
+    const auto found = m_ground.cellAt(place);
+    if (found < 0) return -1.0F;
+    const auto cell = static_cast<std::size_t>(found);
+    const float camera = quality(SearchSensor::Camera, cell),
+                infrared = quality(SearchSensor::Infrared, cell);
+    if (camera < 0.0F && infrared < 0.0F) return -1.0F;
+    return 1.0F - (1.0F - std::max(0.0F, camera)) * (1.0F - std::max(0.0F, infrared));
+}
+
+double CoverageMap::seenArea(SearchSensor sensor) const {
+    std::size_t cells = 0;
+    for (std::size_t cell = 0; cell < m_ground.size(); ++cell)
+        cells += m_ground.isReachable(cell) && seen(sensor, cell) ? 1 : 0;
+    return static_cast<double>(cells) * m_ground.cell() * m_ground.cell();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,90 @@
+#include "core/mission/coverage/search_book.h"
+
+#include <algorithm>
+
+#include "core/scan/voxel_grid.h"
+
+namespace leitstand {
+namespace {
+
+/// A point for each cube, floor apart from what stands on it.
+ScanPtr thinned(const Scan& scan, const CoverageSettings& settings) {
+    PointCloud cloud;
+    const auto reach = static_cast<float>(settings.scanReach);
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        if (!scan.points[i].allFinite() || scan.points[i].norm() > reach) continue;
+        cloud.points.push_back(scan.points[i]);
+        cloud.labels.push_back(i < scan.labels.size() ? scan.labels[i] : Label::Unlabelled);
+    }
+    cloud = voxelGrid(cloud, settings.scanCell);
+    auto kept = std::make_shared<Scan>();
+    kept->robot = scan.robot;
+    kept->points = std::move(cloud.points);
+    kept->labels = std::move(cloud.labels);
+    return kept;
+}
+
+}  // namespace
+
+void SearchBook::add(const ReportScan& scan) {
+    if (!scan.scan) return;
+    Held held;
+    held.shots = ShotDensity::of(*scan.scan);
+    held.scan = scan;
+    held.scan.scan = thinned(*scan.scan, m_settings);
+    m_scans.insert_or_assign(scan.id, std::move(held));
+}
+
+void SearchBook::place(std::uint64_t scan, const Pose& scanInMap, bool counts) {
+    const auto found = m_scans.find(scan);
+    if (found == m_scans.end()) return;
+    found->second.scan.scanInMap = scanInMap;
+    found->second.counts = counts;
+}
+
+void SearchBook::follow(std::span<const ScanPose> poses) {
+    for (auto& [id, held] : m_scans) held.counts = false;
+    for (const ScanPose& pose : poses) place(pose.scan, pose.scanInMap, pose.trust == ScanTrust::Certain);
+}
+
+bool SearchBook::add(const SearchView& view) {
+    if (m_views >= m_settings.mostViews || !view.cameraInScan.matrix().allFinite()) return false;
+    std::vector<SearchView>& looks = m_looks[view.scan];
+    if (looks.size() >= m_settings.mostViewsOfScan) return false;
+    const bool known = std::any_of(looks.begin(), looks.end(), [&](const SearchView& other) {
+        return other.sensor == view.sensor &&
+               distanceBetween(other.cameraInScan, view.cameraInScan) < m_settings.viewApart &&
+               angleBetween(other.cameraInScan, view.cameraInScan) < m_settings.viewTurned &&
+               std::abs(other.field.pixelsPerRadian - view.field.pixelsPerRadian) <
+                   0.01 * other.field.pixelsPerRadian;
+    });
+    if (known) return false;
+    looks.push_back(view);
+    ++m_views;
+    return true;
+}
+
+std::vector<SearchView> SearchBook::allViews() const {
+    std::vector<SearchView> all;
+    all.reserve(m_views);
+    for (const auto& [scan, looks] : m_looks) all.insert(all.end(), looks.begin(), looks.end());
+    return all;
+}
+
+CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail) const {
+    std::vector<ReportScan> scans;
+    for (const auto& [id, held] : m_scans) {
+        if (held.counts) scans.push_back(held.scan);
+    }
+    auto map = std::make_shared<CoverageMap>(SearchGround::of(scans, trail, m_settings), m_settings);
+    for (const auto& [id, held] : m_scans) {
+        if (!held.counts) continue;
+        map->scan(held.shots, held.scan.scanInMap);
+        const auto looks = m_looks.find(id);
+        if (looks == m_looks.end()) continue;
+        for (const SearchView& view : looks->second) map->look(view, held.scan.scanInMap);
+    }
+    return map;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/mission/coverage/coverage_map.h"
+#include "core/mission/report/report_scan.h"
+#include "core/robot/samples/map_samples.h"
+
+namespace leitstand {
+
+/// Everything that tells what was searched: the scans of the map, thinned, and where cameras looked from.
+/// All of it hangs on scans, so that what was searched moves with them. One thread.
+class SearchBook {
+public:
+    explicit SearchBook(const CoverageSettings& settings = {}) : m_settings(settings) {}
+
+    void add(const ReportScan& scan);
+    /// Where a scan is now, and whether it counts; what is not known is passed by.
+    void place(std::uint64_t scan, const Pose& scanInMap, bool counts);
+    /// Where the scans are now; those that are not named do not count.
+    void follow(std::span<const ScanPose> poses);
+    /// False when nearly the same view of that scan is known, or there are too many.
+    bool add(const SearchView& view);
+    [[nodiscard]] std::size_t views() const { return m_views; }
+    [[nodiscard]] std::size_t scans() const { return m_scans.size(); }
+    /// All views, by scan.
+    [[nodiscard]] std::vector<SearchView> allViews() const;
+
+    /// What was searched. @p trail: base_link where robots were, in the map [m].
+    [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail) const;
+
+private:
+    struct Held {
+        ReportScan scan;  ///< thinned
+        ShotDensity shots;
+        bool counts = true;
+    };
+    CoverageSettings m_settings;
+    std::map<std::uint64_t, Held> m_scans;
+    std::map<std::uint64_t, std::vector<SearchView>> m_looks;  ///< by scan, which may not be known yet
+    std::size_t m_views = 0;
+};
+
+}  // namespace leitstand

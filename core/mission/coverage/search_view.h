@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/base/pose.h"
+#include "core/mission/coverage/coverage_settings.h"
+#include "core/robot/samples/picture_samples.h"
+
+namespace leitstand {
+
+/// What a place is searched with.
+enum class SearchSensor : std::uint8_t { Scanner, Camera, Infrared };
+inline constexpr std::array SearchSensors = {SearchSensor::Scanner, SearchSensor::Camera,
+                                             SearchSensor::Infrared};
+/// "scanner", "camera", "infrared".
+[[nodiscard]] std::string_view nameOf(SearchSensor sensor);
+
+/// What a camera can see: a pyramid ahead, or a ring about its axis (cameras below mirrors). Optical frame.
+struct SearchField {
+    double left = 0.0, right = 0.0, up = 0.0, down = 0.0;  ///< slopes of the pyramid's sides: x/z, y/z
+    double inner = 0.0, outer = 0.0;  ///< the ring's edges, from the axis [rad]; outer 0: no ring
+    double pixelsPerRadian = 0.0;
+
+    /// Whether @p point (optical frame) is within.
+    [[nodiscard]] bool holds(const Eigen::Vector3d& point) const;
+};
+
+/// The field of a camera; empty where it is not calibrated or by a model that nobody knows.
+[[nodiscard]] std::optional<SearchField> fieldOf(const CameraInfoSample& camera);
+
+/// Somewhere that a camera looked from. It hangs on a key scan, so that it moves with the map.
+struct SearchView {
+    std::uint64_t scan = 0;  ///< KeyScanSample::id
+    SearchSensor sensor = SearchSensor::Camera;
+    Pose cameraInScan = Pose::Identity();  ///< optical frame (z ahead) in the scan's frame
+    SearchField field;
+
+    /// How far away a body may be to span enough pixels [m].
+    [[nodiscard]] double range(const CoverageSettings& settings) const;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,151 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/mission/coverage/missed_floor.h"
+#include "tests/core/mission/coverage/search_scene.h"
+
+namespace leitstand::test {
+namespace {
+
+CoverageMapPtr coverageOf(const std::vector<SearchView>& views, const CoverageSettings& settings = {}) {
+    SearchBook book(settings);
+    book.add(SearchScene{}.scan());
+    for (const SearchView& view : views) EXPECT_TRUE(book.add(view));
+    return book.coverage(SearchScene::trail());
+}
+
+TEST(CoverageMap, ACameraSeesItsFieldAndNotBehindWalls) {
+    const auto map = coverageOf({viewFrom({-2.0, 0.0, 0.5}, 0.0)});
+    EXPECT_TRUE(sees(*map, SearchSensor::Camera, 0.0, 0.0));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, 2.0, 0.0)) << "behind the wall";
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, -3.0, 0.0)) << "behind the camera";
+    // 640 pixels at a focal length of 640: half a metre aside for each metre ahead.
+    EXPECT_TRUE(sees(*map, SearchSensor::Camera, 0.05, 0.85));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, 0.05, 1.25));
+    EXPECT_TRUE(sees(*map, SearchSensor::Camera, 0.05, -0.85));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, 0.05, -1.25));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, -1.75, 0.0)) << "below the picture's lower edge";
+    EXPECT_FALSE(sees(*map, SearchSensor::Infrared, 0.0, 0.0)) << "that one did not look";
+}
+
+TEST(CoverageMap, FloorOverTheUpperEdgeOfThePictureIsNotSeen) {
+    const auto down = coverageOf({viewFrom({-3.5, 0.0, 0.5}, 0.0, degrees(45))});
+    EXPECT_TRUE(sees(*down, SearchSensor::Camera, -3.15, 0.0));
+    EXPECT_FALSE(sees(*down, SearchSensor::Camera, -1.0, 0.0));
+}
+
+TEST(CoverageMap, ABodyHasToSpanEnoughPixels) {
+    CoverageSettings far;
+    far.cameraPixels = 0.4 * 640 / 2.0;  // 0.4 m, two metres off
+    const auto map = coverageOf({viewFrom({-2.0, 0.0, 0.5}, 0.0)}, far);
+    EXPECT_TRUE(sees(*map, SearchSensor::Camera, -0.2, 0.05));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, 0.2, 0.05));
+    CoverageSettings some;
+    some.cameraPixels = 64;
+    const auto near = coverageOf({viewFrom({-2.0, 0.0, 0.5}, 0.0)}, some);
+    const auto& ground = near->ground();
+    const auto well = [&](double x) {
+        return near->quality(SearchSensor::Camera, static_cast<std::size_t>(ground.cellAt({x, 0.05})));
+    };
+    EXPECT_GT(well(-1.0), well(0.5)) << "nearer is better";
+    EXPECT_LT(near->quality(SearchSensor::Camera, static_cast<std::size_t>(ground.cellAt({-3.0, 0.0}))),
+              0.0F);
+    // An infrared camera needs fewer of its pixels.
+    EXPECT_GT(viewFrom({0, 0, 0}, 0, 0, SearchSensor::Infrared).range(far),
+              viewFrom({0, 0, 0}, 0).range(far));
+}
+
+TEST(CoverageMap, AScannerSearchesWhereItsPointsAreDenseEnough) {
+    const auto map = coverageOf({});
+    EXPECT_TRUE(sees(*map, SearchSensor::Scanner, -1.5, 0.5));
+    EXPECT_FALSE(sees(*map, SearchSensor::Scanner, 2.0, 0.0)) << "behind the wall";
+    CoverageSettings strict;
+    strict.scannerPoints = 1e6;
+    EXPECT_EQ(coverageOf({}, strict)->seenArea(SearchSensor::Scanner), 0.0);
+    EXPECT_GT(map->seenArea(SearchSensor::Scanner), 10.0);
+}
+
+TEST(CoverageMap, WhatWasSearchedMovesWithItsScan) {
+    SearchBook book;
+    book.add(SearchScene{}.scan());
+    ASSERT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
+    const Pose moved = poseFrom({10.0, 5.0, 0.0}, 0, 0, degrees(90));
+    book.place(1, moved * SearchScene{}.scan().scanInMap, true);
+    const Eigen::Vector3d robot = moved * Eigen::Vector3d(-2.0, 0.0, 0.0);
+    const std::vector<Eigen::Vector3d> trail = {robot};
+    const auto map = book.coverage(trail);
+    const Eigen::Vector3d ahead = moved * Eigen::Vector3d(0.0, 0.0, 0.0),
+                          hidden = moved * Eigen::Vector3d(2.0, 0.0, 0.0);
+    EXPECT_TRUE(sees(*map, SearchSensor::Camera, ahead.x(), ahead.y()));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, hidden.x(), hidden.y()));
+    EXPECT_FALSE(sees(*map, SearchSensor::Camera, 0.0, 0.0)) << "where it was before";
+    book.place(1, moved, false);
+    EXPECT_EQ(book.coverage(trail)->ground().size(), 0U) << "a scan that does not count tells nothing";
+}
+
+TEST(CoverageMap, ClearedIsWhatACameraLookedAt) {
+    const auto map = coverageOf({viewFrom({-2.0, 0.0, 0.5}, 0.0)});
+    EXPECT_GE(map->cleared({-1.0, 0.05}), 0.0F);
+    EXPECT_LE(map->cleared({-1.0, 0.05}), 1.0F);
+    EXPECT_LT(map->cleared({2.0, 0.0}), 0.0F);
+    EXPECT_LT(map->cleared({-3.0, 0.0}), 0.0F) << "a scanner alone clears nothing";
+    EXPECT_LT(map->cleared({1e9, 0.0}), 0.0F);
+}
+
+TEST(MissedFloor, TheLargestPieceComesFirst) {
+    // Half the first room is looked at; the room behind the wall is not.
+    const auto map = coverageOf({viewFrom({-2.0, 0.0, 0.5}, 0.0)});
+    const auto regions = missed(*map, SearchSensor::Camera);
+    ASSERT_FALSE(regions.empty());
+    for (std::size_t i = 1; i < regions.size(); ++i) EXPECT_LE(regions[i].area, regions[i - 1].area);
+    double sum = 0.0;
+    for (const MissedRegion& region : regions) {
+        sum += region.area;
+        EXPECT_GE(region.area, 0.25);
+        EXPECT_TRUE(reachable(map->ground(), region.place.x(), region.place.y()));
+        EXPECT_FALSE(sees(*map, SearchSensor::Camera, region.place.x(), region.place.y()));
+        EXPECT_TRUE((region.low.array() < region.high.array()).all());
+    }
+    EXPECT_NEAR(sum + map->seenArea(SearchSensor::Camera), map->ground().reachableArea(), 0.5);
+    EXPECT_TRUE(missed(CoverageMap(SearchGround{}), SearchSensor::Camera).empty());
+}
+
+TEST(SearchBook, ViewsThatHardlyDifferAreOne) {
+    SearchBook book;
+    book.add(SearchScene{}.scan());
+    EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
+    EXPECT_FALSE(book.add(viewFrom({-2.0, 0.05, 0.5}, degrees(3))));
+    EXPECT_TRUE(book.add(viewFrom({-2.0, 0.15, 0.5}, 0.0)));
+    EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, degrees(7))));
+    EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, 0.0, degrees(8), SearchSensor::Infrared)));
+    SearchView broken = viewFrom({0, 0, 0}, 0.0);
+    broken.cameraInScan.translation().x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(book.add(broken));
+    EXPECT_EQ(book.views(), 4U);
+    EXPECT_EQ(book.allViews().size(), 4U);
+    CoverageSettings few;
+    few.mostViewsOfScan = 1;
+    SearchBook small(few);
+    EXPECT_TRUE(small.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
+    EXPECT_FALSE(small.add(viewFrom({-2.0, 1.0, 0.5}, 0.0))) << "memory is bounded";
+}
+
+TEST(SearchField, CamerasBelowMirrorsSeeARing) {
+    CameraInfoSample info;
+    info.width = info.height = 480;
+    info.distortionModel = "mei";
+    info.distortion = {0, 0, 0, 0, 1.0};
+    info.intrinsics = {220, 0, 240, 0, 220, 240, 0, 0, 1};
+    const auto field = fieldOf(info);
+    ASSERT_TRUE(field);
+    EXPECT_GT(field->outer, degrees(80));
+    EXPECT_TRUE(field->holds({1.0, 0.0, 0.5}));
+    EXPECT_TRUE(field->holds({-1.0, 0.5, 0.5})) << "all round";
+    EXPECT_FALSE(field->holds({0.1, 0.0, -1.0}));
+    EXPECT_GT(field->pixelsPerRadian, 50);
+    EXPECT_FALSE(fieldOf({})) << "not calibrated";
+}
+
+}  // namespace
+}  // namespace leitstand::test
