@@ -31,7 +31,6 @@ ComparePanel::ComparePanel(QWidget* parent)
     form->setVerticalSpacing(4);
     addSettings(*form);
     m_begin->setObjectName(QStringLiteral("beginComparison"));
-    m_begin->setProperty("quiet", true);
     connect(m_begin, &QToolButton::clicked, this, [this] {
         if (m_comparing) return emit cancelled();
         setComparing(true);

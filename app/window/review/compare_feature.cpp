@@ -19,17 +19,13 @@ CompareFeature::CompareFeature(const ViewContext& context, ReviewBridge& bridge)
       m_bridge(bridge),
       m_panel(new ComparePanel(&context.window)) {
     m_panel->setObjectName(QStringLiteral("comparePane"));
-    const QString id = QStringLiteral("compare");
-    context.panes.add(id, tr("Compare"), *m_panel);
+    context.panes.add(QStringLiteral("compare"), tr("Compare"), *m_panel);
     QAction& show = context.commands.add(
         {.id = QStringLiteral("review.compare"),
          .menu = CommandMenu::Mission,
          .text = tr("&Compare registrations"),
          .hint = tr("Registers the key scans with other settings and shows both maps and their figures")});
-    connect(&show, &QAction::triggered, this, [this, id] {
-        if (!m_context.panes.isPaneVisible(id)) m_context.panes.visibility(id)->trigger();
-        m_panel->setFocus();
-    });
+    connect(&show, &QAction::triggered, this, &CompareFeature::wanted);
     MapComparing::Listener listener;
     listener.onProgress = [this, told = 0.0](double fraction) mutable {
         if (fraction >= told && fraction < told + 0.01) return;  // not a call for every point

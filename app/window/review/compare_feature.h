@@ -24,6 +24,7 @@ public:
 
 signals:
     void told(const QString& text);
+    void wanted();  ///< the pane is to be seen, and room for it
 
 private:
     void begin(const RegistrationSettings& settings);

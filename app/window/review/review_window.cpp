@@ -53,6 +53,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     new ScanFeature(context);
     auto* compare = new CompareFeature(context, bridge);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
+    connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
@@ -69,7 +70,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     });
     connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
     m_bridge.watch(m_selection->name().toStdString());
-    m_timeline->setOwnMarks(m_finds->pen().marks());
+    m_timeline->setOwnMarks(bridge.pen().marks());
     m_bridge.showAgain();
     m_layouts->use(QStringLiteral("review"));
 }

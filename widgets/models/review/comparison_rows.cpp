@@ -16,6 +16,7 @@ struct Say {
 const QString None = QStringLiteral("–");
 
 QString millimetres(double metres) {
+    if (metres >= 1.0) return Say::tr("%1 m").arg(numberText(metres, 2));
     return Say::tr("%1 mm").arg(millimetresText(metres));
 }
 
