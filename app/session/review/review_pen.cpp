@@ -41,7 +41,7 @@ ReviewPen::ReviewPen(std::filesystem::path mission, std::vector<RobotDescription
 ReviewPen::~ReviewPen() = default;
 
 Result<void> ReviewPen::open() {
-    if (m_mission) return {};
+    if (mission()) return {};
     LiveMissionSettings settings;
     settings.folder = m_folder;
     settings.robots = m_robots;
@@ -50,20 +50,28 @@ Result<void> ReviewPen::open() {
     settings.version = m_version;
     auto opened = LiveMission::open(settings);
     if (!opened) return opened.error();
-    m_mission = std::move(opened).value();
-    m_before = m_mission->state()->sequence;
+    std::shared_ptr<LiveMission> made = std::move(opened).value();
+    m_before = made->state()->sequence;
+    const std::lock_guard lock(m_mutex);
+    m_mission = std::move(made);
     return {};
+}
+
+std::shared_ptr<LiveMission> ReviewPen::mission() const {
+    const std::lock_guard lock(m_mutex);
+    return m_mission;
 }
 
 Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
     if (auto opened = open(); !opened) return opened;
-    const std::size_t decisions = m_mission->state()->decisions->size();
-    if (auto said = m_mission->say(sample, topic); !said) return said;
+    const auto written = mission();
+    const std::size_t decisions = written->state()->decisions->size();
+    if (auto said = written->say(sample, topic); !said) return said;
     // Who asks for the state next has it in it; the sequencer takes no longer than a moment.
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (m_mission->state()->decisions->size() == decisions && std::chrono::steady_clock::now() < end)
+    while (written->state()->decisions->size() == decisions && std::chrono::steady_clock::now() < end)
         std::this_thread::yield();
-    if (const std::string problem = m_mission->status().problem; !problem.empty()) return Error{problem};
+    if (const std::string problem = written->status().problem; !problem.empty()) return Error{problem};
     return {};
 }
 
@@ -75,7 +83,7 @@ Result<void> ReviewPen::note(Time at, const std::string& robot, const std::strin
 
 Result<void> ReviewPen::correct(VictimSample victim) {
     if (auto opened = open(); !opened) return opened;
-    if (!m_mission->state()->victims->contains({victim.kind, victim.number}))
+    if (!mission()->state()->victims->contains({victim.kind, victim.number}))
         return Error{
             fmt::format("{}: the mission has no {}", m_folder.string(), nameOf(victim.kind, victim.number))};
     victim.stamp = stationTime();
@@ -84,7 +92,8 @@ Result<void> ReviewPen::correct(VictimSample victim) {
 }
 
 bool ReviewPen::canUndo() const {
-    return m_mission && newestAfter(*m_mission->state(), m_before) != nullptr;
+    const auto written = mission();
+    return written && newestAfter(*written->state(), m_before) != nullptr;
 }
 
 Result<void> ReviewPen::undo() {
@@ -98,7 +107,8 @@ Result<void> ReviewPen::undo() {
 }
 
 MissionStatePtr ReviewPen::state() const {
-    return m_mission ? m_mission->state() : nullptr;
+    const auto written = mission();
+    return written ? written->state() : nullptr;
 }
 
 std::vector<TimelineMark> ReviewPen::marks() const {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ class LiveMission;
 
 /// Writes down what somebody finds in a review: notes, and victims as they should have been filed. Each is a
 /// new event in a session of the mission that the pen opens with the first of them; what was recorded stays
-/// as it is. Any thread waits for the disk only to open.
+/// as it is. One thread writes, and waits for the disk; any may ask what was written.
 class ReviewPen {
 public:
     /// @p station: who writes.
@@ -44,13 +46,15 @@ public:
 
 private:
     Result<void> open();
+    [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;
     const std::string m_station, m_version;
-    std::unique_ptr<LiveMission> m_mission;  ///< null while nothing was written
-    std::uint64_t m_before = 0;              ///< last sequence before this pen's
+    mutable std::mutex m_mutex;
+    std::shared_ptr<LiveMission> m_mission;   ///< under the mutex
+    std::atomic<std::uint64_t> m_before = 0;  ///< last sequence before this pen's
 };
 
 }  // namespace leitstand

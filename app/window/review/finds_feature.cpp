@@ -1,5 +1,8 @@
 #include "app/window/review/finds_feature.h"
 
+#include <map>
+#include <utility>
+
 #include <QAction>
 #include <QInputDialog>
 #include <QKeySequence>
@@ -19,7 +22,6 @@ FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
     : QObject(&context.window),
       m_context(context),
       m_bridge(bridge),
-      m_pen(&bridge.pen()),
       m_panel(new FindsPanel(&context.window)),
       m_form(new VictimForm(&context.window)) {
     context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
@@ -34,7 +36,7 @@ FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
             [this](const FindKey& find) { judge(find, VictimSample::Status::Discarded); });
     connect(m_panel, &FindsPanel::formWanted, this, &FindsFeature::openForm);
     connect(m_panel, &FindsPanel::noteWanted, this, &FindsFeature::askForNote);
-    connect(m_panel, &FindsPanel::undone, this, [this] { wrote(m_pen->undo(), tr("Taken back")); });
+    connect(m_panel, &FindsPanel::undone, this, [this] { undo(); });
     connect(&bridge, &MomentSource::ticked, this, &FindsFeature::show);
 }
 
@@ -52,7 +54,7 @@ void FindsFeature::addCommands() {
                                             .text = tr("&Undo what was written"),
                                             .hint = tr("Takes back what was written last in this review"),
                                             .keys = QKeySequence::Undo});
-    connect(&undo, &QAction::triggered, this, [this] { wrote(m_pen->undo(), tr("Taken back")); });
+    connect(&undo, &QAction::triggered, this, &FindsFeature::undo);
 }
 
 std::optional<FindKey> FindsFeature::chosen() const {
@@ -63,12 +65,12 @@ const MissionState& FindsFeature::state() const {
     // What was written counts as finished: then is then.
     const bool finished = m_bridge.player().map() == ReviewMap::Finished;
     if (!finished) return *m_bridge.reviewed()->mission;
-    const MissionStatePtr written = m_pen->state();
+    const MissionStatePtr written = m_bridge.pen().state();
     return written ? *written : *m_bridge.index()->finished;
 }
 
 const VictimSample* FindsFeature::newest(const FindKey& find) const {
-    const MissionStatePtr written = m_pen->state();
+    const MissionStatePtr written = m_bridge.pen().state();
     const MissionState& now = written ? *written : *m_bridge.index()->finished;
     const auto found = now.victims->find(find);
     return found == now.victims->end() ? nullptr : &found->second.victim;
@@ -77,16 +79,23 @@ const VictimSample* FindsFeature::newest(const FindKey& find) const {
 void FindsFeature::show() {
     if (!m_bridge.reviewed()) return;
     m_panel->show(findRowsOf(state()));
-    m_panel->setUndoable(m_pen->canUndo());
+    m_panel->setUndoable(m_bridge.pen().canUndo());
     const auto chosen = m_panel->chosen();
     const VictimSample* const known = chosen ? newest(*chosen) : nullptr;
     m_form->show(known == nullptr ? std::nullopt : std::optional(*known));
 }
 
-void FindsFeature::wrote(const Result<void>& done, const QString& what) {
-    emit told(done ? what : QString::fromStdString(done.error().text));
-    if (done) emit marksChanged(m_pen->marks());
-    show();
+void FindsFeature::write(std::function<Result<void>(ReviewPen&)> what, const QString& done) {
+    m_bridge.write(*this, std::move(what), [this, done](const Result<void>& result) {
+        if (!result) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
+        emit told(result ? done : QString::fromStdString(result.error().text));
+        if (result) emit marksChanged(m_bridge.pen().marks());
+        show();
+    });
+}
+
+void FindsFeature::undo() {
+    write([](ReviewPen& pen) { return pen.undo(); }, tr("Taken back"));
 }
 
 void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
@@ -96,7 +105,19 @@ void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
     judged.status = status;
     if (status != VictimSample::Status::Discarded) judged.mergedInto = 0;
     const QString name = QString::fromStdString(nameOf(judged.kind, judged.number));
-    wrote(m_pen->correct(judged), tr("%1: %2 (as finished)").arg(name, statusText(judged)));
+    write(
+        [judged](ReviewPen& pen) {
+            // What was written since, and is not shown yet, stays.
+            VictimSample whole = judged;
+            const MissionStatePtr written = pen.state();
+            const auto found = written ? written->victims->find({judged.kind, judged.number})
+                                       : std::map<FindKey, VictimState>::const_iterator();
+            if (written && found != written->victims->end()) whole = found->second.victim;
+            whole.status = judged.status;
+            whole.mergedInto = judged.mergedInto;
+            return pen.correct(whole);
+        },
+        tr("%1: %2 (as finished)").arg(name, statusText(judged)));
 }
 
 void FindsFeature::openForm(const FindKey& find) {
@@ -110,9 +131,8 @@ void FindsFeature::openForm(const FindKey& find) {
 
 void FindsFeature::correct(const VictimSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
-    const Result<void> done = m_pen->correct(corrected);
-    if (!done) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
-    wrote(done, tr("%1 corrected (as finished)").arg(name));
+    write([corrected](ReviewPen& pen) { return pen.correct(corrected); },
+          tr("%1 corrected (as finished)").arg(name));
 }
 
 void FindsFeature::askForNote() {
@@ -129,7 +149,8 @@ void FindsFeature::askForNote() {
 
 void FindsFeature::note(Time at, const QString& text) {
     if (text.isEmpty()) return;
-    wrote(m_pen->note(at, m_context.selection.name().toStdString(), text.toStdString()),
+    const std::string robot = m_context.selection.name().toStdString();
+    write([at, robot, words = text.toStdString()](ReviewPen& pen) { return pen.note(at, robot, words); },
           tr("Noted at %1").arg(wallText(at)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include <QObject>
@@ -23,7 +24,6 @@ public:
 
     [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
     [[nodiscard]] std::optional<FindKey> chosen() const;
-    [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
 
 public slots:
     void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
@@ -39,12 +39,13 @@ private:
     void openForm(const FindKey& find);
     void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
-    void wrote(const Result<void>& done, const QString& what);
+    /// Off this thread: the first entry opens the mission. @p done: what is told then.
+    void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
+    void undo();
     [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
 
     ViewContext m_context;
     ReviewBridge& m_bridge;
-    ReviewPen* m_pen;  ///< the bridge's
     FindsPanel* m_panel;
     VictimForm* m_form;
 };

@@ -1,8 +1,10 @@
 #include "app/window/review/review_bridge.h"
 
+#include <QPointer>
 #include <QSysInfo>
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <utility>
 
 #include "app/session/review/reviewed_robot.h"
@@ -14,12 +16,16 @@ constexpr std::chrono::milliseconds Tick(33);
 
 }  // namespace
 
-ReviewBridge::ReviewBridge() {
+ReviewBridge::ReviewBridge() : m_writer([this](const std::stop_token& stop) { m_writing.work(stop); }) {
     m_tick.setInterval(Tick);
     connect(&m_tick, &QTimer::timeout, this, &ReviewBridge::tick);
 }
 
-ReviewBridge::~ReviewBridge() = default;
+ReviewBridge::~ReviewBridge() {
+    std::promise<void> written;  // what somebody wrote is not lost because they close the window at once
+    m_writing.submit([&written](const std::stop_token&) { written.set_value(); }, false);
+    written.get_future().wait();
+}
 
 Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::path& mission) {
     std::unique_ptr<ReviewBridge> bridge(new ReviewBridge);
@@ -59,6 +65,19 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     if (!bridge->robots().empty()) bridge->m_watched = bridge->robots().front().name;
     bridge->m_tick.start();
     return bridge;
+}
+
+void ReviewBridge::write(QObject& context, std::function<Result<void>(ReviewPen&)> what,
+                         std::function<void(const Result<void>&)> done) {
+    m_writing.submit(
+        [this, there = QPointer<QObject>(&context), what = std::move(what),
+         done = std::move(done)](const std::stop_token&) {
+            const Result<void> result = what(*m_pen);
+            hop([there, done, result] {
+                if (there) done(result);
+            });
+        },
+        false);
 }
 
 void ReviewBridge::showInstead(MapPtr map) {

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <QTimer>
 
+#include "app/session/job_queue.h"
 #include "app/session/review/review_pen.h"
 #include "app/session/review/review_player.h"
 #include "app/window/live/moment_source.h"
@@ -25,7 +28,11 @@ public:
 
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
     /// What is written in this review, whatever window it is written in.
-    [[nodiscard]] ReviewPen& pen() { return *m_pen; }
+    [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
+    /// Writes on a thread of its own, in order: @p what there, then @p done with what came of it here, unless
+    /// @p context is gone by then.
+    void write(QObject& context, std::function<Result<void>(ReviewPen&)> what,
+               std::function<void(const Result<void>&)> done);
     /// Panes see @p map in place of that of the moment; null: the moment's again.
     void showInstead(MapPtr map);
     /// Tells a new window everything that was told before.
@@ -60,7 +67,9 @@ private:
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<ReviewPen> m_pen;
-    std::unique_ptr<ReviewPlayer> m_player;  ///< last: its thread ends first
+    std::unique_ptr<ReviewPlayer> m_player;  ///< its thread ends before what it tells
+    JobQueue m_writing;
+    std::jthread m_writer;  ///< last: ends first, when all is written
 };
 
 }  // namespace leitstand

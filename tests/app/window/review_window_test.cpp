@@ -159,7 +159,7 @@ TEST_F(ReviewWindowTest, ANoteIsWrittenWhereTheReviewStands) {
     EXPECT_FALSE(question.isModal());
     question.setTextValue(QStringLiteral("rubble behind the door"));
     question.accept();
-    EXPECT_THAT(m_window->newest().toStdString(), HasSubstr("Noted"));
+    EXPECT_TRUE(soon([this] { return m_window->newest().contains(QStringLiteral("Noted")); }));
     const auto& marks = m_window->timeline().marks();
     const TimelineMark* const mark = markAfter(marks, Mission::at(32.0));
     ASSERT_NE(mark, nullptr);
@@ -167,7 +167,9 @@ TEST_F(ReviewWindowTest, ANoteIsWrittenWhereTheReviewStands) {
     EXPECT_EQ(mark->text, "rubble behind the door");
     EXPECT_TRUE(find<QToolButton>("undoCorrection").isEnabled());
     find<QToolButton>("undoCorrection").click();
-    EXPECT_EQ(markAfter(m_window->timeline().marks(), Mission::at(32.0))->at, Mission::at(40.0));
+    EXPECT_TRUE(soon([this] {
+        return markAfter(m_window->timeline().marks(), Mission::at(32.0))->at == Mission::at(40.0);
+    }));
 }
 
 TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
@@ -190,9 +192,9 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     find<QToolButton>("undoCorrection").click();
     EXPECT_TRUE(soon([&] { return !finds.topLevelItem(0)->text(3).contains(QStringLiteral("trapped")); }));
     find<QToolButton>("discardFind").click();
-    EXPECT_EQ(finds.topLevelItem(0)->text(1), "discarded");
+    EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(1) == QStringLiteral("discarded"); }));
     find<QToolButton>("undoCorrection").click();
-    EXPECT_EQ(finds.topLevelItem(0)->text(1), "confirmed");
+    EXPECT_TRUE(soon([&] { return finds.topLevelItem(0)->text(1) == QStringLiteral("confirmed"); }));
 }
 
 TEST_F(ReviewWindowTest, TheMapRegisteredAgainIsShownBesideTheRecordedOne) {
