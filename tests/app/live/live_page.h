@@ -15,6 +15,20 @@
 
 namespace leitstand::test {
 
+/// A station with its window, as an operator has it.
+struct LiveStation {
+    std::unique_ptr<LiveBridge> bridge;
+    std::unique_ptr<LiveWindow> window;  // ends first
+};
+/// Opens or resumes the mission in @p folder / "mission" on both shipped robots; what the station remembers
+/// and layouts are beside it.
+[[nodiscard]] LiveStation openLiveStation(const std::filesystem::path& folder, int domain);
+
+/// What a scripted operator does with the list of finds: files the surest candidate, or confirms what is
+/// open.
+void fileNextFind(LiveWindow& window);
+[[nodiscard]] std::size_t confirmedVictims(const Station& station);
+
 /// The live window on both simulated robots, which are processes beside it.
 class LivePage : public testing::Test {
 protected:

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include <QElapsedTimer>
-#include <QTableView>
 
 #include <gtest/gtest.h>
 
@@ -22,26 +21,7 @@ class LongMission : public LivePage {
 protected:
     static constexpr int Drive = 80'000;  ///< [ms]
 
-    /// What a scripted operator does with the list: files the surest candidate, confirms what is open.
-    void operate() {
-        auto* table = m_window->findChild<QTableView*>("finds");
-        for (int row = 0; row < table->model()->rowCount(); ++row) {
-            const QString name = table->model()->index(row, 0).data().toString();
-            const QString state = table->model()->index(row, 1).data().toString();
-            if (name != QStringLiteral("?") && !state.contains(QStringLiteral("unconfirmed"))) continue;
-            table->selectRow(row);
-            press(Qt::Key_V);
-            return;
-        }
-    }
-    [[nodiscard]] std::size_t confirmed() const {
-        const MissionStatePtr mission = station().mission();
-        return static_cast<std::size_t>(
-            std::count_if(mission->victims->begin(), mission->victims->end(), [](const auto& one) {
-                return one.first.first == VictimSample::Kind::Victim &&
-                       one.second.victim.status == VictimSample::Status::Confirmed;
-            }));
-    }
+    [[nodiscard]] std::size_t confirmed() const { return confirmedVictims(station()); }
 };
 
 TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
@@ -65,7 +45,7 @@ TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
     bool resumed = false;
     while (clock.elapsed() < Drive) {
         QTest::qWait(2'000);
-        operate();
+        fileNextFind(*m_window);
         if (resumed || clock.elapsed() < Drive / 2) continue;
         const std::size_t before = confirmed();
         restart();

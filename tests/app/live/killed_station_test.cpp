@@ -1,0 +1,167 @@
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/session/station/station_clock.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "core/io/report/find_lists.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
+#include "tests/support/child_process.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int Patience = 60'000;           ///< [ms]
+constexpr std::chrono::minutes Limit(20);  ///< of the mission
+constexpr const char* Robots[] = {"kurt3d", "crawler"};
+
+/// The process of this test that is told the folder is the station that is killed.
+constexpr const char* FolderTold = "LEITSTAND_OPERATED_FOLDER";
+constexpr const char* DomainTold = "LEITSTAND_OPERATED_DOMAIN";
+
+template <class Holds>
+bool soon(Holds holds) {
+    return QTest::qWaitFor(holds, Patience);
+}
+
+/// What a mission has so far.
+struct Had {
+    std::size_t scans = 0, victims = 0;
+    long long seconds = 0;  ///< of the mission's clock
+
+    [[nodiscard]] static Had of(Station& station) {
+        return {station.mission()->keyScans->size(), confirmedVictims(station),
+                std::chrono::duration_cast<std::chrono::seconds>(station.clock().now().elapsed).count()};
+    }
+    [[nodiscard]] bool holds(const Had& other) const {
+        return scans >= other.scans && victims >= other.victims && seconds >= other.seconds;
+    }
+};
+
+std::ostream& operator<<(std::ostream& out, const Had& had) {
+    return out << had.scans << " scans, " << had.victims << " victims, " << had.seconds << " s";
+}
+
+bool mine(Station& station, const char* robot) {
+    return station.robot(robot).grant.mine;
+}
+
+/// In the process that is killed: an operator at the window of @p folder's mission, who tells what there is.
+void operate(const fs::path& folder, int domain) {
+    const LiveStation live = openLiveStation(folder, domain);
+    Station& station = live.bridge->station();
+    live.window->layouts().use("map");
+    ASSERT_TRUE(soon([&] { return live.window->missing().isEmpty(); }));
+    ASSERT_TRUE(station.clock().limit(Limit).ok());
+    for (const char* robot : Robots) station.ask(robot);
+    ASSERT_TRUE(soon([&] { return mine(station, Robots[0]) && mine(station, Robots[1]); }));
+    ASSERT_TRUE(soon([&] { return Had::of(station).scans >= 1; }));
+    QTest::keyClick(live.window.get(), Qt::Key_F);
+    ASSERT_TRUE(soon([&] { return !station.mission()->victims->empty(); }));
+    for (Had committed;;) {  // until it is killed; an event is on the disk half a second later
+        QTest::qWait(2'000);
+        std::printf("has %zu %zu %lld\n", committed.scans, committed.victims, committed.seconds);
+        std::fflush(stdout);
+        committed = Had::of(station);
+        fileNextFind(*live.window);
+    }
+}
+
+/// What the other process told last.
+Had toldBy(const ChildProcess& station) {
+    const std::string out = station.out();
+    Had had;
+    const auto end = out.rfind('\n');
+    const auto last = end == std::string::npos ? end : out.rfind("has ", end);
+    if (last != std::string::npos)
+        (void)std::sscanf(out.c_str() + last, "has %zu %zu %lld", &had.scans, &had.victims, &had.seconds);
+    return had;
+}
+
+/// Robots that are processes, and a station that is another one, which is killed in the middle of a mission.
+class KilledStation : public testing::Test {
+protected:
+    void robots() {
+        DemoSettings demo;
+        demo.program = QStringLiteral(LEITSTAND_ROBOT);
+        demo.domain = m_domain.number();
+        m_robots = std::make_unique<DemoRobots>(demo);
+        m_robots->start();
+    }
+    /// Runs a station until it @p has enough, for at most @p seconds; then it is killed without warning.
+    template <class Enough>
+    [[nodiscard]] Had runAndKill(Enough enough, int seconds) {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        ChildProcess station(fs::read_symlink("/proc/self/exe"),
+                             {std::string("--gtest_filter=") + test->test_suite_name() + "." + test->name()},
+                             {std::string(FolderTold) + "=" + m_folder.path().string(),
+                              std::string(DomainTold) + "=" + std::to_string(m_domain.number())});
+        const bool came = QTest::qWaitFor([&] { return enough(toldBy(station)); }, 1000 * seconds);
+        EXPECT_TRUE(came) << station.out();
+        station.signal(SIGKILL);
+        EXPECT_EQ(station.wait(), -1) << station.out();
+        return toldBy(station);
+    }
+    /// Opens a station on what the killed one left; how long it took until all of @p before was there [s].
+    [[nodiscard]] double resume(const Had& before) {
+        const auto began = std::chrono::steady_clock::now();
+        m_live = openLiveStation(m_folder.path(), m_domain.number());
+        const bool back = soon([&] {
+            return m_live.window->missing().isEmpty() && Had::of(station()).holds(before) &&
+                   mine(station(), Robots[0]) && mine(station(), Robots[1]);
+        });
+        EXPECT_TRUE(back) << "before: " << before << "; now: " << Had::of(station()) << "; "
+                          << m_live.window->missing().toStdString();
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        EXPECT_EQ(station().clock().now().limit, Limit);
+        EXPECT_FALSE(m_live.window->driving()) << "motion does not resume by itself";
+        std::cout << "  killed with " << before << "; all was back after " << seconds << " s\n";
+        return seconds;
+    }
+    [[nodiscard]] Station& station() const { return m_live.bridge->station(); }
+    [[nodiscard]] fs::path mission() const { return m_folder / "mission"; }
+    [[nodiscard]] fs::path out() const { return m_folder / "out"; }
+    /// Closes the station and writes the hand-in of what it recorded; where the files begin.
+    [[nodiscard]] fs::path report() {
+        m_live.window.reset();
+        m_live.bridge.reset();
+        const ProcessOutcome made =
+            runProcess(LEITSTANDCTL, {"report", mission().string(), "--out", out().string()});
+        EXPECT_EQ(made.exitCode, 0) << made.out << made.err;
+        return out() / "Competition-Team-mission";
+    }
+
+    const TestDomain m_domain;
+    const TemporaryFolder m_folder;
+    std::unique_ptr<DemoRobots> m_robots;
+    LiveStation m_live;
+};
+
+TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
+    if (const char* folder = std::getenv(FolderTold))
+        return operate(folder, std::atoi(std::getenv(DomainTold)));
+    robots();
+    const Had had = runAndKill([](const Had& now) { return now.victims >= 1 && now.scans >= 1; }, 120);
+    ASSERT_GE(had.victims, 1u);
+    (void)resume(had);  // how long it takes is the machine's affair here; LiveRestart asks
+    const fs::path files = report();
+    const auto victims = readFindList(files.string() + "_victims.csv");
+    ASSERT_TRUE(victims) << victims.error().text;
+    EXPECT_EQ(victims->finds.size(), had.victims);
+}
+
+}  // namespace
+}  // namespace leitstand::test
