@@ -112,6 +112,13 @@ void MapScenery::frameScan(std::uint64_t id) {
     moveCamera(framed(camera(), places, m_view.size()));
 }
 
+void MapScenery::centre(const Eigen::Vector3d& place) {
+    if (following()) stopFollowing();
+    MapCamera moved = camera();
+    moved.focus = place;
+    moveCamera(moved);
+}
+
 const MapCamera& MapScenery::camera() const {
     if (following()) return m_follow.camera();
     return m_order.settings.look == MapLook::Top ? m_topCamera.camera : m_freeCamera.camera;

@@ -42,6 +42,8 @@ public:
     void stopFollowing();
     /// Frames the scan of this id, without following anything. Nothing when it has no points on screen.
     void frameScan(std::uint64_t id);
+    /// Looks at @p place of the map [m] as it looked before, without following anything.
+    void centre(const Eigen::Vector3d& place);
     /// Moves the camera; a coarse picture comes at once, a full one when it comes to rest.
     void moveCamera(const MapCamera& camera);
     void setCamera(CameraPreset preset);

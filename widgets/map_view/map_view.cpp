@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "widgets/map_view/map_view_state.h"
+#include "widgets/map_view/overlays/floor_overlay.h"
 #include "widgets/map_view/overlays/hint.h"
 #include "widgets/map_view/overlays/legend.h"
 #include "widgets/map_view/overlays/map_marks.h"
@@ -78,6 +79,17 @@ void MapView::showScan(std::uint64_t id) {
     const bool following = m_state->scenery.following();
     m_state->scenery.frameScan(id);
     if (following && !m_state->scenery.following()) emit followEnded();
+}
+
+void MapView::showPlace(const Eigen::Vector3d& place) {
+    const bool following = m_state->scenery.following();
+    m_state->scenery.centre(place);
+    if (following && !m_state->scenery.following()) emit followEnded();
+}
+
+void MapView::setFloorTint(FloorTintPtr tint) {
+    m_state->floor = std::move(tint);
+    update();
 }
 
 void MapView::setMeasuring(bool on) {
@@ -161,6 +173,7 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     if (content.settings.look == MapLook::Top) {
         gridStep = paintGroundGrid(painter, projection, content, overlay);
     }
+    if (floor) paintFloorTint(painter, projection, *floor, overlay);
     const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
     paintScanPositions(painter, projection, content, !trails, overlay);
     if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);
@@ -171,7 +184,8 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     tools.paint(painter, projection, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
-    paintLegend(painter, content, projection.size(), scaleBar, overlay);
+    const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, overlay);
+    if (floor) paintFloorLegend(painter, *floor, projection.size(), legend, overlay);
     paintAxes(painter, projection, overlay);
     if (!hint.isEmpty()) paintHint(painter, hint, projection.size(), overlay);
 }

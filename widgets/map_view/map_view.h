@@ -11,6 +11,7 @@
 #include "core/mapping/map.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 #include "widgets/map_view/map_view_settings.h"
+#include "widgets/models/coverage/floor_tint.h"
 #include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {
@@ -57,10 +58,14 @@ public:
     void setRobots(std::vector<RobotMark> robots);
     /// Marks victims and other finds; @p chosen stands out.
     void setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen);
+    /// Tints the floor that was searched and hatches what was missed; null: neither.
+    void setFloorTint(FloorTintPtr tint);
     /// The scan of this MapScan::id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
     /// Frames the scan of this MapScan::id.
     void showScan(std::uint64_t id);
+    /// Moves the camera, which follows nothing any more, to @p place of the map [m].
+    void showPlace(const Eigen::Vector3d& place);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
     /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].

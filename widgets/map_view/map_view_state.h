@@ -48,6 +48,7 @@ struct MapView::State {
     std::vector<RobotMark> robots;
     std::vector<VictimRow> finds;
     std::optional<FindKey> chosenFind;
+    FloorTintPtr floor;
     GroundTools tools;
     std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]

@@ -51,6 +51,10 @@ Result<void> Station::describe(MissionInfoSample info) {
     return m_state->mission->say(info, station_topic::Mission);
 }
 
+std::shared_ptr<const CoverageMap> Station::coverage() const {
+    return m_state->coverage->coverage();
+}
+
 FindDesk& Station::finds() {
     return *m_state->finds;
 }

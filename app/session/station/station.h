@@ -21,6 +21,7 @@
 
 namespace leitstand {
 
+class CoverageMap;
 class FindDesk;
 class StationAlarms;
 class StationBrakes;
@@ -73,7 +74,9 @@ public:
     [[nodiscard]] StationClock& clock();      ///< of the mission
     /// What the report says of the mission; time and sender are filled in.
     Result<void> describe(MissionInfoSample info);
-    [[nodiscard]] FindDesk& finds();                            ///< files victims and other finds
+    [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
+    /// What was searched with each kind of sensor; null until there is a map.
+    [[nodiscard]] std::shared_ptr<const CoverageMap> coverage() const;
     [[nodiscard]] StationAlarms& alarms();                      ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
     [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples

@@ -1,8 +1,9 @@
-// How a station searches for victims and files what is found.
+// How a station searches for victims, what it searched, and how it files what is found.
 
 #include <cmath>
 #include <utility>
 
+#include "app/session/coverage/logged_views.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/station_state.h"
@@ -50,6 +51,18 @@ void Station::State::search() {
         if (const auto kept = mission->say(found, station_topic::Candidates); !kept) say(kept.error().text);
     };
     victims = std::make_unique<VictimWatch>(std::move(setup));
+}
+
+void Station::State::cover(std::vector<KeyScanSample> earlier) {
+    CoverageWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.places = [this]() -> RobotsInMapPtr { return open ? mapping->robots() : nullptr; };
+    setup.poses = [this] { return posesOf(*mission->state()); };
+    if (!earlier.empty()) {
+        setup.earlierViews = [folder = settings.mission.folder] { return loggedViews(folder); };
+    }
+    setup.earlier = std::move(earlier);
+    coverage = std::make_unique<CoverageWatch>(std::move(setup));
 }
 
 }  // namespace leitstand

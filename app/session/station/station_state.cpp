@@ -28,10 +28,12 @@ Station::State::~State() {
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
     if (victims) victims->end();
+    if (coverage) coverage->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
     victims.reset();
+    coverage.reset();
     finds.reset();
     cameras.reset();
     alarms.reset();
@@ -200,6 +202,7 @@ Result<void> Station::State::start() {
         alarms->take(event);
         mapping->take(event);
         victims->take(event);
+        coverage->take(event);
         finds->take(event);
         cameras->turning().take(event);
         if (listener.onEvent) listener.onEvent(event);
@@ -221,6 +224,7 @@ Result<void> Station::State::start() {
         },
         [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
         [this](const std::string& text) { say(text); });
+    cover(earlier);
     map(std::move(earlier));
     search();
     file();

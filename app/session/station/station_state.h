@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/coverage/coverage_watch.h"
 #include "app/session/finds/find_desk.h"
 #include "app/session/heap_keeper.h"
 #include "app/session/log/mission_feed.h"
@@ -43,6 +44,7 @@ struct Station::State {
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
     std::unique_ptr<VictimWatch> victims;
+    std::unique_ptr<CoverageWatch> coverage;
     std::unique_ptr<StationClock> clock;
     std::unique_ptr<FindDesk> finds;
     std::unique_ptr<StationAlarms> alarms;
@@ -60,6 +62,7 @@ struct Station::State {
     void watchBrakes();
     void map(std::vector<KeyScanSample> earlier);
     void search();
+    void cover(std::vector<KeyScanSample> earlier);
     void watch();
     void file();
     void listen();

@@ -9,6 +9,7 @@
 #include "app/window/language.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/link/link_feature.h"
@@ -58,6 +59,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     auto* mapActions = new MapActions(context, *m_map);
     connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
     connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
+    auto* coverage = new CoverageFeature(context, *m_map, *mapActions);
+    connect(coverage, &CoverageFeature::told, this, &LiveWindow::tell);
     auto* scan = new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);
     auto* pointing = new FindPointing(context, *m_map, *m_cameras, *scan);

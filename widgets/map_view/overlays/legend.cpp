@@ -149,11 +149,11 @@ int widthOf(const std::vector<Entry>& entries, const std::optional<RampText>& ra
 
 }  // namespace
 
-void paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
-                 const OverlayStyle& style) {
+QRect paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
+                  const OverlayStyle& style) {
     const std::vector<Entry> entries = entriesFor(content);
     const std::optional<RampText> ramp = rampText(content, style);
-    if (entries.empty() && !ramp) return;
+    if (entries.empty() && !ramp) return {};
 
     painter.setFont(style.font);
     const QFontMetrics metrics = painter.fontMetrics();
@@ -168,11 +168,12 @@ void paintLegend(QPainter& painter, const SceneContent& content, QSize size, con
         line.square(asColour(entry.colour));
         line.text(entry.text, text, Space);
     }
-    if (!ramp) return;
+    if (!ramp) return box;
     line.text(ramp->title, muted, Space);
     line.text(ramp->low, text, Gap);
     line.ramp();
     line.text(ramp->high, text, 0);
+    return box;
 }
 
 }  // namespace leitstand

@@ -22,6 +22,10 @@ MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&m
     connect(decisions, &DecisionsFeature::told, this, &MapActions::told);
 }
 
+void MapActions::go(const Eigen::Vector3d& place) {
+    m_going->go({place, std::nullopt});
+}
+
 void MapActions::halt() {
     m_going->takeBack();
 }

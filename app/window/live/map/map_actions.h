@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <QObject>
 
 #include "app/window/live/live_context.h"
@@ -17,6 +18,8 @@ public:
 
     /// A robot that was not yet sent to a place stays.
     void halt();
+    /// Sends the selected robot to @p place of the map [m].
+    void go(const Eigen::Vector3d& place);
 
 signals:
     void told(const QString& text);

@@ -1,0 +1,157 @@
+#include "app/window/live/coverage/coverage_feature.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+
+#include "app/session/station/station.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/map/map_actions.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
+#include "widgets/coverage/missed_panel.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/coverage/floor_tint.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int TicksALook = 15;  ///< what was searched is asked for twice a second
+
+/// Of an overlay's command; below 0: none is shown.
+int dataOf(std::optional<SearchSensor> sensor) {
+    return sensor ? static_cast<int>(*sensor) : -1;
+}
+
+}  // namespace
+
+CoverageFeature::CoverageFeature(const LiveContext& context, MapFeature& map, MapActions& actions)
+    : QObject(&context.window),
+      m_context(context),
+      m_map(map),
+      m_panel(new MissedPanel(&context.window)),
+      m_overlays(new QActionGroup(this)) {
+    m_panel->setObjectName(QStringLiteral("missedPane"));
+    context.panes.add(QStringLiteral("missed"), tr("Missed"), *m_panel);
+    addOverlays();
+    addMissed(actions);
+    connect(m_panel, &MissedPanel::sensorChosen, this, [this](SearchSensor sensor) {
+        if (m_shown) return showOverlay(sensor);
+        refresh();
+    });
+    connect(m_panel, &MissedPanel::activated, this, &CoverageFeature::showChosen);
+    connect(m_panel, &MissedPanel::chosenChanged, this,
+            [this] { m_goTo->setEnabled(m_panel->chosen().has_value()); });
+    connect(&context.source, &MomentSource::ticked, this, &CoverageFeature::follow);
+}
+
+void CoverageFeature::addOverlays() {
+    m_context.commands.separate(CommandMenu::Map);
+    const auto add = [this](const char* id, const QString& text, const QString& hint,
+                            std::optional<SearchSensor> sensor) {
+        QAction& action = m_context.commands.add({.id = QString::fromLatin1(id),
+                                                  .menu = CommandMenu::Map,
+                                                  .text = text,
+                                                  .hint = hint,
+                                                  .checkable = true});
+        action.setData(dataOf(sensor));
+        action.setChecked(!sensor);
+        m_overlays->addAction(&action);
+        connect(&action, &QAction::triggered, this, [this, sensor] { showOverlay(sensor); });
+    };
+    add("coverage.off", tr("Searched floor: &hidden"), tr("The map as it is"), std::nullopt);
+    add("coverage.scanner", tr("Searched by s&canner"),
+        tr("Tints the floor where a body would have enough points, hatches what was missed"),
+        SearchSensor::Scanner);
+    add("coverage.camera", tr("Searched by came&ra"),
+        tr("Tints the floor where a body would span enough pixels of a camera, hatches what was missed"),
+        SearchSensor::Camera);
+    add("coverage.infrared", tr("Searched by i&nfrared"),
+        tr("Tints the floor where a body would span enough pixels of an infrared camera, hatches what was "
+           "missed"),
+        SearchSensor::Infrared);
+    QAction& next = m_context.commands.add({.id = QStringLiteral("coverage.next"),
+                                            .menu = CommandMenu::Map,
+                                            .text = tr("Searched floor: ne&xt sensor"),
+                                            .hint = tr("Scanner, camera, infrared, hidden"),
+                                            .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)});
+    connect(&next, &QAction::triggered, this, [this] {
+        const int now = dataOf(m_shown) + 1;
+        const bool more = now < static_cast<int>(SearchSensors.size());
+        showOverlay(more ? std::optional(static_cast<SearchSensor>(now)) : std::nullopt);
+    });
+}
+
+void CoverageFeature::addMissed(MapActions& actions) {
+    QAction& open = m_context.commands.add(
+        {.id = QStringLiteral("coverage.missed"),
+         .menu = CommandMenu::Map,
+         .text = tr("&What did I miss?"),
+         .hint = tr("Lists the floor that robots can reach and that was not seen, the largest piece first"),
+         .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W)});
+    connect(&open, &QAction::triggered, this, &CoverageFeature::showMissed);
+    QAction& goTo = m_context.commands.add({.id = QStringLiteral("coverage.goTo"),
+                                            .menu = CommandMenu::Map,
+                                            .text = tr("Go to what was &missed"),
+                                            .hint = tr("Sends the selected robot to the chosen place")});
+    goTo.setIconText(tr("Go there"));
+    goTo.setEnabled(false);
+    m_goTo = &goTo;
+    connect(&goTo, &QAction::triggered, this, [this, &actions] {
+        if (const auto chosen = m_panel->chosen()) actions.go(chosen->inMap);
+    });
+    QAction& look = m_context.commands.add({.id = QStringLiteral("coverage.show"),
+                                            .menu = CommandMenu::Map,
+                                            .text = tr("Show what was missed on the ma&p"),
+                                            .hint = tr("Moves the map to the chosen place")});
+    look.setIconText(tr("Show"));
+    connect(&look, &QAction::triggered, this, &CoverageFeature::showChosen);
+    m_panel->setCommands({&look, &goTo});
+}
+
+void CoverageFeature::showOverlay(std::optional<SearchSensor> sensor) {
+    m_shown = sensor;
+    if (sensor) m_panel->setSensor(*sensor);
+    for (QAction* action : m_overlays->actions())
+        action->setChecked(action->data().toInt() == dataOf(sensor));
+    refresh();
+}
+
+void CoverageFeature::showMissed() {
+    if (QAction* const pane = m_context.panes.visibility(QStringLiteral("missed")); !pane->isChecked())
+        pane->trigger();
+    if (!m_shown) showOverlay(m_panel->sensor());
+    m_panel->chooseFirst();
+    m_panel->setFocus();
+    if (m_panel->chosen()) return showChosen();
+    emit told(m_coverage ? tr("Nothing that can be reached was missed") : tr("There is no map yet"));
+}
+
+void CoverageFeature::showChosen() {
+    if (const auto chosen = m_panel->chosen()) return m_map.view().showPlace(chosen->inMap);
+    emit told(tr("Choose a place in the list of what was missed"));
+}
+
+void CoverageFeature::follow(const LiveMoment& /*moment*/) {
+    if (++m_ticks % TicksALook != 0) return;
+    CoverageMapPtr now = m_context.bridge.station().coverage();
+    const bool news = now != m_coverage;
+    m_coverage = std::move(now);
+    if (news || m_panel->isVisible()) refresh();
+}
+
+void CoverageFeature::refresh() {
+    std::optional<Pose> robot;
+    const LiveMoment& moment = m_context.source.moment();
+    for (const RobotInMap& one : moment.places ? *moment.places : RobotsInMap()) {
+        if (one.robot == m_context.selection.name().toStdString() && one.placed) robot = one.baseInMap;
+    }
+    m_panel->show(m_coverage, robot);
+    m_map.view().setFloorTint(m_shown && m_coverage
+                                  ? std::make_shared<const FloorTint>(floorTintOf(*m_coverage, *m_shown))
+                                  : nullptr);
+}
+
+}  // namespace leitstand

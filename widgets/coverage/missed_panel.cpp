@@ -1,0 +1,106 @@
+#include "widgets/coverage/missed_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/models/coverage/floor_tint.h"
+#include "widgets/tables/column_fitter.h"
+#include "widgets/tables/table_dress.h"
+
+namespace leitstand {
+
+MissedPanel::MissedPanel(QWidget* parent)
+    : QWidget(parent),
+      m_sensor(new QComboBox(this)),
+      m_title(new QLabel(this)),
+      m_calm(new QLabel(this)),
+      m_table(new QTableView(this)),
+      m_buttons(new QHBoxLayout) {
+    setAccessibleName(tr("What was missed"));
+    for (const SearchSensor sensor : SearchSensors)
+        m_sensor->addItem(sensorText(sensor), static_cast<int>(sensor));
+    m_sensor->setObjectName(QStringLiteral("missedSensor"));
+    m_sensor->setAccessibleName(tr("Searched with"));
+    m_sensor->setToolTip(tr("With which sensor the floor counts as searched"));
+    m_title->setObjectName(QStringLiteral("missedTitle"));
+    m_title->setWordWrap(true);
+    m_calm->setProperty("muted", true);
+    m_calm->setAlignment(Qt::AlignCenter);
+    m_calm->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("missed"));
+    m_table->setAccessibleName(tr("Floor that was missed, the largest piece first"));
+    m_table->setModel(&m_model);
+    dressTable(*m_table);
+    m_table->setFrameShape(QFrame::NoFrame);
+    new ColumnFitter(*m_table, {MissedModel::Place, MissedModel::Where}, MissedModel::Where);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &MissedPanel::chosenChanged);
+    connect(m_table, &QTableView::activated, this, &MissedPanel::activated);
+    connect(m_sensor, &QComboBox::activated, this, [this] { emit sensorChosen(sensor()); });
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(8, 4, 8, 0);
+    head->addWidget(m_title, 1);
+    head->addWidget(m_sensor);
+    m_buttons->setContentsMargins(8, 2, 8, 6);
+    m_buttons->setSpacing(6);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    rows->addLayout(head);
+    rows->addWidget(m_table, 1);
+    rows->addWidget(m_calm, 1);
+    rows->addLayout(m_buttons);
+    setSensor(SearchSensor::Camera);
+    show(nullptr, std::nullopt);
+}
+
+void MissedPanel::show(const CoverageMapPtr& coverage, const std::optional<Pose>& robotInMap) {
+    constexpr double SamePlace = 0.75;  // pieces shrink while they are looked at [m]
+    const auto kept = chosen();
+    const auto rows = coverage ? missedRows(*coverage, sensor(), robotInMap) : std::vector<MissedRow>();
+    m_model.setRows(rows);
+    if (kept) {
+        const int row = m_model.rowAt(kept->inMap, SamePlace);
+        if (row >= 0 && row != m_table->currentIndex().row()) m_table->selectRow(row);
+    }
+    m_title->setText(coverage ? searchedText(*coverage, sensor(), rows.size()) : QString());
+    m_table->setVisible(!rows.empty());
+    m_calm->setVisible(rows.empty());
+    m_calm->setText(coverage ? tr("Nothing that can be reached was missed.") : tr("There is no map yet."));
+}
+
+SearchSensor MissedPanel::sensor() const {
+    return static_cast<SearchSensor>(m_sensor->currentData().toInt());
+}
+
+void MissedPanel::setSensor(SearchSensor sensor) {
+    m_sensor->setCurrentIndex(m_sensor->findData(static_cast<int>(sensor)));
+}
+
+void MissedPanel::setCommands(const std::vector<QAction*>& commands) {
+    for (QAction* command : commands) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(command);
+        button->setText(command->iconText());
+        button->setProperty("quiet", true);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_buttons->addWidget(button);
+    }
+    m_buttons->addStretch(1);
+}
+
+std::optional<MissedRow> MissedPanel::chosen() const {
+    const MissedRow* row = m_model.row(m_table->currentIndex().row());
+    return row == nullptr ? std::nullopt : std::optional(*row);
+}
+
+void MissedPanel::chooseFirst() {
+    if (!chosen() && m_model.rowCount() > 0) m_table->selectRow(0);
+}
+
+}  // namespace leitstand

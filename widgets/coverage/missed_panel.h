@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include <QWidget>
+
+#include "widgets/models/coverage/missed_model.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QTableView;
+class QAction;
+
+namespace leitstand {
+
+/// What did I miss: floor that robots can reach and that a kind of sensor did not see, the largest first.
+class MissedPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit MissedPanel(QWidget* parent = nullptr);
+
+    /// @p coverage: null until there is a map. @p robotInMap: of the selected robot.
+    void show(const CoverageMapPtr& coverage, const std::optional<Pose>& robotInMap);
+    using QWidget::show;
+    [[nodiscard]] SearchSensor sensor() const;
+    void setSensor(SearchSensor sensor);
+    /// Buttons for these commands, below the list.
+    void setCommands(const std::vector<QAction*>& commands);
+    /// The piece that is chosen; empty: none.
+    [[nodiscard]] std::optional<MissedRow> chosen() const;
+    /// Chooses the largest piece where none is chosen.
+    void chooseFirst();
+
+    [[nodiscard]] QSize sizeHint() const override { return {320, 180}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 90}; }
+
+signals:
+    void sensorChosen(leitstand::SearchSensor sensor);
+    void chosenChanged();
+    void activated();  ///< double click or Return on a row
+
+private:
+    MissedModel m_model;
+    QComboBox* m_sensor;
+    QLabel *m_title, *m_calm;
+    QTableView* m_table;
+    QHBoxLayout* m_buttons;
+};
+
+}  // namespace leitstand

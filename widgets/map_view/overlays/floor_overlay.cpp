@@ -1,0 +1,106 @@
+#include "widgets/map_view/overlays/floor_overlay.h"
+
+#include <array>
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/models/coverage/floor_tint.h"
+#include "widgets/theme.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int SeenAlpha = 84, MissedAlpha = 46, HatchAlpha = 215;
+
+QColor clear(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+/// Fills @p area as floor that was seen or missed: a tint, or a hatch on a faint one.
+template <class Area>
+void fill(QPainter& painter, const Area& area, bool seen, const ThemeColours& colours) {
+    if (seen) return painter.fillPath(area, clear(colours.fine, SeenAlpha));
+    painter.fillPath(area, clear(colours.attention, MissedAlpha));
+    painter.fillPath(area, QBrush(clear(colours.attention, HatchAlpha), Qt::BDiagPattern));
+}
+
+QString legendText(SearchSensor sensor, bool seen) {
+    switch (sensor) {
+        case SearchSensor::Camera:
+            return seen ? QCoreApplication::translate("leitstand::MapView", "seen by camera")
+                        : QCoreApplication::translate("leitstand::MapView", "missed by camera");
+        case SearchSensor::Infrared:
+            return seen ? QCoreApplication::translate("leitstand::MapView", "seen by infrared")
+                        : QCoreApplication::translate("leitstand::MapView", "missed by infrared");
+        case SearchSensor::Scanner:
+            break;
+    }
+    return seen ? QCoreApplication::translate("leitstand::MapView", "seen by scanner")
+                : QCoreApplication::translate("leitstand::MapView", "missed by scanner");
+}
+
+}  // namespace
+
+void paintFloorTint(QPainter& painter, const MapProjection& projection, const FloorTint& tint,
+                    const OverlayStyle& style) {
+    std::array<QPainterPath, 2> areas;  // missed, seen
+    for (QPainterPath& area : areas) area.setFillRule(Qt::WindingFill);
+    const QRectF screen(QPointF(-100, -100), projection.size() + QSize(200, 200));
+    for (const FloorPatch& patch : tint.patches) {
+        QPolygonF corners;
+        for (const auto& [x, y] :
+             {std::pair{patch.low.x(), patch.low.y()}, std::pair{patch.high.x(), patch.low.y()},
+              std::pair{patch.high.x(), patch.high.y()}, std::pair{patch.low.x(), patch.high.y()}}) {
+            const auto seen = projection.project(Eigen::Vector3f(x, y, patch.height).cast<double>());
+            if (!seen) break;
+            corners << seen->position;
+        }
+        if (corners.size() < 4 || !corners.boundingRect().intersects(screen)) continue;
+        QPainterPath& area = areas[patch.seen ? 1 : 0];
+        area.addPolygon(corners);
+        area.closeSubpath();
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);  // patches meet without seams
+    fill(painter, areas[0], false, *style.window);
+    fill(painter, areas[1], true, *style.window);
+    painter.restore();
+}
+
+void paintFloorLegend(QPainter& painter, const FloorTint& tint, QSize size, const QRect& below,
+                      const OverlayStyle& style) {
+    constexpr int Margin = 12, Padding = 9, Square = 14, Gap = 6, Space = 14;
+    painter.setFont(style.font);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QString seen = legendText(tint.sensor, true), missed = legendText(tint.sensor, false);
+    const int height = metrics.height() + 10;
+    const int bottom = below.isNull() ? size.height() - Margin : below.top() - Gap;
+    const int width = 2 * (Padding + Square + Gap) + Space + metrics.horizontalAdvance(seen) +
+                      metrics.horizontalAdvance(missed) + 4;
+    const QRect box(Margin, bottom - height, width, height);
+    paintPanel(painter, box, style);
+    int x = box.left() + Padding;
+    for (const bool one : {true, false}) {
+        const QRect square(x, box.center().y() - Square / 2 + 1, Square, Square);
+        QPainterPath path;
+        path.addRect(square);
+        fill(painter, path, one, *style.window);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(asColour(style.colours.muted));
+        painter.drawRect(square);
+        x += Square + Gap;
+        painter.setPen(asColour(style.colours.text));
+        const QString& text = one ? seen : missed;
+        painter.drawText(QRect(x, box.top(), metrics.horizontalAdvance(text) + 2, box.height()),
+                         Qt::AlignVCenter, text);
+        x += metrics.horizontalAdvance(text) + Space;
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,109 @@
+#include "widgets/models/coverage/missed_model.h"
+
+#include <algorithm>
+
+#include "core/mission/coverage/missed_floor.h"
+#include "widgets/models/coverage/floor_tint.h"
+#include "widgets/models/numbers.h"
+#include "widgets/models/victims/victim_rows.h"
+
+namespace leitstand {
+
+std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sensor,
+                                  const std::optional<Pose>& robotInMap) {
+    std::vector<MissedRow> rows;
+    for (const MissedRegion& region : missed(coverage, sensor)) {
+        MissedRow row;
+        row.number = static_cast<int>(rows.size()) + 1;
+        row.area = MissedModel::tr("%1 m²").arg(numberText(region.area, 1));
+        row.inMap << region.place, region.height;
+        row.place = MissedModel::tr("x %1, y %2")
+                        .arg(numberText(region.place.x(), 1), numberText(region.place.y(), 1));
+        if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed) {
+    const double all = coverage.ground().reachableArea();
+    if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
+    return MissedModel::tr("%1: %2 of %3 m² seen, %n place(s) missed", "share, area",
+                           static_cast<int>(missed))
+        .arg(sensorText(sensor), percentText(coverage.seenArea(sensor) / all), numberText(all, 1));
+}
+
+void MissedModel::setRows(const std::vector<MissedRow>& rows) {
+    if (rows == m_rows) return;
+    if (rows.size() == m_rows.size()) {
+        m_rows = rows;
+        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        return;
+    }
+    beginResetModel();
+    m_rows = rows;
+    endResetModel();
+}
+
+const MissedRow* MissedModel::row(int row) const {
+    return row < 0 || row >= rowCount() ? nullptr : &m_rows[static_cast<std::size_t>(row)];
+}
+
+int MissedModel::rowAt(const Eigen::Vector3d& place, double reach) const {
+    int nearest = -1;
+    for (int i = 0; i < rowCount(); ++i) {
+        const double away = (m_rows[static_cast<std::size_t>(i)].inMap - place).head<2>().norm();
+        if (away > reach) continue;
+        reach = away;
+        nearest = i;
+    }
+    return nearest;
+}
+
+int MissedModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int MissedModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant MissedModel::data(const QModelIndex& index, int role) const {
+    const MissedRow* const shown = row(index.row());
+    if (shown == nullptr) return {};
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+        return QStringLiteral("%1 · %2 · %3 · %4")
+            .arg(shown->number)
+            .arg(shown->area, shown->where, shown->place);
+    if (role != Qt::DisplayRole) return {};
+    switch (index.column()) {
+        case Number:
+            return shown->number;
+        case Area:
+            return shown->area;
+        case Where:
+            return shown->where;
+        case Place:
+            return shown->place;
+        default:
+            return {};
+    }
+}
+
+QVariant MissedModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    switch (section) {
+        case Number:
+            return tr("No.");
+        case Area:
+            return tr("Missed");
+        case Where:
+            return tr("Where");
+        case Place:
+            return tr("In the map");
+        default:
+            return {};
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QString>
+
+#include "core/base/pose.h"
+#include "core/mission/coverage/coverage_map.h"
+
+namespace leitstand {
+
+/// A piece of floor that was missed, as a row of a list.
+struct MissedRow {
+    int number = 0;                                   ///< from 1, the largest
+    QString area;                                     ///< "4.2 m²"
+    QString where;                                    ///< from the robot: "3.2 m, 40° left"
+    QString place;                                    ///< "x 1.2, y −0.5"
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< within it [m]
+    friend bool operator==(const MissedRow&, const MissedRow&) = default;
+};
+
+/// The pieces that @p sensor missed, the largest first. @p robotInMap: of the selected robot; empty: nobody
+/// knows.
+[[nodiscard]] std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sensor,
+                                                const std::optional<Pose>& robotInMap);
+/// "Camera: 61 % of 20.1 m² seen, 3 places missed".
+[[nodiscard]] QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed);
+
+/// Pieces of floor that were missed, as a table. A choice is kept while its place is about the same.
+class MissedModel final : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Number, Area, Where, Place, ColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setRows(const std::vector<MissedRow>& rows);
+    [[nodiscard]] const MissedRow* row(int row) const;  ///< null when there is none
+    /// The row whose place is within @p reach [m] of @p place, the nearest; -1: there is none.
+    [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    std::vector<MissedRow> m_rows;
+};
+
+}  // namespace leitstand
