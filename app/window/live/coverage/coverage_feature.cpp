@@ -139,19 +139,24 @@ void CoverageFeature::follow(const LiveMoment& /*moment*/) {
     CoverageMapPtr now = m_context.bridge.station().coverage();
     const bool news = now != m_coverage;
     m_coverage = std::move(now);
-    if (news || m_panel->isVisible()) refresh();
+    if (news) return refresh();
+    if (m_panel->isVisible()) list();  // how far things are from the robot
 }
 
 void CoverageFeature::refresh() {
+    list();
+    m_map.view().setFloorTint(m_shown && m_coverage
+                                  ? std::make_shared<const FloorTint>(floorTintOf(*m_coverage, *m_shown))
+                                  : nullptr);
+}
+
+void CoverageFeature::list() {
     std::optional<Pose> robot;
     const LiveMoment& moment = m_context.source.moment();
     for (const RobotInMap& one : moment.places ? *moment.places : RobotsInMap()) {
         if (one.robot == m_context.selection.name().toStdString() && one.placed) robot = one.baseInMap;
     }
     m_panel->show(m_coverage, robot);
-    m_map.view().setFloorTint(m_shown && m_coverage
-                                  ? std::make_shared<const FloorTint>(floorTintOf(*m_coverage, *m_shown))
-                                  : nullptr);
 }
 
 }  // namespace leitstand

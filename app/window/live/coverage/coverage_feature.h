@@ -37,6 +37,7 @@ private:
     void showChosen();
     void follow(const LiveMoment& moment);
     void refresh();
+    void list();  ///< what was missed, from where the selected robot is now
 
     LiveContext m_context;
     MapFeature& m_map;

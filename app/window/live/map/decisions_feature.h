@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 
+#include <QKeySequence>
 #include <QObject>
 #include <QString>
 
