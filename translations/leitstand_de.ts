@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>CoverageText</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>Infrarot</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>Scanner</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 m² at x %2, y %3</source>
+        <translation>%1 m² bei x %2, y %3</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Searched</source>
+        <translation>Abgesucht</translation>
+    </message>
+    <message>
+        <source>Of %1 m² of floor that the robots can reach. Seen is where a body on the floor would span enough pixels or points.</source>
+        <translation>Von %1 m² Boden, den die Roboter erreichen. Gesehen heißt: ein Körper am Boden hätte dort genug Pixel oder Punkte.</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>Missed, the largest first</source>
+        <translation>Übersehen, das Größte zuerst</translation>
+    </message>
+    <message>
+        <source>%1 m², %2 %</source>
+        <translation>%1 m², %2 %</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -1097,6 +1148,112 @@ Die blaue Linie ist der Horizont. Umschalt und ein Klick erfassen das Opfer, das
     </message>
 </context>
 <context>
+    <name>leitstand::Coverage</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>Infrarot</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>Scanner</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CoverageFeature</name>
+    <message>
+        <source>Missed</source>
+        <translation>Übersehen</translation>
+    </message>
+    <message>
+        <source>Searched floor: &amp;hidden</source>
+        <translation>Abgesuchter Boden: &amp;verborgen</translation>
+    </message>
+    <message>
+        <source>The map as it is</source>
+        <translation>Die Karte, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Searched by s&amp;canner</source>
+        <translation>Abgesucht mit S&amp;canner</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would have enough points, hatches what was missed</source>
+        <translation>Färbt den Boden, wo ein Körper genug Punkte hätte, schraffiert das Übersehene</translation>
+    </message>
+    <message>
+        <source>Searched by came&amp;ra</source>
+        <translation>Abgesucht mit Kame&amp;ra</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would span enough pixels of a camera, hatches what was missed</source>
+        <translation>Färbt den Boden, wo ein Körper genug Pixel einer Kamera hätte, schraffiert das Übersehene</translation>
+    </message>
+    <message>
+        <source>Searched by i&amp;nfrared</source>
+        <translation>Abgesucht mit I&amp;nfrarot</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would span enough pixels of an infrared camera, hatches what was missed</source>
+        <translation>Färbt den Boden, wo ein Körper genug Pixel einer Infrarotkamera hätte, schraffiert das Übersehene</translation>
+    </message>
+    <message>
+        <source>Searched floor: ne&amp;xt sensor</source>
+        <translation>Abgesuchter Boden: &amp;nächster Sensor</translation>
+    </message>
+    <message>
+        <source>Scanner, camera, infrared, hidden</source>
+        <translation>Scanner, Kamera, Infrarot, verborgen</translation>
+    </message>
+    <message>
+        <source>&amp;What did I miss?</source>
+        <translation>&amp;Was habe ich übersehen?</translation>
+    </message>
+    <message>
+        <source>Lists the floor that robots can reach and that was not seen, the largest piece first</source>
+        <translation>Listet erreichbaren Boden, der nicht gesehen wurde, das größte Stück zuerst</translation>
+    </message>
+    <message>
+        <source>Go to what was &amp;missed</source>
+        <translation>Zum Übersehenen &amp;fahren</translation>
+    </message>
+    <message>
+        <source>Sends the selected robot to the chosen place</source>
+        <translation>Schickt den gewählten Roboter an den gewählten Ort</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Hinfahren</translation>
+    </message>
+    <message>
+        <source>Show what was missed on the ma&amp;p</source>
+        <translation>Übersehenes auf der Karte &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Moves the map to the chosen place</source>
+        <translation>Rückt die Karte an den gewählten Ort</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed</source>
+        <translation>Nichts Erreichbares wurde übersehen</translation>
+    </message>
+    <message>
+        <source>There is no map yet</source>
+        <translation>Es gibt noch keine Karte</translation>
+    </message>
+    <message>
+        <source>Choose a place in the list of what was missed</source>
+        <translation>Einen Ort in der Liste des Übersehenen wählen</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::DecisionText</name>
     <message>
         <source>scan %1 accepted</source>
@@ -2168,6 +2325,14 @@ Apache License 2.0</translation>
         <source>Link</source>
         <translation>Funk</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>
@@ -2654,6 +2819,30 @@ F1 listet alle Tasten</translation>
         <source>%1 m grid</source>
         <translation>Raster %1 m</translation>
     </message>
+    <message>
+        <source>seen by camera</source>
+        <translation>von Kamera gesehen</translation>
+    </message>
+    <message>
+        <source>missed by camera</source>
+        <translation>von Kamera übersehen</translation>
+    </message>
+    <message>
+        <source>seen by infrared</source>
+        <translation>von Infrarot gesehen</translation>
+    </message>
+    <message>
+        <source>missed by infrared</source>
+        <translation>von Infrarot übersehen</translation>
+    </message>
+    <message>
+        <source>seen by scanner</source>
+        <translation>vom Scanner gesehen</translation>
+    </message>
+    <message>
+        <source>missed by scanner</source>
+        <translation>vom Scanner übersehen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MessageListModel</name>
@@ -2687,6 +2876,68 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissedModel</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>No floor is known yet</source>
+        <translation>Noch ist kein Boden bekannt</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Übersehen</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>In the map</source>
+        <translation>In der Karte</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 m² seen, places missed: %4</source>
+        <translation>%1: %2 von %3 m² gesehen, übersehene Stellen: %4</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissedPanel</name>
+    <message>
+        <source>What was missed</source>
+        <translation>Was übersehen wurde</translation>
+    </message>
+    <message>
+        <source>Searched with</source>
+        <translation>Abgesucht mit</translation>
+    </message>
+    <message>
+        <source>With which sensor the floor counts as searched</source>
+        <translation>Mit welchem Sensor der Boden als abgesucht gilt</translation>
+    </message>
+    <message>
+        <source>Floor that was missed, the largest piece first</source>
+        <translation>Übersehener Boden, das größte Stück zuerst</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed.</source>
+        <translation>Nichts Erreichbares wurde übersehen.</translation>
+    </message>
+    <message>
+        <source>There is no map yet.</source>
+        <translation>Es gibt noch keine Karte.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>CoverageText</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>赤外線</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>スキャナ</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 m² at x %2, y %3</source>
+        <translation>x %2、y %3 に %1 m²</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>ほか %1 件</translation>
+    </message>
+    <message>
+        <source>Searched</source>
+        <translation>探索済み</translation>
+    </message>
+    <message>
+        <source>Of %1 m² of floor that the robots can reach. Seen is where a body on the floor would span enough pixels or points.</source>
+        <translation>ロボットが到達できる床 %1 m² のうち。床の人体が十分な画素または点数で写る所を「見た」とする。</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>センサー</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>見た</translation>
+    </message>
+    <message>
+        <source>Missed, the largest first</source>
+        <translation>見落とし、大きい順</translation>
+    </message>
+    <message>
+        <source>%1 m², %2 %</source>
+        <translation>%1 m²、%2 %</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -1097,6 +1148,112 @@ The blue line is the horizon. Shift and a click file the victim that is there.</
     </message>
 </context>
 <context>
+    <name>leitstand::Coverage</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Infrared</source>
+        <translation>赤外線</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>スキャナ</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::CoverageFeature</name>
+    <message>
+        <source>Missed</source>
+        <translation>見落とし</translation>
+    </message>
+    <message>
+        <source>Searched floor: &amp;hidden</source>
+        <translation>探索済みの床: 表示しない(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The map as it is</source>
+        <translation>地図のみ</translation>
+    </message>
+    <message>
+        <source>Searched by s&amp;canner</source>
+        <translation>スキャナで探索済み(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would have enough points, hatches what was missed</source>
+        <translation>人体に十分な点が当たる床を着色、見落としは斜線</translation>
+    </message>
+    <message>
+        <source>Searched by came&amp;ra</source>
+        <translation>カメラで探索済み(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would span enough pixels of a camera, hatches what was missed</source>
+        <translation>人体がカメラに十分な画素で写る床を着色、見落としは斜線</translation>
+    </message>
+    <message>
+        <source>Searched by i&amp;nfrared</source>
+        <translation>赤外線で探索済み(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Tints the floor where a body would span enough pixels of an infrared camera, hatches what was missed</source>
+        <translation>人体が赤外線カメラに十分な画素で写る床を着色、見落としは斜線</translation>
+    </message>
+    <message>
+        <source>Searched floor: ne&amp;xt sensor</source>
+        <translation>探索済みの床: 次のセンサー(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Scanner, camera, infrared, hidden</source>
+        <translation>スキャナ、カメラ、赤外線、非表示</translation>
+    </message>
+    <message>
+        <source>&amp;What did I miss?</source>
+        <translation>見落としは?(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Lists the floor that robots can reach and that was not seen, the largest piece first</source>
+        <translation>到達可能で未確認の床を大きい順に一覧</translation>
+    </message>
+    <message>
+        <source>Go to what was &amp;missed</source>
+        <translation>見落とした場所へ移動(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Sends the selected robot to the chosen place</source>
+        <translation>選択中のロボットを選んだ場所へ送る</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Show what was missed on the ma&amp;p</source>
+        <translation>見落としを地図に表示(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Moves the map to the chosen place</source>
+        <translation>選んだ場所へ地図を移動</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed</source>
+        <translation>到達可能な見落としなし</translation>
+    </message>
+    <message>
+        <source>There is no map yet</source>
+        <translation>地図はまだない</translation>
+    </message>
+    <message>
+        <source>Choose a place in the list of what was missed</source>
+        <translation>見落としの一覧から場所を選択</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::DecisionText</name>
     <message>
         <source>scan %1 accepted</source>
@@ -2168,6 +2325,14 @@ Apache License 2.0</translation>
         <source>Link</source>
         <translation>通信</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>報告</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>
@@ -2654,6 +2819,30 @@ F1 でキー一覧</translation>
         <source>%1 m grid</source>
         <translation>グリッド %1 m</translation>
     </message>
+    <message>
+        <source>seen by camera</source>
+        <translation>カメラで確認</translation>
+    </message>
+    <message>
+        <source>missed by camera</source>
+        <translation>カメラの見落とし</translation>
+    </message>
+    <message>
+        <source>seen by infrared</source>
+        <translation>赤外線で確認</translation>
+    </message>
+    <message>
+        <source>missed by infrared</source>
+        <translation>赤外線の見落とし</translation>
+    </message>
+    <message>
+        <source>seen by scanner</source>
+        <translation>スキャナで確認</translation>
+    </message>
+    <message>
+        <source>missed by scanner</source>
+        <translation>スキャナの見落とし</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MessageListModel</name>
@@ -2687,6 +2876,68 @@ F1 でキー一覧</translation>
     <message>
         <source>Copy</source>
         <translation>コピー</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissedModel</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1、y %2</translation>
+    </message>
+    <message>
+        <source>No floor is known yet</source>
+        <translation>床はまだ不明</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>見落とし</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>In the map</source>
+        <translation>地図上</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 m² seen, places missed: %4</source>
+        <translation>%1: %3 m² 中 %2 m² 確認、見落とし %4 か所</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MissedPanel</name>
+    <message>
+        <source>What was missed</source>
+        <translation>見落とし一覧</translation>
+    </message>
+    <message>
+        <source>Searched with</source>
+        <translation>探索センサー</translation>
+    </message>
+    <message>
+        <source>With which sensor the floor counts as searched</source>
+        <translation>どのセンサーで探索済みとみなすか</translation>
+    </message>
+    <message>
+        <source>Floor that was missed, the largest piece first</source>
+        <translation>見落とした床、大きい順</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed.</source>
+        <translation>到達可能な見落としなし。</translation>
+    </message>
+    <message>
+        <source>There is no map yet.</source>
+        <translation>地図はまだない。</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,8 @@ namespace leitstand {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array Shipped = {"drive", "explore", "map", "review", "link"};  ///< in the order of their keys
+constexpr std::array Shipped = {"drive", "explore", "map",    "review",
+                                "link",  "report",  "compare"};  ///< in the order of their keys
 
 bool isName(const std::string& name) {
     return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](unsigned char c) {

@@ -1,5 +1,4 @@
 #include <QAbstractButton>
-#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -11,7 +10,6 @@
 
 #include "app/window/language.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/pane_docks.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/elided_label.h"
 #include "widgets/map_view/map_view.h"
@@ -105,22 +103,13 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
         useLanguage(QLatin1String(language));
         restart();
         ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-        for (const char* layout : {"drive", "explore", "map", "review", "link"}) {
+        for (const char* layout : {"drive", "explore", "map", "review", "link", "report"}) {
             m_window->layouts().use(QLatin1String(layout));
             EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));
             EXPECT_EQ(cutIn(*m_window).join(QStringLiteral("; ")).toStdString(), "")
                 << language << ", " << layout;
             lookAt(QStringLiteral("texts_%1_%2").arg(QLatin1String(layout), QLatin1String(language)));
         }
-        // Those that no layout has, each beside the others.
-        m_window->layouts().use(QStringLiteral("map"));
-        for (const char* pane : {"score", "link"}) {
-            m_window->panes().visibility(QLatin1String(pane))->trigger();
-            ASSERT_TRUE(soon([&] { return m_window->panes().isPaneVisible(QLatin1String(pane)); })) << pane;
-            EXPECT_EQ(cutIn(*m_window).join(QStringLiteral("; ")).toStdString(), "")
-                << language << ", " << pane;
-        }
-        lookAt(QStringLiteral("texts_panes_%1").arg(QLatin1String(language)));
     }
 }
 

@@ -17,7 +17,7 @@ class LayoutBookTest : public testing::Test {
 protected:
     LayoutBookTest() {
         std::filesystem::create_directories(m_folder.path() / "shipped");
-        for (const char* name : {"drive", "explore", "map", "review", "link"}) {
+        for (const char* name : {"drive", "explore", "map", "review", "link", "report", "compare"}) {
             std::ofstream(m_folder.path() / "shipped" / (std::string(name) + ".yaml"))
                 << "title: " << name << "\npanes: {pane: camera}\n";
         }
@@ -35,12 +35,14 @@ protected:
 };
 
 TEST_F(LayoutBookTest, OwnLayoutsComeAfterTheShippedOnesAndStay) {
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link"));
+    EXPECT_THAT(titles(),
+                testing::ElementsAre("drive", "explore", "map", "review", "link", "report", "compare"));
     WindowLayout mine = m_book.find("map").value();
     mine.name = "mine";
     mine.title = "Mine";
     ASSERT_TRUE(m_book.save(mine).ok());
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link", "Mine"));
+    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link", "report",
+                                               "compare", "Mine"));
     EXPECT_TRUE(m_book.isOwn("mine"));
     ASSERT_TRUE(m_book.remove("mine").ok());
     EXPECT_THAT(titles(), SizeIs(5));
@@ -60,7 +62,8 @@ TEST_F(LayoutBookTest, AnOwnLayoutGoesBeforeTheShippedOneUntilItIsDeleted) {
 TEST_F(LayoutBookTest, ADamagedFileIsToldAndTheShippedOneUsed) {
     std::filesystem::create_directories(m_folder.path() / "own");
     std::ofstream(m_folder.path() / "own" / "drive.yaml") << "panes: {vertical: 3}\n";
-    EXPECT_THAT(titles(), testing::ElementsAre("drive", "explore", "map", "review", "link"));
+    EXPECT_THAT(titles(),
+                testing::ElementsAre("drive", "explore", "map", "review", "link", "report", "compare"));
     ASSERT_THAT(m_errors, SizeIs(1));
     EXPECT_THAT(m_errors.front(), HasSubstr("drive.yaml:1"));
 }

@@ -28,9 +28,9 @@ std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sens
 QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed) {
     const double all = coverage.ground().reachableArea();
     if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
-    return MissedModel::tr("%1: %2 of %3 m² seen, %n place(s) missed", "share, area",
-                           static_cast<int>(missed))
-        .arg(sensorText(sensor), percentText(coverage.seenArea(sensor) / all), numberText(all, 1));
+    return MissedModel::tr("%1: %2 of %3 m² seen, places missed: %4")
+        .arg(sensorText(sensor), percentText(coverage.seenArea(sensor) / all), numberText(all, 1),
+             QString::number(missed));
 }
 
 void MissedModel::setRows(const std::vector<MissedRow>& rows) {

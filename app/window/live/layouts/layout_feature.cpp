@@ -1,5 +1,7 @@
 #include "app/window/live/layouts/layout_feature.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -30,7 +32,9 @@ QString shownTitle(const WindowLayout& layout) {
                               QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Explore"),
                               QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Map"),
                               QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Review"),
-                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Link")}) {
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Link"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Report"),
+                              QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Compare")}) {
         if (layout.title == title) return LayoutFeature::tr(title);
     }
     return QString::fromStdString(layout.title);
@@ -112,8 +116,19 @@ void LayoutFeature::fill() {
     qDeleteAll(m_bar->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly));
     std::vector<std::string> errors;
     int place = 0;
-    for (const WindowLayout& layout : m_book.all(errors)) addChoice(layout, place++);
+    for (const WindowLayout& layout : m_book.all(errors)) {
+        if (isOfUse(layout)) addChoice(layout, place++);
+    }
     for (const std::string& error : errors) emit told(QString::fromStdString(error));
+}
+
+bool LayoutFeature::isOfUse(const WindowLayout& layout) const {
+    const QStringList here = m_context.panes.ids();
+    const auto named = panesIn(layout.panes);
+    const auto known = std::count_if(named.begin(), named.end(), [&](const std::string& id) {
+        return here.contains(QString::fromStdString(id));
+    });
+    return known >= 2 || known == static_cast<std::ptrdiff_t>(named.size());
 }
 
 void LayoutFeature::addChoice(const WindowLayout& layout, int place) {
