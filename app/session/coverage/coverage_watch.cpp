@@ -1,6 +1,8 @@
 #include "app/session/coverage/coverage_watch.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -13,6 +15,7 @@ namespace {
 constexpr std::size_t MostPictures = 200;  ///< that wait
 constexpr int Rarely = 20;                 ///< times as long as it took the last time
 constexpr std::chrono::milliseconds LongestSilence(500);
+constexpr double Moved = 0.1;  ///< a robot that did so may reach more [m]
 
 bool isPicture(const Event& event) {
     return std::holds_alternative<PictureSample>(event.sample);
@@ -62,8 +65,15 @@ struct CoverageWatch::Work {
         if (!now || now == places) return;
         places = now;
         for (const RobotInMap& one : *now) {
-            if (one.placed)
-                search.correct(one.robot, {one.stamp, one.baseInMap, one.certainty, one.certain, one.how});
+            if (!one.placed) continue;
+            search.correct(one.robot, {one.stamp, one.baseInMap, one.certainty, one.certain, one.how});
+            // What can be reached, is so from where robots are: they are placed after their first scan is
+            // known.
+            const auto before = stood.find(one.robot);
+            if (before != stood.end() && (before->second - one.baseInMap.translation()).norm() < Moved)
+                continue;
+            stood.insert_or_assign(one.robot, Eigen::Vector3d(one.baseInMap.translation()));
+            changed = true;
         }
     }
 
@@ -93,7 +103,8 @@ struct CoverageWatch::Work {
     ViewSearch search;
     SearchBook book;
     RobotsInMapPtr places;
-    std::vector<ScanPose> poses;  ///< as of the newest coverage
+    std::vector<ScanPose> poses;                   ///< as of the newest coverage
+    std::map<std::string, Eigen::Vector3d> stood;  ///< each robot, as of the newest coverage [m]
     bool changed = false;
     Clock::time_point next{};
 };
