@@ -16,7 +16,7 @@ double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, 
     // A number without its unit may be taken for another one: it gets smaller before that.
     const double unit = QFontMetricsF(sized(painter.font(), CaptionSize)).horizontalAdvance(figure.unit);
     painter.setFont(
-        fitted(painter.font(), figure.value, line.width() - (unit > 0.0 ? unit + 4.0 : 0.0), pixels, 13));
+        fitted(painter.font(), figure.value, line.width() - (unit > 0.0 ? unit + 4.0 : 0.0), pixels, 11));
     const QFontMetricsF large(painter.font());
     const double baseline = line.center().y() + 0.36 * pixels;
     painter.setPen(toneColour(figure.tone, colours));

@@ -144,6 +144,10 @@ QString LiveWindow::newest() const {
     return m_frame->newest();
 }
 
+QStringList LiveWindow::recent() const {
+    return m_frame->recent();
+}
+
 QString LiveWindow::missing() const {
     QStringList things;
     for (const RobotDescription& robot : m_selection->robots()) {

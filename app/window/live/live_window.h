@@ -48,7 +48,8 @@ public:
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;
     [[nodiscard]] bool driving() const;
-    [[nodiscard]] QString newest() const;  ///< message
+    [[nodiscard]] QString newest() const;      ///< message
+    [[nodiscard]] QStringList recent() const;  ///< messages, the newest first
     /// What is not to be seen yet; empty: each robot is connected, a turn is registered, and each camera pane
     /// shows a picture.
     [[nodiscard]] QString missing() const;

@@ -8,6 +8,11 @@
 #include <QVBoxLayout>
 
 namespace leitstand {
+namespace {
+
+constexpr int Recent = 8;  ///< messages that are kept: one that another one covers at once can be read
+
+}  // namespace
 
 WindowFrame::WindowFrame(QMainWindow& window)
     : QObject(&window), m_window(window), m_word(new QLabel(&window)) {
@@ -43,13 +48,15 @@ void WindowFrame::build(const std::vector<QWidget*>& left, const std::vector<QWi
 void WindowFrame::tell(const QString& text) {
     // The menus need the other half.
     m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, m_window.width() / 2));
-    m_word->setToolTip(text);
+    m_recent.prepend(text);
+    if (m_recent.size() > Recent) m_recent.removeLast();
+    m_word->setToolTip(m_recent.join(QLatin1Char('\n')));
     m_window.menuBar()->setCornerWidget(m_word);  // lays it out anew
     m_word->show();
 }
 
 QString WindowFrame::newest() const {
-    return m_word->toolTip();
+    return m_recent.value(0);
 }
 
 }  // namespace leitstand

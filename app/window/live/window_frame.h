@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 class QLabel;
 class QMainWindow;
@@ -22,12 +23,15 @@ public:
     /// are not shown.
     void build(const std::vector<QWidget*>& left, const std::vector<QWidget*>& right, QWidget& panes,
                QWidget* below = nullptr);
-    void tell(const QString& text);  ///< shows it as the newest message
+    /// Shows @p text as the newest message; its tooltip has those before it too.
+    void tell(const QString& text);
     [[nodiscard]] QString newest() const;
+    [[nodiscard]] const QStringList& recent() const { return m_recent; }  ///< the newest first
 
 private:
     QMainWindow& m_window;
     QLabel* m_word;
+    QStringList m_recent;
 };
 
 }  // namespace leitstand

@@ -35,7 +35,8 @@ protected:
         EXPECT_TRUE(soon([this] { return word().contains("Test pad is plugged in"); }))
             << word().toStdString();
     }
-    [[nodiscard]] QString word() const { return m_window->findChild<QLabel*>("word")->text(); }
+    /// Said lately: another message may come at once.
+    [[nodiscard]] QString word() const { return m_window->recent().join("; "); }
     /// As the operator does it: the trigger, and the stick once the robot may move.
     void drive() {
         ASSERT_TRUE(soon([&] { return robot().link.state == LinkState::Connected; }));

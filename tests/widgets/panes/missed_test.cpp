@@ -58,7 +58,7 @@ TEST_P(MissedPanes, TheFloorIsTintedWhereSeenAndHatchedWhereMissed) {
     MapCamera camera;
     camera.parallel = true;
     camera.pitch = 1.5707;
-    camera.distance = 8.0;
+    camera.distance = 16.0;
     {
         QPainter painter(&picture);
         const MapProjection projection(camera, picture.size());

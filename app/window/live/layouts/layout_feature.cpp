@@ -128,7 +128,7 @@ bool LayoutFeature::isOfUse(const WindowLayout& layout) const {
     const auto known = std::count_if(named.begin(), named.end(), [&](const std::string& id) {
         return here.contains(QString::fromStdString(id));
     });
-    return known >= 2 || known == static_cast<std::ptrdiff_t>(named.size());
+    return 2 * known > static_cast<std::ptrdiff_t>(named.size());
 }
 
 void LayoutFeature::addChoice(const WindowLayout& layout, int place) {

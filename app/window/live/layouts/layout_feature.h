@@ -41,7 +41,7 @@ private:
     void addCommands();
     void addPanes();  ///< to the View menu, as soon as it is opened
     void fill();      ///< menu and switch with what the book has
-    /// Whether this window has more than one of the panes that @p layout is about.
+    /// Whether this window has most of the panes that @p layout is about.
     [[nodiscard]] bool isOfUse(const WindowLayout& layout) const;
     void addChoice(const WindowLayout& layout, int place);
     void askForTitle();
