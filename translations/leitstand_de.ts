@@ -697,6 +697,10 @@
         <source>no picture of %1</source>
         <translation>kein Bild von %1</translation>
     </message>
+    <message>
+        <source>The camera sees nothing there: nothing was filed</source>
+        <translation>Dort sieht die Kamera nichts: nichts wurde erfasst</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::CameraKeys</name>
@@ -805,9 +809,9 @@
     </message>
     <message>
         <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
-The blue line is the horizon. Shift and a click file the victim that is there.</source>
+The blue line is the horizon.</source>
         <translation>Der Ring zeigt, wie nah Hindernisse sind: blass ist fern, Punkte sind unbekannt, Bernstein ist nah, dick rot-orange direkt am Roboter.
-Die blaue Linie ist der Horizont. Umschalt und ein Klick erfassen das Opfer, das dort ist.</translation>
+Die blaue Linie ist der Horizont.</translation>
     </message>
 </context>
 <context>
@@ -1239,14 +1243,6 @@ Die blaue Linie ist der Horizont. Umschalt und ein Klick erfassen das Opfer, das
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Nothing that can be reached was missed</source>
-        <translation>Nichts Erreichbares wurde übersehen</translation>
-    </message>
-    <message>
-        <source>There is no map yet</source>
-        <translation>Es gibt noch keine Karte</translation>
     </message>
     <message>
         <source>Choose a place in the list of what was missed</source>
@@ -2089,6 +2085,10 @@ Funk: %4 %5</translation>
         <source>%1 was not sent: the grant to drive it is another station's</source>
         <translation>%1 wurde nicht geschickt: das Fahrrecht hat eine andere Station</translation>
     </message>
+    <message>
+        <source>%1 takes no goals</source>
+        <translation>%1 nimmt keine Ziele an</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::HelpCommands</name>
@@ -2912,6 +2912,18 @@ F1 listet alle Tasten</translation>
         <source>%1: %2 of %3 m² seen, places missed: %4</source>
         <translation>%1: %2 von %3 m² gesehen, übersehene Stellen: %4</translation>
     </message>
+    <message>
+        <source>What was searched is not known yet</source>
+        <translation>Was abgesucht ist, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Only small pieces were missed</source>
+        <translation>Nur kleine Stücke wurden übersehen</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed</source>
+        <translation>Nichts Erreichbares wurde übersehen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissedPanel</name>
@@ -2930,14 +2942,6 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Floor that was missed, the largest piece first</source>
         <translation>Übersehener Boden, das größte Stück zuerst</translation>
-    </message>
-    <message>
-        <source>Nothing that can be reached was missed.</source>
-        <translation>Nichts Erreichbares wurde übersehen.</translation>
-    </message>
-    <message>
-        <source>There is no map yet.</source>
-        <translation>Es gibt noch keine Karte.</translation>
     </message>
 </context>
 <context>
@@ -6031,12 +6035,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>What is around the robot, its front up.
 Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
-Dashed: where it goes. The wheel, + and − zoom; a double click resets.
-Shift and a click file the victim that is there.</source>
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
         <translation>Was um den Roboter ist, vorn ist oben.
 Gelb: Wände. Punkte: Hindernisse, blasser, je länger sie zurückliegen.
-Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.
-Umschalt und ein Klick erfassen das Opfer, das dort ist.</translation>
+Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.</translation>
     </message>
 </context>
 <context>

@@ -697,6 +697,10 @@
         <source>no picture of %1</source>
         <translation>%1 の映像なし</translation>
     </message>
+    <message>
+        <source>The camera sees nothing there: nothing was filed</source>
+        <translation>カメラはそこを写していない: 登録なし</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::CameraKeys</name>
@@ -805,9 +809,9 @@
     </message>
     <message>
         <source>The ring tells how near things are: faint is far, dots are unknown, amber near, thick red-orange at the body.
-The blue line is the horizon. Shift and a click file the victim that is there.</source>
+The blue line is the horizon.</source>
         <translation>リングは周囲の近さを示す: 薄色は遠い、点は不明、琥珀色は近い、太い赤橙は車体に接近。
-青線は水平線。Shift+クリックでその場所の被災者を登録。</translation>
+青線は水平線。</translation>
     </message>
 </context>
 <context>
@@ -1239,14 +1243,6 @@ The blue line is the horizon. Shift and a click file the victim that is there.</
     <message>
         <source>Show</source>
         <translation>表示</translation>
-    </message>
-    <message>
-        <source>Nothing that can be reached was missed</source>
-        <translation>到達可能な見落としなし</translation>
-    </message>
-    <message>
-        <source>There is no map yet</source>
-        <translation>地図はまだない</translation>
     </message>
     <message>
         <source>Choose a place in the list of what was missed</source>
@@ -2089,6 +2085,10 @@ Link: %4 %5</source>
         <source>%1 was not sent: the grant to drive it is another station's</source>
         <translation>%1 を送り出していない: 操縦権は別の操作卓にある</translation>
     </message>
+    <message>
+        <source>%1 takes no goals</source>
+        <translation>%1 は目標地点を受け付けない</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::HelpCommands</name>
@@ -2912,6 +2912,18 @@ F1 でキー一覧</translation>
         <source>%1: %2 of %3 m² seen, places missed: %4</source>
         <translation>%1: %3 m² 中 %2 m² 確認、見落とし %4 か所</translation>
     </message>
+    <message>
+        <source>What was searched is not known yet</source>
+        <translation>探索済みの範囲はまだ不明</translation>
+    </message>
+    <message>
+        <source>Only small pieces were missed</source>
+        <translation>見落としは小さな部分のみ</translation>
+    </message>
+    <message>
+        <source>Nothing that can be reached was missed</source>
+        <translation>到達可能な見落としなし</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissedPanel</name>
@@ -2930,14 +2942,6 @@ F1 でキー一覧</translation>
     <message>
         <source>Floor that was missed, the largest piece first</source>
         <translation>見落とした床、大きい順</translation>
-    </message>
-    <message>
-        <source>Nothing that can be reached was missed.</source>
-        <translation>到達可能な見落としなし。</translation>
-    </message>
-    <message>
-        <source>There is no map yet.</source>
-        <translation>地図はまだない。</translation>
     </message>
 </context>
 <context>
@@ -6031,12 +6035,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>What is around the robot, its front up.
 Yellow: walls. Dots: obstacles, fainter the longer ago they were seen.
-Dashed: where it goes. The wheel, + and − zoom; a double click resets.
-Shift and a click file the victim that is there.</source>
+Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source>
         <translation>ロボットの周囲、前方が上。
 黄: 壁。点: 障害物、見てから時間が経つほど薄い。
-破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。
-Shift+クリックでその場所の被災者を登録。</translation>
+破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。</translation>
     </message>
 </context>
 <context>

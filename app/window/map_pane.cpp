@@ -72,7 +72,6 @@ QWidget* MapPane::header(ViewState& state) {
     m_title->setObjectName(QStringLiteral("mapTitle"));
     m_result->setObjectName(QStringLiteral("mapResult"));
     m_result->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_result->setToolTip(tr("Time of all registrations, and the lowest overlap of all scans"));
     line->addWidget(m_title);
     line->addWidget(m_result, 1);
     rows->addLayout(line);
@@ -110,6 +109,8 @@ void MapPane::setTools(const QList<QAction*>& tools) {
 void MapPane::setSummary(const MapSummary& summary) {
     m_title->setText(summary.title);
     m_result->setText(summary.result);
+    m_result->setToolTip(summary.result + QLatin1Char('\n') +
+                         tr("Time of all registrations, and the lowest overlap of all scans"));
     setTone(*m_result, summary.tone);
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr auto OperatorLooks = std::chrono::seconds(10);
 constexpr auto EarlyFor = std::chrono::seconds(1);  ///< how long a wish waits for its sender's grant
-constexpr double AtRest = 0.03;                     ///< slower sides are held by the brake [m/s]
+constexpr std::size_t MostEarly = 8;
+constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
 
 RobotRuleSettings rulesOf(const RobotDescription& robot, Time now) {
     return {.limits = limitsOf(robot),
@@ -83,14 +84,16 @@ void RobotAgent::hear(const GrantSample& grant, const Sender& from) {
     m_cameras.hear(grant, from, steady());
     if (!m_rules.grant().obeys(from, steady())) return;
     m_machine.heardStation(m_hardware.now());
-    if (!m_early || m_early->from != from) return;
-    const EarlyWish early = *std::exchange(m_early, std::nullopt);
-    if (m_hardware.now() - early.heard < EarlyFor) hearWish(early.role, early.wish, from);
+    for (const EarlyWish& early : std::exchange(m_early, {})) {
+        if (early.from == from && m_hardware.now() - early.heard < EarlyFor)
+            hearWish(early.role, early.wish, from);
+    }
 }
 
 void RobotAgent::hearWish(StreamRole role, const Sample& wish, const Sender& from) {
     if (!m_rules.grant().obeys(from, steady())) {
-        m_early = EarlyWish{role, wish, from, m_hardware.now()};
+        if (m_early.size() >= MostEarly) m_early.erase(m_early.begin());
+        m_early.push_back({role, wish, from, m_hardware.now()});
         return;
     }
     if (const auto* mode = std::get_if<ModeCommandSample>(&wish)) askForMode(*mode);

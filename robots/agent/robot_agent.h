@@ -86,7 +86,7 @@ private:
         Sender from;
         Time heard;
     };
-    std::optional<EarlyWish> m_early;
+    std::vector<EarlyWish> m_early;  ///< the oldest first
     std::optional<StopStateSample> m_stopSaid;
     std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
     std::vector<HardwareSample> m_said;

@@ -18,8 +18,7 @@ CameraPane::CameraPane(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setToolTip(
         tr("The ring tells how near things are: faint is far, dots are unknown, amber near, thick "
-           "red-orange at the body.\nThe blue line is the horizon. Shift and a click file the victim that is "
-           "there."));
+           "red-orange at the body.\nThe blue line is the horizon."));
 }
 
 void CameraPane::setCamera(const RobotFace& face, const QString& title) {
@@ -214,6 +213,10 @@ void CameraPane::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !inside) return;
     if (m_pointing || event->modifiers().testFlag(Qt::ShiftModifier)) return emit pointedAt(at);
     m_pressed = event->position();
+}
+
+void CameraPane::mouseDoubleClickEvent(QMouseEvent* event) {
+    event->accept();  // the first click was for something; its echo is not for driving
 }
 
 void CameraPane::mouseReleaseEvent(QMouseEvent* event) {

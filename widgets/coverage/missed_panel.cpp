@@ -22,6 +22,7 @@ MissedPanel::MissedPanel(QWidget* parent)
       m_table(new QTableView(this)),
       m_buttons(new QHBoxLayout) {
     setAccessibleName(tr("What was missed"));
+    setFocusProxy(m_table);
     for (const SearchSensor sensor : SearchSensors)
         m_sensor->addItem(sensorText(sensor), static_cast<int>(sensor));
     m_sensor->setObjectName(QStringLiteral("missedSensor"));
@@ -66,12 +67,18 @@ void MissedPanel::show(const CoverageMapPtr& coverage, const std::optional<Pose>
     m_model.setRows(rows);
     if (kept) {
         const int row = m_model.rowAt(kept->inMap, SamePlace);
-        if (row >= 0 && row != m_table->currentIndex().row()) m_table->selectRow(row);
+        if (row < 0) {
+            m_table->clearSelection();
+            m_table->setCurrentIndex({});
+        } else if (row != m_table->currentIndex().row()) {
+            m_table->selectRow(row);
+        }
+        emit chosenChanged();  // a table that was filled anew does not say so
     }
     m_title->setText(coverage ? searchedText(*coverage, sensor(), rows.size()) : QString());
     m_table->setVisible(!rows.empty());
     m_calm->setVisible(rows.empty());
-    m_calm->setText(coverage ? tr("Nothing that can be reached was missed.") : tr("There is no map yet."));
+    m_calm->setText(emptyText(coverage.get(), sensor()));
 }
 
 SearchSensor MissedPanel::sensor() const {

@@ -26,10 +26,9 @@ QRectF areaOf(const QWidget& pane) {
 VirtualScanPane::VirtualScanPane(QWidget* parent) : QWidget(parent) {
     m_head.title = tr("Virtual scan");
     setFocusPolicy(Qt::TabFocus);
-    setToolTip(tr(
-        "What is around the robot, its front up.\nYellow: walls. Dots: obstacles, fainter the longer "
-        "ago they were seen.\nDashed: where it goes. The wheel, + and − zoom; a double click resets.\nShift "
-        "and a click file the victim that is there."));
+    setToolTip(
+        tr("What is around the robot, its front up.\nYellow: walls. Dots: obstacles, fainter the longer "
+           "ago they were seen.\nDashed: where it goes. The wheel, + and − zoom; a double click resets."));
     setAccessibleName(m_head.title);
 }
 

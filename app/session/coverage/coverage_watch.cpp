@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t MostPictures = 200;  ///< that wait
 constexpr int Rarely = 20;                 ///< times as long as it took the last time
 constexpr std::chrono::milliseconds LongestSilence(500);
-constexpr double Moved = 0.1;  ///< a robot that did so may reach more [m]
+constexpr std::chrono::seconds Longest(15);  ///< between two makings, on whatever computer
+constexpr double Moved = 0.1;                ///< a robot that did so may reach more [m]
 
 bool isPicture(const Event& event) {
     return std::holds_alternative<PictureSample>(event.sample);
@@ -42,10 +43,13 @@ bool alike(const std::vector<ScanPose>& before, const std::vector<ScanPose>& now
 struct CoverageWatch::Work {
     using Clock = std::chrono::steady_clock;
 
-    explicit Work(const CoverageWatchSetup& given) : setup(given), search(given.robots) {
-        for (const KeyScanSample& sample : setup.earlier) book.add(scanOf(sample));
+    /// @p earlier: key scans of earlier sessions, of which the thinned ones are kept.
+    Work(const CoverageWatchSetup& given, const std::vector<KeyScanSample>& earlier,
+         const std::stop_token& stop)
+        : setup(given), search(given.robots) {
+        for (const KeyScanSample& sample : earlier) book.add(scanOf(sample));
         if (setup.earlierViews) {
-            for (const SearchView& view : setup.earlierViews()) (void)book.add(view);
+            for (const SearchView& view : setup.earlierViews(stop)) (void)book.add(view);
         }
         search.follow(setup.poses());
         changed = book.scans() > 0;
@@ -65,7 +69,10 @@ struct CoverageWatch::Work {
         if (!now || now == places) return;
         places = now;
         for (const RobotInMap& one : *now) {
-            if (!one.placed) continue;
+            if (!one.placed) {
+                search.lose(one.robot);
+                continue;
+            }
             search.correct(one.robot, {one.stamp, one.baseInMap, one.certainty, one.certain, one.how});
             // What can be reached, is so from where robots are: they are placed after their first scan is
             // known.
@@ -82,7 +89,10 @@ struct CoverageWatch::Work {
         const auto begin = Clock::now();
         if (begin < next || book.scans() == 0) return nullptr;
         std::vector<ScanPose> now = setup.poses();
-        if (!changed && alike(poses, now)) return nullptr;
+        if (!changed && alike(poses, now)) {
+            next = begin + Every;
+            return nullptr;
+        }
         poses = std::move(now);
         book.follow(poses);
         search.follow(poses);
@@ -92,10 +102,11 @@ struct CoverageWatch::Work {
             for (const Eigen::Vector3f& step : *one.trail) trail.push_back(step.cast<double>());
             trail.emplace_back(one.baseInMap.translation());
         }
+        if (trail.empty()) return nullptr;  // what can be reached is not known before
         CoverageMapPtr made = book.coverage(trail);
         changed = false;
         const auto took = Clock::now() - begin;
-        next = Clock::now() + std::max<Clock::duration>(Every, Rarely * took);
+        next = Clock::now() + std::clamp<Clock::duration>(Rarely * took, Every, Longest);
         return made;
     }
 
@@ -140,7 +151,7 @@ void CoverageWatch::take(const Event& event) {
 }
 
 void CoverageWatch::run(const std::stop_token& stop) {
-    Work work(m_setup);
+    Work work(m_setup, std::exchange(m_setup.earlier, {}), stop);
     while (!stop.stop_requested()) {
         std::deque<Event> taken;
         {

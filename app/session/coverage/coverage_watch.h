@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,12 +24,13 @@ struct CoverageWatchSetup {
     std::function<RobotsInMapPtr()> places;        ///< where the robots are now, with their trails
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are
     std::vector<KeyScanSample> earlier;            ///< key scans of the mission's earlier sessions
-    /// What cameras looked at in earlier sessions; called on the watch's thread. May be empty.
-    std::function<std::vector<SearchView>()> earlierViews = {};
+    /// What cameras looked at in earlier sessions; called on the watch's thread, returns soon when it is
+    /// asked to stop. May be empty.
+    std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
 };
 
 /// Keeps what was searched while a mission runs, on a thread of its own: made anew when something changed, at
-/// most every two seconds, and so rarely that it takes a twentieth of a processor. Any thread. Where it
+/// most every two seconds, and more rarely where that takes long. Any thread. Where it
 /// cannot keep up, pictures are left out.
 class CoverageWatch {
 public:
@@ -48,7 +50,7 @@ private:
     struct Work;
     void run(const std::stop_token& stop);
 
-    const CoverageWatchSetup m_setup;
+    CoverageWatchSetup m_setup;  ///< of the thread
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     std::deque<Event> m_waiting;

@@ -53,12 +53,12 @@ std::vector<SearchView> loggedViews(BagReader& bag, EventDecoder& decoder, const
     return book.allViews();
 }
 
-std::vector<SearchView> loggedViews(const std::filesystem::path& folder) {
+std::vector<SearchView> loggedViews(const std::filesystem::path& folder, const Progress& progress) {
     const auto bag = BagReader::open(folder);
     if (!bag) return {};
     std::vector<std::string> ignored;  // who opens the mission says so
     EventDecoder decoder(robotsOf(folder, **bag, ignored));
-    return loggedViews(**bag, decoder);
+    return loggedViews(**bag, decoder, progress);
 }
 
 }  // namespace leitstand

@@ -16,6 +16,7 @@ namespace leitstand {
                                                   const Progress& progress = {});
 
 /// Likewise of the mission @p folder with the robots that it keeps; none where it cannot be read.
-[[nodiscard]] std::vector<SearchView> loggedViews(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<SearchView> loggedViews(const std::filesystem::path& folder,
+                                                  const Progress& progress = {});
 
 }  // namespace leitstand

@@ -28,6 +28,11 @@ void ViewFinder::correct(const MapFix& fix) {
     follow();
 }
 
+void ViewFinder::lose() {
+    m_fix.reset();
+    m_tracker.lose();
+}
+
 void ViewFinder::follow() {
     // A guessed motion would turn the robot in the map until the next fix.
     if (!m_fix || !m_tracker.motion().covers(m_fix->stamp)) return;
@@ -81,8 +86,9 @@ void ViewFinder::look(const Waiting& picture) {
     }
     camera.before = inOdom;
     camera.beforeAt = picture.stamp;
+    // What is seen from a place that is in doubt may be somewhere else.
     const auto baseInMap = m_tracker.baseInMap(picture.stamp);
-    if (blurred || !baseInMap) return;
+    if (blurred || !baseInMap || !m_tracker.now().certain) return;
     m_found.push_back({picture.kind, *baseInMap * *inBase, *camera.field});
 }
 

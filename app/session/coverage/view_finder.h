@@ -36,6 +36,7 @@ public:
     void take(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
     void correct(const MapFix& fix);
+    void lose();  ///< nobody knows where the robot is
     /// What was seen since the last call.
     [[nodiscard]] std::vector<FoundView> found();
     [[nodiscard]] const RobotInMap& now() const { return m_tracker.now(); }

@@ -31,6 +31,11 @@ void ViewSearch::correct(const Scan& scan, double certainty) {
     correct(scan.robot, {scan.end, scan.scanInMap * scan.sensorInBase.inverse(), certainty, scan.counts, {}});
 }
 
+void ViewSearch::lose(const std::string& robot) {
+    const auto finder = m_finders.find(robot);
+    if (finder != m_finders.end()) finder->second.lose();
+}
+
 void ViewSearch::correct(const std::string& robot, const MapFix& fix) {
     const auto finder = m_finders.find(robot);
     if (finder != m_finders.end()) finder->second.correct(fix);

@@ -25,6 +25,7 @@ public:
     void follow(std::span<const ScanPose> poses);
     /// Where @p robot was, by every scan that fits: live, more than the key scans tell.
     void correct(const std::string& robot, const MapFix& fix);
+    void lose(const std::string& robot);  ///< it is not in the map any more
     /// Views that came since the last call.
     [[nodiscard]] std::vector<SearchView> found();
 

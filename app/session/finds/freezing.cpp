@@ -125,11 +125,12 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
         return at && sensor == aimed ? pointedOf(pictures, *at) : Sharpest();
     };
     for (const auto& [sensor, pictures] : recent.pictures) {
-        Sharpest best = pointedIn(sensor, pictures);
-        if (best.event == nullptr) best = sharpestOf(pictures);
+        const Sharpest pointed = pointedIn(sensor, pictures);
+        const Sharpest best = pointed.event != nullptr ? pointed : sharpestOf(pictures);
         if (best.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("picture", *best.event));
-        aim(sensor, *best.event, best.width, best.height);
+        // A pixel of a picture that is gone says nothing about another one.
+        if (!at || pointed.event != nullptr) aim(sensor, *best.event, best.width, best.height);
     }
     for (const auto& [sensor, pictures] : recent.thermal) {
         const StreamDescription* stream = robot.stream(StreamRole::Thermal, sensor);

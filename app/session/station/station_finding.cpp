@@ -59,7 +59,9 @@ void Station::State::cover(std::vector<KeyScanSample> earlier) {
     setup.places = [this]() -> RobotsInMapPtr { return open ? mapping->robots() : nullptr; };
     setup.poses = [this] { return posesOf(*mission->state()); };
     if (!earlier.empty()) {
-        setup.earlierViews = [folder = settings.mission.folder] { return loggedViews(folder); };
+        setup.earlierViews = [folder = settings.mission.folder](const std::stop_token& stop) {
+            return loggedViews(folder, {.report = {}, .stop = stop});
+        };
     }
     setup.earlier = std::move(earlier);
     coverage = std::make_unique<CoverageWatch>(std::move(setup));

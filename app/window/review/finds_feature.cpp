@@ -131,8 +131,20 @@ void FindsFeature::openForm(const FindKey& find) {
 
 void FindsFeature::correct(const VictimSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
-    write([corrected](ReviewPen& pen) { return pen.correct(corrected); },
-          tr("%1 corrected (as finished)").arg(name));
+    write(
+        [corrected](ReviewPen& pen) {
+            // What was judged since, and is not shown yet, stays.
+            VictimSample whole = corrected;
+            const MissionStatePtr written = pen.state();
+            const auto found = written ? written->victims->find({corrected.kind, corrected.number})
+                                       : std::map<FindKey, VictimState>::const_iterator();
+            if (written && found != written->victims->end()) {
+                whole.status = found->second.victim.status;
+                whole.mergedInto = found->second.victim.mergedInto;
+            }
+            return pen.correct(whole);
+        },
+        tr("%1 corrected (as finished)").arg(name));
 }
 
 void FindsFeature::askForNote() {

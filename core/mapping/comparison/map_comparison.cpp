@@ -166,7 +166,7 @@ MapPtr mapOf(const MapComparison& comparison, ComparedMap which) {
         if (which == ComparedMap::Both) add(one, greyed(*one.scan), one.recorded, false);
     }
     for (const ComparedScan& one : comparison.scans) {
-        if (which != ComparedMap::Recorded) add(one, one.scan, one.again, false);
+        if (which != ComparedMap::Recorded) add(one, one.scan, one.again, one.uncertainAgain);
     }
     return map;
 }

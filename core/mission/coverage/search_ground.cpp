@@ -147,6 +147,10 @@ void SearchGround::reach(std::span<const Eigen::Vector3d> trail) {
         // Floors above and below: where the robot was not.
         if (const auto cell = cellAt(place.head<2>()); cell >= 0) take(static_cast<std::size_t>(cell));
     }
+    // A scanner is blind close to its robot: what it does not see there is no gap. And where a robot stands,
+    // it can move, however near things are.
+    constexpr double Blind = 1.0, Body = 0.4;  // [m]
+    const std::vector<std::uint8_t> blind = grown(stood, Blind), body = grown(stood, Body);
     constexpr double Step = 0.15;  // [m]
     for (std::size_t next = 0; next < open.size(); ++next) {
         const int row = static_cast<int>(open[next]) / m_columns,
@@ -154,7 +158,8 @@ void SearchGround::reach(std::span<const Eigen::Vector3d> trail) {
         const auto spread = [&](int x, int y) {
             if (x < 0 || y < 0 || x >= m_columns || y >= m_rows) return;
             const auto cell = static_cast<std::size_t>(y * m_columns + x);
-            if (m_floor[cell] == 0 || near[cell] != 0) return;
+            if ((m_floor[cell] == 0 && blind[cell] == 0) || obstacles[cell] != 0) return;
+            if (near[cell] != 0 && body[cell] == 0) return;
             if (std::abs(m_height[cell] - m_height[open[next]]) > static_cast<float>(Step)) return;
             take(cell);
         };
@@ -180,7 +185,7 @@ SearchGround SearchGround::of(std::span<const ReportScan> scans, std::span<const
     }
     ground.stand(scans);
     // Robots that are seen where they drove, by themselves or by others, are no obstacles.
-    constexpr double Body = 0.35;  // about base_link [m]
+    constexpr double Body = 0.25;  // about base_link [m]
     const std::uint32_t body = ground.layers(0.0, settings.robotHeight);
     for (const Eigen::Vector3d& place : trail) {
         for (double x = -Body; x <= Body; x += ground.m_cell / 2) {

@@ -69,7 +69,20 @@ void FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSett
             if (m_seen[cell] == 0 && std::abs(m_surface[cell] - point.z()) < within) take(cell);
         }
     };
-    seed(settings.underRobot);
+    // A scanner is blind close to its robot: the floor that it sees begins some way off.
+    const int blind = static_cast<int>(settings.blind / m_cell);
+    for (const Eigen::Vector3d& point : ground) {
+        for (int y = -blind; y <= blind; ++y) {
+            for (int x = -blind; x <= blind; ++x) {
+                if (x * x + y * y > blind * blind) continue;
+                const auto found = cellOf(point.x() + x * m_cell, point.y() + y * m_cell);
+                if (found < 0) continue;
+                const auto cell = static_cast<std::size_t>(found);
+                if (m_seen[cell] == 0 && std::abs(m_surface[cell] - point.z()) < settings.underRobot)
+                    take(cell);
+            }
+        }
+    }
     // A robot whose base_link is not on the ground, or of which nobody tells where its scanner sits.
     if (open.empty()) seed(2.0);
     if (open.empty()) {

@@ -22,7 +22,8 @@ struct CandidateSettings {
     double widestGate = 1.2;   ///< ... but never farther [m]
     double body = 0.12;        ///< deviation by which part of a body is seen [m]
     double beside = 0.35;      ///< what is seen so near past a person, from above, is of that person [m] ...
-    double behind = 0.5;       ///< ... though it seems to be so far behind, or farther [m]
+    double behind = 0.5;       ///< ... though it seems to be so far behind, or farther [m] ...
+    double above = 0.6;        ///< ... where the ray passes it no higher or lower than this [m]
     double tell = 0.57;        ///< confidence from which a candidate is told
     double drop = 0.35;        ///< ... below which one that was told is taken back
     int moments = 6;           ///< half seconds in which cues of one kind came until they count in full

@@ -7,14 +7,17 @@
 #include <memory>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session/station/station_clock.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "core/io/report/find_lists.h"
 #include "core/mission/mission_state.h"
+#include "robots/simulation/arena/arena_generator.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
+#include "tests/support/others_tools.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -58,8 +61,20 @@ bool mine(Station& station, const char* robot) {
     return station.robot(robot).grant.mine;
 }
 
+/// Kurt3D is asked to explore; it does until it is asked for something else. The Crawler has no such mode.
+void explore(Station& station) {
+    const char* const robot = Robots[0];
+    station.ask(robot);
+    ASSERT_TRUE(soon([&] { return mine(station, robot); }));
+    ASSERT_TRUE(station.setMode(robot, "explore"));
+    ASSERT_TRUE(soon([&] {
+        const auto mode = station.mission()->robots.at(robot)->mode;
+        return mode && mode->sample.autonomous;
+    }));
+}
+
 /// In the process that is killed: an operator at the window of @p folder's mission, who tells what there is.
-void operate(const fs::path& folder, int domain) {
+void operate(const fs::path& folder, int domain, bool autonomous) {
     const LiveStation live = openLiveStation(folder, domain);
     Station& station = live.bridge->station();
     live.window->layouts().use("map");
@@ -68,8 +83,12 @@ void operate(const fs::path& folder, int domain) {
     for (const char* robot : Robots) station.ask(robot);
     ASSERT_TRUE(soon([&] { return mine(station, Robots[0]) && mine(station, Robots[1]); }));
     ASSERT_TRUE(soon([&] { return Had::of(station).scans >= 1; }));
-    QTest::keyClick(live.window.get(), Qt::Key_F);
-    ASSERT_TRUE(soon([&] { return !station.mission()->victims->empty(); }));
+    if (autonomous) {
+        ASSERT_NO_FATAL_FAILURE(explore(station));
+    } else {
+        QTest::keyClick(live.window.get(), Qt::Key_F);
+        ASSERT_TRUE(soon([&] { return !station.mission()->victims->empty(); }));
+    }
     for (Had committed;;) {  // until it is killed; an event is on the disk half a second later
         QTest::qWait(2'000);
         std::printf("has %zu %zu %lld\n", committed.scans, committed.victims, committed.seconds);
@@ -152,15 +171,96 @@ protected:
 
 TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     if (const char* folder = std::getenv(FolderTold))
-        return operate(folder, std::atoi(std::getenv(DomainTold)));
+        return operate(folder, std::atoi(std::getenv(DomainTold)), false);
     robots();
     const Had had = runAndKill([](const Had& now) { return now.victims >= 1 && now.scans >= 1; }, 120);
     ASSERT_GE(had.victims, 1u);
-    (void)resume(had);  // how long it takes is the machine's affair here; LiveRestart asks
+    (void)resume(had);  // how long it takes is the machine's affair here; LiveRestart and LongKill ask
     const fs::path files = report();
     const auto victims = readFindList(files.string() + "_victims.csv");
     ASSERT_TRUE(victims) << victims.error().text;
-    EXPECT_EQ(victims->finds.size(), had.victims);
+    EXPECT_GE(victims->finds.size(), had.victims) << "one may have been filed while it was killed";
+}
+
+/// How far @p place is from the body of @p victim, from above [m].
+double fromBody(const simulation::Element& victim, const Eigen::Vector3d& place) {
+    const Eigen::Vector3d inside = victim.pose.inverse() * place;
+    return (inside.head<2>().cwiseAbs() - victim.size.head<2>() / 2).cwiseMax(Eigen::Vector2d::Zero()).norm();
+}
+
+/// The mission of a seeded yellow arena.
+class LongKill : public KilledStation {
+protected:
+    static constexpr int Seed = 7;
+
+    /// Robots begin where the arena says, and the first scan is taken there.
+    void placeMap() {
+        m_arena = simulation::generateArena(simulation::Grade::Yellow, Seed);
+        const auto scans = station().mission()->keyScans;
+        const KeyScanEntry& first = scans->begin()->second.entry;
+        m_mapInArena =
+            m_arena.starts.at(first.robot) * (first.scanInMap * first.sensorInBase.inverse()).inverse();
+    }
+    /// Every listed victim against the arena's.
+    void compare(const FindList& victims) const {
+        for (const ListedFind& one : victims.finds) {
+            double nearest = 99.0;
+            std::string name;
+            for (const simulation::Element& element : m_arena.elements) {
+                if (!element.victim) continue;
+                const double off = fromBody(element, m_mapInArena * one.position);
+                if (off >= nearest) continue;
+                nearest = off;
+                name = element.name;
+            }
+            std::printf("  %s is %.0f cm off the body of %s\n", one.text.c_str(), 100.0 * nearest,
+                        name.c_str());
+            EXPECT_LE(nearest, 0.3) << one.text;
+        }
+    }
+    void readByOthers(const std::string& files) const {
+        const ProcessOutcome tiff = readByGdal(files + ".tif"), tree = readByOctomap(files + ".bt"),
+                             points = readByPcl(files + ".ply", m_folder / "points.pcd"),
+                             pages = readByPoppler(files + ".pdf");
+        for (const ProcessOutcome* one : {&tiff, &tree, &points, &pages}) {
+            if (one->exitCode == NotInstalled) std::cout << "  SKIPPED: " << one->err << '\n';
+            EXPECT_THAT(one->exitCode, testing::AnyOf(0, NotInstalled)) << one->out << one->err;
+        }
+        const fs::path thin = m_folder / "thin";
+        ASSERT_EQ(runProcess(LEITSTANDCTL, {"thin", mission().string(), "--out", thin.string()}).exitCode, 0);
+        const ProcessOutcome log = readByNpm(thin);
+        if (log.exitCode == NotInstalled) std::cout << "  SKIPPED: " << log.err << '\n';
+        EXPECT_THAT(log.exitCode, testing::AnyOf(0, NotInstalled)) << log.out << log.err;
+    }
+
+    simulation::Arena m_arena;
+    Pose m_mapInArena = Pose::Identity();
+};
+
+TEST_F(LongKill, WhatARobotFindsByItselfOutlastsTheKillAndIsTrue) {
+    if (const char* folder = std::getenv(FolderTold))
+        return operate(folder, std::atoi(std::getenv(DomainTold)), true);
+    robots();
+    const Had had = runAndKill([](const Had& now) { return now.victims >= 1 && now.seconds >= 60; }, 300);
+    EXPECT_LT(resume(had), 10.0);
+    placeMap();
+    explore(station());
+    for (int second = 0; second < 60; second += 2) {
+        QTest::qWait(2'000);
+        fileNextFind(*m_live.window);
+    }
+    const Had end = Had::of(station());
+    const fs::path files = report();
+    const auto victims = readFindList(files.string() + "_victims.csv");
+    ASSERT_TRUE(victims) << victims.error().text;
+    EXPECT_EQ(victims->finds.size(), end.victims);
+    std::cout << "  in the end " << end << '\n';
+    compare(*victims);
+    readByOthers(files.string());
+    const ProcessOutcome review =
+        runProcess(LEITSTAND, {mission().string(), "--screenshot", (m_folder / "review.png").string()});
+    EXPECT_EQ(review.exitCode, 0) << review.err;
+    EXPECT_GT(fs::file_size(m_folder / "review.png"), 10'000u);
 }
 
 }  // namespace

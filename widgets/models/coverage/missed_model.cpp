@@ -25,6 +25,14 @@ std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sens
     return rows;
 }
 
+QString emptyText(const CoverageMap* coverage, SearchSensor sensor) {
+    if (coverage == nullptr) return MissedModel::tr("What was searched is not known yet");
+    const double all = coverage->ground().reachableArea();
+    if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
+    if (all - coverage->seenArea(sensor) > 0.01) return MissedModel::tr("Only small pieces were missed");
+    return MissedModel::tr("Nothing that can be reached was missed");
+}
+
 QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed) {
     const double all = coverage.ground().reachableArea();
     if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");

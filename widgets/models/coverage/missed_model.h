@@ -25,7 +25,9 @@ struct MissedRow {
 /// knows.
 [[nodiscard]] std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sensor,
                                                 const std::optional<Pose>& robotInMap);
-/// "Camera: 61 % of 20.1 m² seen, 3 places missed".
+/// Why the list of what was missed is empty. @p coverage: null until it is known.
+[[nodiscard]] QString emptyText(const CoverageMap* coverage, SearchSensor sensor);
+/// "Camera: 61 % of 20.1 m² seen, places missed: 3".
 [[nodiscard]] QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed);
 
 /// Pieces of floor that were missed, as a table. A choice is kept while its place is about the same.

@@ -283,7 +283,8 @@ void CameraFeature::point(CameraPlace place, const QPointF& at) {
     const ShownPicturePtr picture = m_views.newest(place);
     if (!picture || m_views.robot() == nullptr) return;
     if (const auto raw = rawPlace(*m_views.robot(), *picture, at))
-        emit pointed({picture->sensor, *raw, picture->sequence});
+        return emit pointed({picture->sensor, *raw, picture->sequence});
+    emit told(tr("The camera sees nothing there: nothing was filed"));
 }
 
 void CameraFeature::keep(CameraPlace place) {

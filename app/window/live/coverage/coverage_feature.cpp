@@ -14,6 +14,7 @@
 #include "widgets/coverage/missed_panel.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/coverage/floor_tint.h"
+#include "widgets/models/coverage/missed_model.h"
 
 namespace leitstand {
 namespace {
@@ -90,7 +91,7 @@ void CoverageFeature::addMissed(MapActions& actions) {
          .menu = CommandMenu::Map,
          .text = tr("&What did I miss?"),
          .hint = tr("Lists the floor that robots can reach and that was not seen, the largest piece first"),
-         .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W)});
+         .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)});
     connect(&open, &QAction::triggered, this, &CoverageFeature::showMissed);
     QAction& goTo = m_context.commands.add({.id = QStringLiteral("coverage.goTo"),
                                             .menu = CommandMenu::Map,
@@ -126,7 +127,7 @@ void CoverageFeature::showMissed() {
     m_panel->chooseFirst();
     m_panel->setFocus();
     if (m_panel->chosen()) return showChosen();
-    emit told(m_coverage ? tr("Nothing that can be reached was missed") : tr("There is no map yet"));
+    emit told(emptyText(m_coverage.get(), m_panel->sensor()));
 }
 
 void CoverageFeature::showChosen() {

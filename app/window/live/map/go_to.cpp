@@ -77,7 +77,9 @@ void GoTo::arm(bool on) {
 
 void GoTo::go(const GroundPose& pose) {
     const RobotDescription* const robot = m_context.selection.robot();
-    if (robot == nullptr || !m_action->isEnabled()) return;
+    if (robot == nullptr) return;
+    if (!m_action->isEnabled())
+        return emit told(tr("%1 takes no goals").arg(m_context.selection.face().title));
     if (!m_robots.placed(robot->name)) {
         emit told(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
         return;

@@ -95,7 +95,7 @@ void VictimsFeature::addFreezing() {
 void VictimsFeature::addDecisions() {
     connect(&add("victim.discard", tr("&Discard the find"), tr("Discard"),
                  tr("Takes the chosen find, or the newest, off the list; undo brings it back"),
-                 QKeySequence(Qt::Key_Delete)),
+                 QKeySequence(Qt::SHIFT | Qt::Key_Delete)),
             &QAction::triggered, this, [this] {
                 if (const auto find = meant()) return answer(desk().discard(*find));
                 emit told(tr("Choose the find that is none"));
