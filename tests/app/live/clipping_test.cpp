@@ -1,4 +1,7 @@
+#include <map>
+
 #include <QAbstractButton>
+#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -111,6 +114,16 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
             lookAt(QStringLiteral("texts_%1_%2").arg(QLatin1String(layout), QLatin1String(language)));
         }
     }
+}
+
+TEST_F(LiveTexts, EveryKeyMeansOneThing) {
+    std::map<QString, QStringList> meanings;
+    for (const QAction* action : m_window->findChildren<QAction*>()) {
+        for (const QKeySequence& keys : action->shortcuts()) meanings[keys.toString()] += action->text();
+    }
+    EXPECT_GT(meanings.size(), 40U);
+    for (const auto& [keys, what] : meanings)
+        EXPECT_EQ(what.size(), 1) << keys.toStdString() << ": " << what.join(", ").toStdString();
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void ReportFeature::addCommands() {
                             .menu = CommandMenu::Mission,
                             .text = tr("&Report into a folder…"),
                             .hint = tr("Writes the judges' folder now, and again every minute"),
-                            .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
+                            .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J),
                             .checkable = true});
     connect(m_keep, &QAction::triggered, this, [this](bool on) {
         if (on) return askForFolder();
