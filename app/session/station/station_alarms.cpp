@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <condition_variable>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -70,10 +71,8 @@ void StationAlarms::take(const Event& event) {
     }
 }
 
-void StationAlarms::endEarlier() {
-    const MissionStatePtr mission = m_setup.mission();
-    const std::uint64_t session = mission->sessions->empty() ? 0 : mission->sessions->back().started;
-    for (const auto& [id, state] : *mission->alarms) {
+void StationAlarms::endEarlier(const MissionState& mission, std::uint64_t session) const {
+    for (const auto& [id, state] : *mission.alarms) {
         if (std::get<0>(id) != m_setup.station || state.alarm.state == AlarmSample::State::Cleared) continue;
         if (session > 0 && state.raised >= session) continue;  // of the log, since it was opened
         AlarmSample over = state.alarm;
@@ -126,13 +125,16 @@ std::vector<AlarmCause> StationAlarms::causes(const MissionState& mission, Time 
 
 void StationAlarms::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "alarms");
-    endEarlier();
+    std::optional<std::uint64_t> ended;  // alarms before this session, which may not be known at once
     std::mutex asleep;
     std::condition_variable_any never;
     auto next = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
         const Time now = stationTime();
         const MissionStatePtr mission = m_setup.mission();
+        const std::uint64_t session = mission->sessions->empty() ? 0 : mission->sessions->back().started;
+        if (ended != session) endEarlier(*mission, session);
+        ended = session;
         const std::vector<AlarmCause> present = causes(*mission, now);
         std::vector<AlarmChange> changes;
         {

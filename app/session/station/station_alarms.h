@@ -63,7 +63,8 @@ private:
         std::optional<SteadyTime> at = {};
     };
     void run(const std::stop_token& stop);
-    void endEarlier();
+    /// Clears what sessions before the one that began at event @p session left standing.
+    void endEarlier(const MissionState& mission, std::uint64_t session) const;
     [[nodiscard]] std::vector<AlarmCause> causes(const MissionState& mission, Time now) const;
     void addOfStation(const MissionState& mission, std::vector<AlarmCause>& causes) const;
     void log(const std::vector<AlarmChange>& changes, Time now) const;
