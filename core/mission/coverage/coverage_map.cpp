@@ -10,23 +10,48 @@ CoverageMap::CoverageMap(SearchGround ground, const CoverageSettings& settings)
     for (Layer& layer : m_layers) layer.assign(m_ground.size(), 0);
 }
 
-/// Marks the floor within @p range of @p from that nothing hides. @p spans tells how many times what is
-/// needed a body at a place of the map would span.
+/// Where something is seen from, and how far to each side at most.
+struct CoverageMap::Reach {
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();                                 ///< [m]
+    double range = 0.0;                                                             ///< [m]
+    Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< x, y in the map [m]
+
+    /// All about.
+    Reach(const Eigen::Vector3d& place, double farthest)
+        : from(place),
+          range(farthest),
+          low(place.head<2>() - Eigen::Vector2d::Constant(farthest)),
+          high(place.head<2>() + Eigen::Vector2d::Constant(farthest)) {}
+    /// Within @p halfAngle of where a camera looks.
+    Reach(const Pose& cameraInMap, double halfAngle, double farthest)
+        : from(cameraInMap.translation()), range(farthest) {
+        const Eigen::Vector3d axis = cameraInMap.linear().col(2);
+        const auto along = [&](double share) {  // of a direction that is so much along the axis
+            const double off = std::acos(std::clamp(share, -1.0, 1.0));
+            return farthest * std::max(0.0, std::cos(std::clamp(off - halfAngle, 0.0, degrees(90))));
+        };
+        low = from.head<2>() - Eigen::Vector2d(along(-axis.x()), along(-axis.y()));
+        high = from.head<2>() + Eigen::Vector2d(along(axis.x()), along(axis.y()));
+    }
+};
+
+/// Marks the floor within @p reach that nothing hides. @p spans tells how many times what is needed a body at
+/// a place of the map would span.
 template <class Spans>
-void CoverageMap::sweep(SearchSensor sensor, const Eigen::Vector3d& from, double range, Spans spans) {
+void CoverageMap::sweep(SearchSensor sensor, const Reach& reach, Spans spans) {
+    const Eigen::Vector3d& from = reach.from;
+    const double range = reach.range;
     if (m_ground.size() == 0 || !from.allFinite() || !(range > 0.0)) return;
     Layer& layer = m_layers[static_cast<std::size_t>(sensor)];
-    const auto first = [&](double at, double origin) {
-        return std::floor(std::clamp((at - range - origin) / m_ground.cell(), 0.0, 1e6));
-    };
-    const auto last = [&](double at, double origin, int count) {
-        return std::min(count - 1.0, std::floor((at + range - origin) / m_ground.cell()));
-    };
     const Eigen::Vector2d& origin = m_ground.origin();
-    for (double row = first(from.y(), origin.y()); row <= last(from.y(), origin.y(), m_ground.rows());
-         ++row) {
-        for (double column = first(from.x(), origin.x());
-             column <= last(from.x(), origin.x(), m_ground.columns()); ++column) {
+    const auto first = [&](int axis) {
+        return std::floor(std::clamp((reach.low[axis] - origin[axis]) / m_ground.cell(), 0.0, 1e6));
+    };
+    const auto last = [&](int axis, int count) {
+        return std::min(count - 1.0, std::floor((reach.high[axis] - origin[axis]) / m_ground.cell()));
+    };
+    for (double row = first(1); row <= last(1, m_ground.rows()); ++row) {
+        for (double column = first(0); column <= last(0, m_ground.columns()); ++column) {
             const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(m_ground.columns()) +
                               static_cast<std::size_t>(column);
             if (!m_ground.isFloor(cell) || layer[cell] == 255) continue;
@@ -48,9 +73,10 @@ void CoverageMap::sweep(SearchSensor sensor, const Eigen::Vector3d& from, double
 void CoverageMap::look(const SearchView& view, const Pose& scanInMap) {
     const Pose cameraInMap = scanInMap * view.cameraInScan, mapInCamera = cameraInMap.inverse();
     const Eigen::Vector3d from = cameraInMap.translation();
+    const Reach reach(cameraInMap, view.field.halfAngle(), view.range(m_settings));
     const double needed =
         view.sensor == SearchSensor::Infrared ? m_settings.infraredPixels : m_settings.cameraPixels;
-    sweep(view.sensor, from, view.range(m_settings), [&](const Eigen::Vector3d& body) {
+    sweep(view.sensor, reach, [&](const Eigen::Vector3d& body) {
         if (!view.field.holds(mapInCamera * body)) return 0.0;
         const double away = std::max(0.05, (body - from).norm());
         return m_settings.bodySide / away * view.field.pixelsPerRadian / std::max(1e-6, needed);
@@ -60,7 +86,7 @@ void CoverageMap::look(const SearchView& view, const Pose& scanInMap) {
 void CoverageMap::scan(const ShotDensity& shots, const Pose& scanInMap) {
     const Eigen::Vector3d from = scanInMap.translation();
     const Eigen::Matrix3d mapInScan = scanInMap.linear().transpose();
-    sweep(SearchSensor::Scanner, from, m_settings.farthest, [&](const Eigen::Vector3d& body) {
+    sweep(SearchSensor::Scanner, {from, m_settings.farthest}, [&](const Eigen::Vector3d& body) {
         const Eigen::Vector3d away = body - from;
         const double points =
             shots.about(mapInScan * away) * m_settings.bodyArea / std::max(0.01, away.squaredNorm());

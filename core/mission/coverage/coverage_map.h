@@ -37,8 +37,9 @@ private:
     [[nodiscard]] const Layer& of(SearchSensor sensor) const {
         return m_layers[static_cast<std::size_t>(sensor)];
     }
+    struct Reach;
     template <class Spans>
-    void sweep(SearchSensor sensor, const Eigen::Vector3d& from, double range, Spans spans);
+    void sweep(SearchSensor sensor, const Reach& reach, Spans spans);
 
     SearchGround m_ground;
     CoverageSettings m_settings;

@@ -25,6 +25,7 @@ struct CoverageSettings {
 
     double viewApart = 0.10;            ///< views nearer than this [m] ...
     double viewTurned = degrees(5);     ///< ... and this are one [rad]
+    double coarsest = 4.0;              ///< where there are too many views, so many times that is one
     std::size_t mostViewsOfScan = 600;  ///< that hang on a scan
     std::size_t mostViews = 20'000;
     double scanCell = 0.08;  ///< a point of a scan is kept for each cube of this edge [m]

@@ -47,27 +47,53 @@ void SearchBook::follow(std::span<const ScanPose> poses) {
     for (const ScanPose& pose : poses) place(pose.scan, pose.scanInMap, pose.trust == ScanTrust::Certain);
 }
 
-bool SearchBook::add(const SearchView& view) {
-    if (m_views >= m_settings.mostViews || !view.cameraInScan.matrix().allFinite()) return false;
-    std::vector<SearchView>& looks = m_looks[view.scan];
-    if (looks.size() >= m_settings.mostViewsOfScan) return false;
-    const bool known = std::any_of(looks.begin(), looks.end(), [&](const SearchView& other) {
-        return other.sensor == view.sensor &&
-               distanceBetween(other.cameraInScan, view.cameraInScan) < m_settings.viewApart &&
-               angleBetween(other.cameraInScan, view.cameraInScan) < m_settings.viewTurned &&
-               std::abs(other.field.pixelsPerRadian - view.field.pixelsPerRadian) <
-                   0.01 * other.field.pixelsPerRadian;
-    });
-    if (known) return false;
-    looks.push_back(view);
-    ++m_views;
+ViewGrain SearchBook::grain(double coarseness) const {
+    return {coarseness * m_settings.viewApart, coarseness * m_settings.viewTurned};
+}
+
+/// Makes views one that differ a little more, of @p looks or of all; false where they are as coarse as may
+/// be.
+bool SearchBook::makeRoom(ScanViews& looks) {
+    constexpr double Step = 1.25;
+    const auto thin = [this](ScanViews& some, double coarseness) {
+        m_views -= some.size();
+        some.thin(grain(coarseness));
+        m_views += some.size();
+    };
+    if (looks.size() >= m_settings.mostViewsOfScan) {
+        const double now = looks.grain().apart / m_settings.viewApart;
+        if (now >= m_settings.coarsest) return false;
+        thin(looks, std::min(m_settings.coarsest, Step * now));
+        return true;
+    }
+    if (m_coarseness >= m_settings.coarsest) return false;
+    m_coarseness = std::min(m_settings.coarsest, Step * m_coarseness);
+    for (auto& [scan, some] : m_looks) thin(some, m_coarseness);
     return true;
+}
+
+bool SearchBook::add(const SearchView& view) {
+    if (!view.cameraInScan.matrix().allFinite()) return false;
+    ScanViews& looks = m_looks.try_emplace(view.scan, grain(m_coarseness)).first->second;
+    while (!looks.holds(view)) {
+        if (m_views < m_settings.mostViews && looks.size() < m_settings.mostViewsOfScan) {
+            looks.add(view);
+            ++m_views;
+            return true;
+        }
+        if (!makeRoom(looks)) {
+            ++m_leftOut;
+            return false;
+        }
+    }
+    return false;
 }
 
 std::vector<SearchView> SearchBook::allViews() const {
     std::vector<SearchView> all;
     all.reserve(m_views);
-    for (const auto& [scan, looks] : m_looks) all.insert(all.end(), looks.begin(), looks.end());
+    for (const auto& [scan, looks] : m_looks)
+        all.insert(all.end(), looks.views().begin(), looks.views().end());
     return all;
 }
 
@@ -82,7 +108,7 @@ CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail) cons
         map->scan(held.shots, held.scan.scanInMap);
         const auto looks = m_looks.find(id);
         if (looks == m_looks.end()) continue;
-        for (const SearchView& view : looks->second) map->look(view, held.scan.scanInMap);
+        for (const SearchView& view : looks->second.views()) map->look(view, held.scan.scanInMap);
     }
     return map;
 }

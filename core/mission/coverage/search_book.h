@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mission/coverage/coverage_map.h"
+#include "core/mission/coverage/scan_views.h"
 #include "core/mission/report/report_scan.h"
 #include "core/robot/samples/map_samples.h"
 
@@ -22,9 +23,12 @@ public:
     void place(std::uint64_t scan, const Pose& scanInMap, bool counts);
     /// Where the scans are now; those that are not named do not count.
     void follow(std::span<const ScanPose> poses);
-    /// False when nearly the same view of that scan is known, or there are too many.
+    /// False when nearly the same view of that scan is known. Where there are many, views that differ more
+    /// are one too, up to CoverageSettings::coarsest; beyond that new ones are left out.
     bool add(const SearchView& view);
     [[nodiscard]] std::size_t views() const { return m_views; }
+    /// How many times a view was left out that would have told something.
+    [[nodiscard]] std::size_t leftOut() const { return m_leftOut; }
     [[nodiscard]] std::size_t scans() const { return m_scans.size(); }
     /// All views, by scan.
     [[nodiscard]] std::vector<SearchView> allViews() const;
@@ -38,10 +42,14 @@ private:
         ShotDensity shots;
         bool counts = true;
     };
+    [[nodiscard]] ViewGrain grain(double coarseness) const;
+    bool makeRoom(ScanViews& looks);
+
     CoverageSettings m_settings;
     std::map<std::uint64_t, Held> m_scans;
-    std::map<std::uint64_t, std::vector<SearchView>> m_looks;  ///< by scan, which may not be known yet
-    std::size_t m_views = 0;
+    std::map<std::uint64_t, ScanViews> m_looks;  ///< by scan, which may not be known yet
+    std::size_t m_views = 0, m_leftOut = 0;
+    double m_coarseness = 1.0;  ///< of all scans, at least; times the settings' grain
 };
 
 }  // namespace leitstand

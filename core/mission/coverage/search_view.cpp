@@ -60,6 +60,11 @@ bool SearchField::holds(const Eigen::Vector3d& point) const {
     return across >= left && across <= right && along >= up && along <= down;
 }
 
+double SearchField::halfAngle() const {
+    if (outer > 0.0) return outer;
+    return std::atan(std::hypot(std::max(-left, right), std::max(-up, down)));
+}
+
 std::optional<SearchField> fieldOf(const CameraInfoSample& camera) {
     if (camera.width <= 0 || camera.height <= 0) return std::nullopt;
     const double width = camera.width, height = camera.height;

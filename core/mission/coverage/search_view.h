@@ -26,6 +26,8 @@ struct SearchField {
 
     /// Whether @p point (optical frame) is within.
     [[nodiscard]] bool holds(const Eigen::Vector3d& point) const;
+    /// The farthest that something in it is from its axis [rad].
+    [[nodiscard]] double halfAngle() const;
 };
 
 /// The field of a camera; empty where it is not calibrated or by a model that nobody knows.

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -124,11 +126,59 @@ TEST(SearchBook, ViewsThatHardlyDifferAreOne) {
     EXPECT_FALSE(book.add(broken));
     EXPECT_EQ(book.views(), 4U);
     EXPECT_EQ(book.allViews().size(), 4U);
+    EXPECT_EQ(book.leftOut(), 0U) << "nothing of it would have told anything";
+}
+
+/// A camera that drives to and fro in the first room and looks all about, for very long.
+std::vector<SearchView> longWay(std::size_t views) {
+    std::vector<SearchView> all;
+    for (std::size_t i = 0; i < views; ++i) {
+        const double along = 0.013 * static_cast<double>(i);
+        all.push_back(viewFrom({-2.5 + std::sin(along), 1.2 * std::cos(0.7 * along), 0.5}, 2.1 * along));
+    }
+    return all;
+}
+
+TEST(SearchBook, ManyViewsAreThinnedAndWhatTheySawStays) {
+    constexpr std::size_t Most = 150;
+    CoverageSettings bounded, bottomless;
+    bottomless.mostViews = bottomless.mostViewsOfScan = 1'000'000;
+    CoverageSettings ofScan = bottomless;
+    bounded.mostViewsOfScan = 1'000'000;
+    bounded.mostViews = ofScan.mostViewsOfScan = Most;
+    SearchBook small(bounded), smallScan(ofScan), large(bottomless);
+    for (SearchBook* book : {&small, &smallScan, &large}) {
+        book->add(SearchScene{}.scan());
+        for (const SearchView& view : longWay(3000)) (void)book->add(view);
+        EXPECT_EQ(book->leftOut(), 0U);
+        EXPECT_EQ(book->allViews().size(), book->views());
+    }
+    EXPECT_GT(large.views(), 3 * Most);
+    const auto seen = [](const SearchBook& book) {
+        return book.coverage(SearchScene::trail())->seenArea(SearchSensor::Camera);
+    };
+    const double all = seen(large);
+    for (const SearchBook* book : {&small, &smallScan}) {
+        EXPECT_LE(book->views(), Most);
+        EXPECT_GT(book->views(), Most / 4);
+        EXPECT_GT(seen(*book), 0.97 * all);
+        EXPECT_LE(seen(*book), all + 1e-9);
+    }
+}
+
+TEST(SearchBook, WhatDoesNotFitAtAllIsCounted) {
     CoverageSettings few;
     few.mostViewsOfScan = 1;
-    SearchBook small(few);
-    EXPECT_TRUE(small.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
-    EXPECT_FALSE(small.add(viewFrom({-2.0, 1.0, 0.5}, 0.0))) << "memory is bounded";
+    SearchBook book(few);
+    EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
+    EXPECT_FALSE(book.add(viewFrom({-2.0, 0.3, 0.5}, 0.0))) << "about the same, where memory is short";
+    EXPECT_EQ(book.leftOut(), 0U);
+    EXPECT_FALSE(book.add(viewFrom({-2.0, 1.0, 0.5}, 0.0)));
+    EXPECT_EQ(book.leftOut(), 1U);
+    SearchView elsewhere = viewFrom({-2.0, 1.0, 0.5}, 0.0);
+    elsewhere.scan = 2;
+    EXPECT_TRUE(book.add(elsewhere)) << "another scan has room of its own";
+    EXPECT_EQ(book.views(), 2U);
 }
 
 TEST(SearchField, CamerasBelowMirrorsSeeARing) {
