@@ -127,6 +127,7 @@ void LiveMission::State::announce(const std::string& topic, const std::string& t
     info.type = type;
     info.qosProfiles = qosProfilesOf(qos);
     info.droppable = isPicture(type);
+    info.urgent = station_topic::isByHand(topic);
     if (const MessageType* known = findMessageType(type)) {
         info.definition = known->definition;
         info.typeHash = known->hash;

@@ -14,6 +14,7 @@ struct TopicInfo {
     std::string definition{};           ///< the ROS .msg text with all it depends on; may be empty
     std::string typeHash{};             ///< "RIHS01_..."; may be empty
     bool droppable = false;             ///< pictures: the first that a slow disk costs; not stored in the bag
+    bool urgent = false;                ///< acts of people: committed at once; not stored in the bag
     std::string serialization = "cdr";  ///< serialization_format
     friend bool operator==(const TopicInfo&, const TopicInfo&) = default;
 };

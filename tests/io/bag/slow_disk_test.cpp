@@ -98,6 +98,26 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     EXPECT_THAT(over->text, HasSubstr("keeps up again"));
 }
 
+TEST_F(SlowDisk, WhatAPersonDidWaitsForNoInterval) {
+    BagWriterSettings settings;
+    settings.commitInterval = 1h;
+    settings.metadataInterval = 1h;
+    const auto disk = std::make_shared<test::TestDisk>();
+    const auto writer = BagWriter::over(std::make_unique<test::TestStore>(disk), settings);
+    TopicInfo finds;
+    finds.name = "/leitstand/victims";
+    finds.type = "leitstand_msgs/msg/Victim";
+    finds.urgent = true;
+    writer->addTopic(finds);
+    ASSERT_TRUE(writer->flush().ok());
+    writer->write({0, at(1), "/kurt3d/points", "sensor_msgs/msg/PointCloud2", test::payload(100, 1)});
+    writer->write({0, at(2), finds.name, finds.type, test::payload(100, 2)});
+    writer->write({0, at(3), "/kurt3d/points", "sensor_msgs/msg/PointCloud2", test::payload(100, 3)});
+    // Nobody asks for it: the find is on the disk, and what came before it.
+    ASSERT_TRUE(disk->waitForEvents(2));
+    EXPECT_EQ(disk->events()[1].topic, finds.name);
+}
+
 TEST_F(SlowDisk, LosesTheRestOnlyBeyondTheStatedBoundAndSaysSo) {
     m_disk->hold(true);
     for (int i = 0; i < 150; ++i) write("/kurt3d/points", 10'000);

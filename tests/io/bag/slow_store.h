@@ -30,6 +30,11 @@ public:
         std::unique_lock lock(m_mutex);
         return m_changed.wait_for(lock, std::chrono::seconds(10), [&] { return m_begun >= commits; });
     }
+    /// Waits until so many @p events are kept.
+    bool waitForEvents(std::size_t events) {
+        std::unique_lock lock(m_mutex);
+        return m_changed.wait_for(lock, std::chrono::seconds(10), [&] { return m_events.size() >= events; });
+    }
     std::vector<RawEvent> events() {
         const std::scoped_lock lock(m_mutex);
         return m_events;
@@ -51,6 +56,7 @@ public:
             if (batch.events[i].sequence == refused) return detail::StoreProblem{Kind::Refused, "refused", i};
         }
         m_events.insert(m_events.end(), batch.events.begin(), batch.events.end());
+        m_changed.notify_all();
         return std::nullopt;
     }
 

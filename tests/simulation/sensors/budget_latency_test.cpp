@@ -65,7 +65,7 @@ TEST(SensorBudgetLatency, BothRobotsWithAllSensorsTakeLessThanACoreInEveryGrade)
 #endif
     }
 #if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "unoptimised or checked at every step: the share of a core means nothing";
+    GTEST_SKIP() << "SKIPPED: unoptimised or checked at every step: the share of a core means nothing";
 #endif
 }
 

@@ -39,7 +39,8 @@ std::string readFrom(World& world, const std::shared_ptr<SharedLight>& light, co
 
 /// As sent: 320 x 240 pixels, JPEG of quality 70.
 TEST(Legible, TagsOfVictimsAndCodesOfSignsFromNearby) {
-    if (!std::filesystem::exists(Decoder)) GTEST_SKIP() << "no zbarimg here: needs Debian's zbar-tools";
+    if (!std::filesystem::exists(Decoder))
+        GTEST_SKIP() << "SKIPPED: no zbarimg here: needs Debian's zbar-tools";
     const leitstand::test::TemporaryFolder folder;
     const auto file = folder.path() / "picture.jpg";
     int tags = 0, readTags = 0, codes = 0, readCodes = 0;

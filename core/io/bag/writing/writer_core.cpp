@@ -39,7 +39,8 @@ void WriterCore::addTopic(const TopicInfo& topic) {
 }
 
 void WriterCore::announce(const TopicInfo& topic) {
-    if (!m_topics.try_emplace({topic.name, topic.type}, topic.droppable).second) return;
+    const TopicUse use{topic.droppable, topic.urgent};
+    if (!m_topics.try_emplace({topic.name, topic.type}, use).second) return;
     if (m_newTopics.empty()) m_topicsCame = Clock::now();
     m_newTopics.push_back(topic);
 }
@@ -48,22 +49,23 @@ void WriterCore::write(RawEvent event) {
     {
         const std::scoped_lock lock(m_mutex);
         const auto known = m_topics.find({event.topic, event.type});
-        const bool droppable = known != m_topics.end() && known->second;
+        const TopicUse use = known != m_topics.end() ? known->second : TopicUse{};
         if (event.sequence == 0) event.sequence = m_lastSequence + 1;
         if (m_stopping || event.sequence <= m_lastSequence || !event.cdr) {
-            m_queue.drop(event, droppable);
+            m_queue.drop(event, use.droppable);
             return;
         }
         m_lastSequence = event.sequence;
         if (known == m_topics.end()) announce({.name = event.topic, .type = event.type});
-        m_queue.push(std::move(event), droppable, Clock::now());
-        if (m_committing || m_queue.waitingBytes() < m_settings.commitBytes) return;
+        if (use.urgent) m_urgent = event.sequence;
+        m_queue.push(std::move(event), use.droppable, Clock::now());
+        if (m_committing || (!use.urgent && m_queue.waitingBytes() < m_settings.commitBytes)) return;
     }
     m_wake.notify_one();
 }
 
 bool WriterCore::shallCommit(Clock::time_point now) const {
-    if (m_stopping || m_flushing) return true;
+    if (m_stopping || m_flushing || m_queue.first(NoSequence) <= m_urgent) return true;
     if (now - m_lastMetadata >= m_settings.metadataInterval) return true;
     return m_queue.waitingBytes() >= m_settings.commitBytes || now >= nextCommit(now);
 }
@@ -153,7 +155,7 @@ void WriterCore::dropPictures(BagBatch& batch) {
     const std::scoped_lock lock(m_mutex);
     std::erase_if(batch.events, [this](const RawEvent& event) {
         const auto topic = m_topics.find({event.topic, event.type});
-        if (topic == m_topics.end() || !topic->second) return false;
+        if (topic == m_topics.end() || !topic->second.droppable) return false;
         m_queue.settle(event);
         m_queue.drop(event, true);
         return true;

@@ -38,6 +38,9 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     using TopicKey = std::pair<std::string, std::string>;  // name, type
+    struct TopicUse {
+        bool droppable = false, urgent = false;
+    };
 
     void announce(const TopicInfo& topic);  // locked
     void run();
@@ -62,10 +65,11 @@ private:
     mutable std::mutex m_mutex;  // guards all below but the threads
     std::condition_variable m_wake, m_settled, m_watchWake;
     EventQueue m_queue;
-    std::map<TopicKey, bool> m_topics;  // known ones -> droppable
+    std::map<TopicKey, TopicUse> m_topics;  // known ones
     std::vector<TopicInfo> m_newTopics;
     std::size_t m_storedTopics = 0;  // of m_topics, on the disk
     std::uint64_t m_lastSequence = 0;
+    std::uint64_t m_urgent = 0;     // last sequence that waits for no interval
     std::uint64_t m_takenFrom = 0;  // first sequence of the batch that is being committed
     Clock::time_point m_topicsCame{}, m_oldestTaken{}, m_lastMetadata{};
     bool m_committing = false, m_flushing = false, m_stopping = false, m_watchStopping = false;
