@@ -15,6 +15,11 @@ void setTranslator(Translator translator);
 /// Qt. Both arguments are literals, which lupdate reads. Never for what goes into the log. Any thread.
 [[nodiscard]] std::string translate(const char* context, const char* text);
 
+/// @p text of a table: lupdate reads it with its @p context, and translate() is called where it is shown.
+constexpr const char* translatable(const char* /*context*/, const char* text) {
+    return text;
+}
+
 /// @p words with what is to be filled in, as of fmt::format; as they are when a translation has it wrong.
 template <class... Arguments>
 [[nodiscard]] std::string fill(const std::string& words, const Arguments&... arguments) {

@@ -9,6 +9,10 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -223,7 +227,7 @@ std::vector<HardwareSample> RobotAgent::step() {
     inputs.stopped = m_rules.isStopped();
     if (inputs.stopped) {
         const std::string by = m_rules.stopState(steady()).station;
-        inputs.stopReason = by.empty() ? "its own button" : "stopped by " + by;
+        inputs.stopReason = by.empty() ? robot_says::StoppedByButton : fmt::format(robot_says::StoppedBy, by);
     }
     if (const auto remote = m_hardware.remote()) inputs.remote = velocityOf(*remote);
     inputs.cue = report.cue;

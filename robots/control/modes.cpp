@@ -51,16 +51,16 @@ std::string ModeMachine::whyNot(DriveMode mode) const {
     const bool offered =
         std::find(m_settings.modes.begin(), m_settings.modes.end(), mode) != m_settings.modes.end();
     if (mode == DriveMode::Stopped || mode == DriveMode::Remote || !offered)
-        return fmt::format("{} cannot be asked for", toString(mode));
-    if (m_mode == DriveMode::Stopped) return "the stop stands: release it first";
-    if (m_mode == DriveMode::Remote) return "the radio remote is in use";
-    if (mode == DriveMode::VictimApproach && !m_cue) return "no body heat in sight";
+        return fmt::format(robot_says::CannotBeAskedFor, toString(mode));
+    if (m_mode == DriveMode::Stopped) return robot_says::StopStands;
+    if (m_mode == DriveMode::Remote) return robot_says::RemoteInUse;
+    if (mode == DriveMode::VictimApproach && !m_cue) return robot_says::NoHeatInSight;
     return {};
 }
 
 Result<void> ModeMachine::request(const std::string& mode, Time now) {
     const auto wanted = driveModeFrom(mode);
-    if (!wanted) return Error{fmt::format("expected a mode, found \"{}\"", mode)};
+    if (!wanted) return Error{fmt::format(robot_says::NoMode, mode)};
     return request(*wanted, now);
 }
 
@@ -74,7 +74,7 @@ Result<void> ModeMachine::request(DriveMode mode, Time now) {
     m_held = false;
     m_link = Link::Good;
     if (!sameSticks) needNeutral();
-    change(mode, "asked for");
+    change(mode, robot_says::AskedFor);
     return {};
 }
 
@@ -116,10 +116,10 @@ void ModeMachine::stepStop(const ModeInputs& inputs) {
         needNeutral();
         m_held = false;
         m_link = Link::Good;
-        change(DriveMode::Stopped, inputs.stopReason.empty() ? "stop" : inputs.stopReason);
+        change(DriveMode::Stopped, inputs.stopReason.empty() ? robot_says::Stop : inputs.stopReason);
     } else if (m_mode == DriveMode::Stopped) {
         needNeutral();
-        change(m_manual, "released");
+        change(m_manual, robot_says::Released);
     }
 }
 
@@ -137,10 +137,10 @@ void ModeMachine::stepRemote(const ModeInputs& inputs, Time now) {
         needNeutral();
         m_held = false;
         m_link = Link::Good;
-        change(DriveMode::Remote, "the radio remote is in use");
+        change(DriveMode::Remote, robot_says::RemoteInUse);
     } else if (!inUse && m_mode == DriveMode::Remote) {
         needNeutral();
-        change(m_manual, "the radio remote was let go of");
+        change(m_manual, robot_says::RemoteLetGo);
     }
 }
 
@@ -157,11 +157,11 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
         if (m_link == Link::Good) return;
         // Whatever moved on, moves on; what stands, waits.
         if (m_link == Link::Finishing) {
-            say("the link is back: goes on");
+            say(robot_says::LinkBackGoesOn);
         } else if (isAutonomous()) {
-            hold("the link is back: waits to be asked again");
+            hold(robot_says::LinkBackWaits);
         } else {
-            say("the link is back");
+            say(robot_says::LinkBack);
         }
         m_link = Link::Good;
         return;
@@ -176,15 +176,15 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
         switch (m_held ? LinkLossRule::Stop : ruleOf(m_mode)) {
             case LinkLossRule::Stop:
                 m_link = Link::Standing;
-                say("link lost: stands");
+                say(robot_says::LinkLostStands);
                 break;
             case LinkLossRule::FinishAndWait:
                 m_link = Link::Finishing;
-                say("link lost: finishes what it does, then waits");
+                say(robot_says::LinkLostFinishes);
                 break;
             case LinkLossRule::ReturnToLink:
                 m_link = Link::Returning;
-                say("link lost: returns to where it was good");
+                say(robot_says::LinkLostReturns);
                 break;
         }
         return;
@@ -192,11 +192,10 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
     const bool over = inputs.done || inputs.failed;
     if (m_link == Link::Finishing && (over || now - m_lostAt > m_settings.finishWithin)) {
         m_link = Link::Waiting;
-        hold(inputs.done ? "link lost: finished, waits" : "link lost: waits");
+        hold(inputs.done ? robot_says::LinkLostFinished : robot_says::LinkLostWaits);
     } else if (m_link == Link::Returning && over) {
         m_link = Link::Waiting;
-        hold(inputs.done ? "link lost: is back where it was good, waits"
-                         : "link lost: finds no way back, waits");
+        hold(inputs.done ? robot_says::LinkLostIsBack : robot_says::LinkLostNoWay);
     }
 }
 
@@ -207,16 +206,16 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
     if (m_mode == DriveMode::Explore) {
         if (inputs.cue && whyNot(DriveMode::VictimApproach).empty()) {
             m_before = DriveMode::Explore;
-            change(DriveMode::VictimApproach, "body heat in sight");
+            change(DriveMode::VictimApproach, robot_says::HeatInSight);
         } else if (inputs.done || inputs.failed) {
-            hold(report.empty() ? "nothing is left to explore" : report);
+            hold(report.empty() ? robot_says::NothingLeft : report);
         }
         return;
     }
     if (inputs.done) {
-        hold(report.empty() ? "stands in front of a victim" : report);
+        hold(report.empty() ? robot_says::AtAVictim : report);
     } else if (inputs.failed) {
-        const std::string why = report.empty() ? "gave the approach up" : report;
+        const std::string why = report.empty() ? robot_says::GaveUp : report;
         if (m_before != DriveMode::Explore) needNeutral();
         change(m_before, why);
     }

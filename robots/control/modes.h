@@ -12,6 +12,7 @@
 #include "core/base/time.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/robot_says.h"
 #include "core/robot/samples/status_samples.h"
 
 namespace leitstand {
@@ -114,7 +115,7 @@ private:
     DriveMode m_mode = DriveMode::Teleoperation;
     DriveMode m_manual = DriveMode::Teleoperation;  ///< to come back to after stop and remote
     DriveMode m_before = DriveMode::Teleoperation;  ///< VictimApproach
-    std::string m_reason = "started";
+    std::string m_reason = robot_says::Started;
     bool m_changed = true;
     bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
     bool m_neutral = false;  ///< sticks were neutral since the last reason to ask for it

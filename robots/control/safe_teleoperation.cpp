@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -39,7 +41,7 @@ SafeVelocity safeVelocity(const DriveVelocity& wish, const VirtualScanView& view
     safe.freeTravel = settings.lookAhead;
     if (!std::isfinite(wish.forward) || !std::isfinite(wish.turn)) {
         safe.share = 0.0;
-        safe.reason = "the wish is no number";
+        safe.reason = robot_says::NoNumber;
         return safe;
     }
     safe.velocity = {wish.forward, 0.0, wish.turn};
@@ -53,10 +55,11 @@ SafeVelocity safeVelocity(const DriveVelocity& wish, const VirtualScanView& view
     const double byAge = speedForAge(safe.age, speed, settings);
     safe.share = std::min(byWay, byAge) / speed;
     if (byWay < speed && byWay <= byAge) {
-        safe.reason = fmt::format("obstacle in {:.2f} m", safe.freeTravel);
+        safe.reason = fmt::format(robot_says::Obstacle, fmt::format("{:.2f}", safe.freeTravel));
     } else if (byAge < speed) {
-        safe.reason = std::isfinite(safe.age) ? fmt::format("the scan there is {:.1f} s old", safe.age)
-                                              : std::string("not seen there yet");
+        safe.reason = std::isfinite(safe.age)
+                          ? fmt::format(robot_says::OldScan, fmt::format("{:.1f}", safe.age))
+                          : std::string(robot_says::NotSeenYet);
     }
     safe.velocity.forward *= safe.share;
     safe.velocity.turn *= safe.share;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 
 CrawlerAgent::CrawlerAgent(RobotHardware& hardware, const RobotDescription& robot,
@@ -57,10 +59,10 @@ DiagnosticStatus CrawlerAgent::warning() const {
     const auto inDegrees = [](double angle) { return fmt::format("{:.0f}", angle * 180 / std::numbers::pi); };
     DiagnosticStatus status;
     status.level = m_danger;
-    status.name = "roll-over";
-    status.message = m_danger == DiagnosticStatus::Level::Ok        ? "upright"
-                     : m_danger == DiagnosticStatus::Level::Warning ? "about to roll over"
-                                                                    : "rolled over";
+    status.name = robot_says::RollOver;
+    status.message = m_danger == DiagnosticStatus::Level::Ok        ? robot_says::Upright
+                     : m_danger == DiagnosticStatus::Level::Warning ? robot_says::AboutToRollOver
+                                                                    : robot_says::RolledOver;
     status.hardwareId = stream != nullptr && !stream->hardwareId.empty() ? stream->hardwareId : robot().name;
     status.values = {{"roll", inDegrees(m_roll)}, {"pitch", inDegrees(m_pitch)}};
     return status;

@@ -7,6 +7,7 @@
 
 #include "core/perception/heat.h"
 #include "core/perception/picture_decoding.h"
+#include "core/robot/robot_says.h"
 
 namespace leitstand {
 namespace {
@@ -177,7 +178,7 @@ DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, Time now) {
         case Driver::Returner:
             if (m_trail.isBack()) {
                 m_report.done = true;
-                m_report.text = "back where the link was good";
+                m_report.text = robot_says::BackWhereLinkWasGood;
                 return {};
             } else {
                 const DriveVelocity velocity = explore(m_trail.next(), now);

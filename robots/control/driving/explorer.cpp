@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -141,11 +143,11 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
     ExplorerStep step;
     see(view, baseInOdom, now);
     if (!newest || secondsBetween(*newest, now) > m_settings.blindAfter) {
-        step.reason = "the scanner is silent: stands";
+        step.reason = robot_says::ScannerSilent;
         return step;
     }
     if (secondsBetween(*m_seen, now) < m_settings.lookFirst) {
-        step.reason = "looks around first";
+        step.reason = robot_says::LooksAround;
         return step;
     }
     const Eigen::Vector2d here = baseInOdom.translation().head<2>();
@@ -154,29 +156,29 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
     };
     if (m_goal && (isAt(*m_goal) || (!m_way.empty() && isAt(m_way.back())))) {
         step.done = true;
-        step.reason = "at the goal";
+        step.reason = robot_says::AtTheGoal;
         return step;
     }
     plan(baseInOdom, now);
     step.way = m_way;
     if (m_emptyPlans >= EmptyPlans && looksAgain(baseInOdom, now)) {
-        step.reason = "finds no way: looks again";
+        step.reason = robot_says::LooksAgain;
         return step;
     }
     if (m_emptyPlans >= EmptyPlans) {
         step.done = !m_goal;
         step.failed = m_goal.has_value();
-        step.reason = m_goal ? "finds no way to the goal" : "nothing is left to explore";
+        step.reason = m_goal ? robot_says::NoWayToTheGoal : robot_says::NothingLeft;
         return step;
     }
     const auto towards = aim(baseInOdom);
     if (const auto recovery = recover(view, baseInOdom, now, towards.has_value())) {
         step.velocity = *recovery;
-        step.reason = "stuck: makes room";
+        step.reason = robot_says::MakesRoom;
         return step;
     }
     if (!towards) {
-        step.reason = "looks for a way";
+        step.reason = robot_says::LooksForAWay;
         return step;
     }
     const Eigen::Vector2d off = *towards - here;

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -108,7 +110,7 @@ FuzzyDriveStep FuzzyDrive::step(const VirtualScanView& view, std::optional<doubl
     step.result = m_system.infer(step.inputs);
     const int strongest = step.result.strongest();
     if (strongest < 0) {
-        step.reason = "no rule applies: stands";
+        step.reason = robot_says::NoRule;
         return step;
     }
     step.reason = m_system.rules[static_cast<std::size_t>(strongest)].text;

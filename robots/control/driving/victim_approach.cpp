@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -19,6 +21,11 @@ constexpr double Farthest = 9.0;  // surfaces beyond are not those of a victim t
 
 double secondsBetween(Time from, Time to) {
     return std::chrono::duration<double>(to - from).count();
+}
+
+/// As robots say lengths.
+std::string metres(double length) {
+    return fmt::format("{:.2f}", length);
 }
 
 Eigen::Isometry2d flat(const Pose& pose) {
@@ -240,7 +247,7 @@ ApproachStep VictimApproach::reach(const Target& target, const Pose& baseInOdom)
     ApproachStep step;
     step.done = true;
     step.distance = target.distance;
-    step.reason = fmt::format("stands {:.2f} m in front of a victim", target.distance);
+    step.reason = fmt::format(robot_says::BeforeAVictim, metres(target.distance));
     return step;
 }
 
@@ -262,7 +269,7 @@ ApproachStep VictimApproach::goAround(const Eigen::Vector2d& place, const Virtua
         m_around.step(view, baseInOdom, now - std::chrono::nanoseconds(std::llround(age * 1e9)), now);
     ApproachStep step;
     step.velocity = around.velocity;
-    step.reason = "drives around what stands before the heat";
+    step.reason = robot_says::DrivesAround;
     return step;
 }
 
@@ -278,7 +285,7 @@ DriveVelocity VictimApproach::towards(const std::optional<Target>& target, doubl
         if (std::abs(error) < 0.2 * m_settings.tolerance) forward = 0.0;
     }
     const SafeVelocity safe = safeVelocity({forward, 0.0, turn}, view, drive.safety);
-    reason = target ? fmt::format("heat {:.2f} m ahead", target->distance) : "drives towards the heat";
+    reason = target ? fmt::format(robot_says::HeatAhead, metres(target->distance)) : robot_says::DrivesToHeat;
     if (!safe.reason.empty()) reason += "; " + safe.reason;
     return safe.velocity;
 }
@@ -288,7 +295,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     ApproachStep step;
     if (m_phase == Phase::Idle) {
         step.failed = true;
-        step.reason = "no heat to drive to";
+        step.reason = robot_says::NoHeat;
         return step;
     }
     if (cue && cue->at > m_cue.at) {
@@ -304,7 +311,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     if (surface) step.distance = surface->distance;
     if (m_phase == Phase::Reached) {
         step.done = true;
-        step.reason = "stands in front of a victim";
+        step.reason = robot_says::AtAVictim;
         return step;
     }
     const double direction = bearingOf(m_cue, baseInOdom);
@@ -314,9 +321,9 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     // Near the end a victim on the floor may be out of the camera's sight.
     const bool close = surface && surface->distance < m_settings.distance + 0.5;
     if (secondsBetween(m_cueAt, now) > m_settings.lostAfter * (close || m_detour ? 3.0 : 1.0))
-        return giveUp("the heat was lost", place);
+        return giveUp(robot_says::HeatLost, place);
     if (secondsBetween(m_started, now) > m_settings.giveUpAfter)
-        return giveUp("the heat cannot be reached", place);
+        return giveUp(robot_says::HeatUnreachable, place);
 
     const double bearing = std::atan2(ahead.y(), ahead.x());
     const double error = surface ? surface->distance - m_settings.distance : 1.0;
@@ -325,7 +332,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         case Phase::Reached:
             break;
         case Phase::Turn:
-            step.reason = "turns to the heat";
+            step.reason = robot_says::TurnsToHeat;
             if (std::abs(bearing) < 0.15) {
                 m_phase = Phase::Approach;
                 break;
@@ -339,7 +346,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             if (surface && std::abs(error) < 0.3 * m_settings.tolerance && std::abs(bearing) < 0.3) {
                 m_phase = Phase::Settle;
                 m_since = now;
-                step.reason = "measures again";
+                step.reason = robot_says::MeasuresAgain;
                 break;
             }
             // What is out of sight on a detour is still where it was.
@@ -353,9 +360,9 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             step.velocity = towards(surface, bearing, view, step.reason);
             break;
         case Phase::Settle:
-            step.reason = "measures again";
+            step.reason = robot_says::MeasuresAgain;
             if (secondsBetween(m_since, now) < m_settings.settle) break;
-            if (surface && isKnown(place)) return giveUp("that victim is known", place);
+            if (surface && isKnown(place)) return giveUp(robot_says::VictimKnown, place);
             if (surface && (std::abs(error) < 1.2 * m_settings.tolerance || m_corrections >= 4))
                 return reach(*surface, baseInOdom);
             ++m_corrections;

@@ -82,9 +82,10 @@ TEST_P(Translation, HasEveryTextOfTheProgram) {
     ASSERT_TRUE(QFile::copy(file(), copy));
     QProcess update;
     update.setWorkingDirectory(QStringLiteral(LEITSTAND_SOURCE_DIR));
-    update.start(lupdate, {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "core",
-                           "widgets", "-extensions", "cpp,h", "-source-language", "en", "-target-language",
-                           QLatin1String(GetParam()), "-ts", copy});
+    update.start(lupdate,
+                 {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "core", "widgets",
+                  "-extensions", "cpp,h", "-tr-function-alias", "QT_TRANSLATE_NOOP+=translatable",
+                  "-source-language", "en", "-target-language", QLatin1String(GetParam()), "-ts", copy});
     ASSERT_TRUE(update.waitForFinished(120'000));
     ASSERT_EQ(update.exitCode(), 0);
     for (const Text& one : textsOf(copy))

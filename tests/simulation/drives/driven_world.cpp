@@ -6,7 +6,10 @@
 #include <utility>
 #include <variant>
 
+#include <gtest/gtest.h>
+
 #include "core/io/robot/robot_file.h"
+#include "core/robot/robot_says.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
@@ -69,6 +72,8 @@ void DrivenWorld::step() {
         } else if (const auto* found = std::get_if<SightingSample>(&sample.sample)) {
             sightings = found->sightings;
         } else if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) {
+            for (const robot_says::Part& part : robot_says::partsOf(mode->reason))
+                EXPECT_NE(part.words, nullptr) << "stations cannot translate it: " << part.value;
             modes.push_back(*mode);
         } else if (std::holds_alternative<StopStateSample>(sample.sample) ||
                    std::holds_alternative<BumpSample>(sample.sample)) {

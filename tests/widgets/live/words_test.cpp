@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <QCoreApplication>
 #include <QLocale>
+#include <QTranslator>
 
 #include "core/base/pose.h"
 #include "tests/widgets/live/sample_robot.h"
@@ -46,6 +48,34 @@ TEST_F(LiveWords, AModeHasItsKind) {
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Teleoperation);
     robot.view.drive.driving = false;
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
+}
+
+/// Has one text of a robot.
+class RobotInGerman final : public QTranslator {
+public:
+    using QTranslator::QTranslator;
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* text, const char* /*about*/,
+                      int /*count*/) const override {
+        const bool known =
+            qstrcmp(context, "leitstand::RobotSays") == 0 && qstrcmp(text, "heat {} m ahead") == 0;
+        return known ? QStringLiteral("Wärme {} m voraus") : QString();
+    }
+};
+
+TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
+    EXPECT_EQ(robotSaysText("heat 1.20 m ahead; not seen there yet").toStdString(),
+              "heat 1.20 m ahead; not seen there yet");
+    EXPECT_EQ(robotSaysText("victim_approach cannot be asked for").toStdString(),
+              "victim approach cannot be asked for");
+    int arguments = 0;
+    const QCoreApplication application(arguments, nullptr);
+    RobotInGerman german;
+    QCoreApplication::installTranslator(&german);
+    QLocale::setDefault(QLocale(QLocale::German));
+    setMode(robot, "victim_approach", true, "heat 1.20 m ahead; läuft");
+    EXPECT_EQ(labelOf(robot).reason.toStdString(), "Wärme 1,20 m voraus; läuft");
+    QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(LiveWords, ALostLinkComesBeforeAStopAndAStopBeforeTheMode) {

@@ -8,6 +8,7 @@
 
 #include "core/base/pose.h"
 #include "widgets/models/live/freshness.h"
+#include "widgets/models/live/mode_label.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -67,7 +68,8 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
     if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(detail);
-    if (key == alarm_key::Diagnostics) return AlarmTexts::tr("%1: %2").arg(detail, note);
+    if (key == alarm_key::Diagnostics)
+        return AlarmTexts::tr("%1: %2").arg(robotSaysText(detail.toStdString()), robotSaysText(cause.note));
     if (key == alarm_key::StopUnanswered)
         return AlarmTexts::tr("does not answer STOP for %1").arg(wholeSeconds(cause.value));
     if (key == alarm_key::FrozenPicture)

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 
+#include "core/robot/robot_says.h"
 #include "widgets/models/live/freshness.h"
+#include "widgets/models/numbers.h"
 
 namespace leitstand {
 namespace {
@@ -14,7 +16,7 @@ struct ModeTexts {
 ModeLabel labelOf(const ModeSample& mode) {
     ModeKind kind = mode.autonomous ? ModeKind::Autonomous : ModeKind::Teleoperation;
     if (mode.mode == "stopped") kind = ModeKind::Stopped;
-    return {kind, modeName(mode.mode).toUpper(), QString::fromStdString(mode.reason)};
+    return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason)};
 }
 
 /// Of robots that do not tell their mode.
@@ -23,7 +25,30 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
     return {ModeKind::Stopped, ModeTexts::tr("MODE UNKNOWN"), ModeTexts::tr("the robot tells none")};
 }
 
+/// @p value of a robot's words: figures as the window's language writes them, modes by their names.
+QString valueText(const robot_says::Part& part) {
+    if (part.words == robot_says::CannotBeAskedFor) return modeName(part.value);
+    const QString value = QString::fromStdString(part.value);
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    const auto point = value.indexOf(QLatin1Char('.'));
+    return isNumber ? numberText(number, point < 0 ? 0 : static_cast<int>(value.size() - point) - 1) : value;
+}
+
 }  // namespace
+
+QString robotSaysText(const std::string& said) {
+    QStringList texts;
+    for (const robot_says::Part& part : robot_says::partsOf(said)) {
+        if (part.words == nullptr) {
+            texts += QString::fromStdString(part.value);
+            continue;
+        }
+        texts += QCoreApplication::translate("leitstand::RobotSays", part.words)
+                     .replace(QStringLiteral("{}"), valueText(part));
+    }
+    return texts.join(QStringLiteral("; "));
+}
 
 QString modeName(const std::string& mode) {
     if (mode == "stopped") return ModeTexts::tr("stopped");

@@ -30,6 +30,10 @@ struct ModeLabel {
 /// What @p robot does. A lost link comes before a stop, which comes before what the robot said.
 [[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
 
+/// What a robot said about itself, in the window's language as far as the words are known (robot_says.h),
+/// else as it was said.
+[[nodiscard]] QString robotSaysText(const std::string& said);
+
 /// The name of a mode as robots say it, "victim_approach", for people: "victim approach".
 [[nodiscard]] QString modeName(const std::string& mode);
 

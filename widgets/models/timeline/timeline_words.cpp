@@ -81,8 +81,9 @@ QString contentOf(const TimelineMark& mark) {
                                       : TimelineTexts::tr("undone: %1").arg(text);
             return TimelineTexts::tr("decision on scans");
         case Kind::Mode:
-            return text.isEmpty() ? TimelineTexts::tr("mode: %1").arg(modeName(mark.key))
-                                  : TimelineTexts::tr("mode: %1 (%2)").arg(modeName(mark.key), text);
+            return text.isEmpty()
+                       ? TimelineTexts::tr("mode: %1").arg(modeName(mark.key))
+                       : TimelineTexts::tr("mode: %1 (%2)").arg(modeName(mark.key), robotSaysText(mark.text));
         case Kind::Bump:
             return TimelineTexts::tr("bumped: %1").arg(words(mark.key));
         case Kind::Sighting:
