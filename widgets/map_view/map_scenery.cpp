@@ -12,6 +12,8 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds RestAfter(120);
+/// Between pictures while the camera goes with a robot: no hand waits for them.
+constexpr std::chrono::milliseconds FollowEvery(60);
 
 bool sameScans(const MapPtr& a, const MapPtr& b) {
     if (!a || !b) return a == b;
@@ -90,8 +92,10 @@ void MapScenery::aim(const Pose& baseInMap) {
     const double seconds = m_sinceAim.isValid() ? static_cast<double>(m_sinceAim.nsecsElapsed()) / 1e9 : 0.0;
     m_sinceAim.start();
     if (!m_follow.aim(baseInMap, seconds)) return;
-    draw(false);
     m_rest.start();
+    if (m_sinceFollowed.isValid() && !m_sinceFollowed.hasExpired(FollowEvery.count())) return;
+    m_sinceFollowed.start();
+    draw(false);
 }
 
 void MapScenery::stopFollowing() {

@@ -90,7 +90,7 @@ private:
     SceneContentPtr m_content = std::make_shared<const SceneContent>();
     FramedCamera m_freeCamera, m_topCamera;
     FollowCamera m_follow;
-    QElapsedTimer m_sinceAim;
+    QElapsedTimer m_sinceAim, m_sinceFollowed;
     MapPicture m_picture;
     bool m_wasSettled = false;
     QString m_failure;

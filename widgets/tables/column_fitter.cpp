@@ -12,6 +12,9 @@ namespace leitstand {
 ColumnFitter::ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched)
     : QObject(&table), m_table(table), m_givingWay(std::move(givingWay)), m_stretched(stretched) {
     table.viewport()->installEventFilter(this);
+    // By what is in sight: a list of a thousand scans is measured with each new one.
+    constexpr int RowsInSight = 0;
+    table.horizontalHeader()->setResizeContentsPrecision(RowsInSight);
     const QAbstractItemModel* model = table.model();
     connect(model, &QAbstractItemModel::dataChanged, this, &ColumnFitter::fit);
     connect(model, &QAbstractItemModel::rowsInserted, this, &ColumnFitter::fit);

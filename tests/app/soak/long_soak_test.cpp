@@ -175,6 +175,7 @@ TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOneAndAHalfGigabytes) {
                         static_cast<unsigned long long>(scans), seconds / wall, seconds / 300.0, inRush,
                         workedOff ? "" : ", not worked off");
             std::fflush(stdout);
+            EXPECT_TRUE(workedOff) << "after minute " << minute;
             most = std::max(most, megabytes);
             if (minute == 5) {
                 atFive = megabytes;

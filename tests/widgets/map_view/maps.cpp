@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,16 +64,15 @@ MapPtr mapOf(const std::vector<ScanPtr>& scans) {
     return map;
 }
 
-MapPtr largeMap(std::size_t count) {
-    constexpr std::size_t ScanSize = 50'000;
-    static std::map<std::size_t, MapPtr> made;
-    MapPtr& map = made[count];
+MapPtr largeMap(std::size_t count, std::size_t scanSize) {
+    static std::map<std::pair<std::size_t, std::size_t>, MapPtr> made;
+    MapPtr& map = made[{count, scanSize}];
     if (map) return map;
     std::vector<ScanPtr> scans;
-    for (std::size_t first = 0; first < count; first += ScanSize) {
-        PointCloud cloud = roomCloud(std::min(ScanSize, count - first), static_cast<unsigned>(first + 1));
+    for (std::size_t first = 0; first < count; first += scanSize) {
+        PointCloud cloud = roomCloud(std::min(scanSize, count - first), static_cast<unsigned>(first + 1));
         auto scan = std::make_shared<Scan>();
-        scan->name = fmt::format("scan{:03}", first / ScanSize);
+        scan->name = fmt::format("scan{:03}", first / scanSize);
         scan->points = std::move(cloud.points);
         scan->labels = std::move(cloud.labels);
         scans.push_back(std::move(scan));

@@ -20,6 +20,6 @@ namespace leitstand::test {
 [[nodiscard]] MapPtr mapOf(const std::vector<ScanPtr>& scans);
 
 /// @p count points of a generated room in scans of 50,000; made once for each count.
-[[nodiscard]] MapPtr largeMap(std::size_t count);
+[[nodiscard]] MapPtr largeMap(std::size_t count, std::size_t scanSize = 50'000);
 
 }  // namespace leitstand::test

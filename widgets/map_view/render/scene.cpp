@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -50,6 +52,11 @@ void apply(const MapCamera& camera, vtkRenderer* renderer) {
     renderer->ResetCameraClippingRange();
 }
 
+std::size_t pointsOf(const std::vector<ScanActor*>& scans) {
+    return std::accumulate(scans.begin(), scans.end(), std::size_t{0},
+                           [](std::size_t sum, const ScanActor* scan) { return sum + scan->shownPoints(); });
+}
+
 }  // namespace
 
 struct Scene::State {
@@ -59,12 +66,16 @@ struct Scene::State {
     std::vector<ScanActor> scans;
     VoxelActor voxels;
     SceneContentPtr content = std::make_shared<const SceneContent>();
-    DetailBudget budget;
-    bool fresh = true;  ///< the next pass also uploads, its time says nothing about points
+    DetailBudget budget;  ///< of a pass over all scans, each of which costs something however few its points
+    DetailBudget refining;  ///< of a pass over some
+    bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
+
+    using Clock = std::chrono::steady_clock;
 
     void addScans(std::size_t count);
-    std::size_t shownPoints() const;
-    void pass(double from, double to);
+    [[nodiscard]] std::vector<ScanActor*> shown();
+    double begin(const std::vector<ScanActor*>& all);
+    bool refine(const std::vector<ScanActor*>& all, double from, const std::function<bool()>& interrupted);
 };
 
 void Scene::State::addScans(std::size_t count) {
@@ -78,21 +89,58 @@ void Scene::State::addScans(std::size_t count) {
     }
 }
 
-std::size_t Scene::State::shownPoints() const {
-    std::size_t sum = 0;
-    for (const ScanActor& scan : scans) {
-        if (scan.actor()->GetVisibility() != 0) sum += scan.shownPoints();
+std::vector<ScanActor*> Scene::State::shown() {
+    std::vector<ScanActor*> all;
+    for (ScanActor& scan : scans) {
+        if (scan.actor()->GetVisibility() != 0) all.push_back(&scan);
     }
-    return sum;
+    return all;
 }
 
-/// Draws a share of every scan's points on top of what is there; the first pass begins anew.
-void Scene::State::pass(double from, double to) {
-    const bool first = from == 0.0;
-    renderer->SetPreserveColorBuffer(!first);
-    renderer->SetPreserveDepthBuffer(!first);
-    for (ScanActor& scan : scans) scan.setRange(from, to);
+/// Draws the share of every scan's points that can be drawn quickly, and returns it.
+double Scene::State::begin(const std::vector<ScanActor*>& all) {
+    const Clock::time_point start = Clock::now();
+    const auto points = static_cast<double>(pointsOf(all));
+    const double share = std::min(1.0, static_cast<double>(budget.points()) / std::max(points, 1.0));
+    renderer->SetPreserveColorBuffer(false);
+    renderer->SetPreserveDepthBuffer(false);
+    for (ScanActor* scan : all) scan->setRange(0.0, share);
     window->Render();
+    window->WaitForCompletion();
+    if (!std::exchange(fresh, false))
+        budget.drawn(static_cast<std::size_t>(share * points), Clock::now() - start);
+    return share;
+}
+
+/// Draws the rest on top of what is there, some scans at a time; false when it was interrupted.
+bool Scene::State::refine(const std::vector<ScanActor*>& all, double from,
+                          const std::function<bool()>& interrupted) {
+    renderer->SetPreserveColorBuffer(true);
+    renderer->SetPreserveDepthBuffer(true);
+    for (ScanActor* scan : all) scan->actor()->VisibilityOff();
+    const bool hasVoxels = voxels.actor()->GetVisibility() != 0;
+    voxels.actor()->VisibilityOff();  // are there already
+    auto next = all.begin();
+    while (next != all.end() && !interrupted()) {
+        const Clock::time_point start = Clock::now();
+        std::vector<ScanActor*> some;
+        double points = 0.0;
+        for (; next != all.end() && points < static_cast<double>(refining.points()); ++next) {
+            some.push_back(*next);
+            points += (1.0 - from) * static_cast<double>((*next)->shownPoints());
+        }
+        for (ScanActor* scan : some) {
+            scan->setRange(from, 1.0);
+            scan->actor()->VisibilityOn();
+        }
+        window->Render();
+        window->WaitForCompletion();
+        for (ScanActor* scan : some) scan->actor()->VisibilityOff();
+        refining.drawn(static_cast<std::size_t>(points), Clock::now() - start);
+    }
+    for (ScanActor* scan : all) scan->actor()->VisibilityOn();
+    voxels.actor()->SetVisibility(hasVoxels);
+    return next == all.end();
 }
 
 Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
@@ -132,7 +180,6 @@ void Scene::setContent(SceneContentPtr content) {
 }
 
 MapPicture Scene::draw(const DrawOrder& order, const std::function<bool()>& interrupted) {
-    using Clock = std::chrono::steady_clock;
     State& state = *m_state;
     state.context->makeCurrent();
     const QSize size = (QSizeF(order.size) * order.pixelRatio).toSize().expandedTo(QSize(1, 1));
@@ -141,26 +188,11 @@ MapPicture Scene::draw(const DrawOrder& order, const std::function<bool()>& inte
     for (ScanActor& scan : state.scans) scan.setPointSize(PointSize * order.pixelRatio);
 
     MapPicture picture{{}, order, state.content, false};
-    const auto points = static_cast<double>(state.shownPoints());
-    double done = 0.0;
-    bool last = false;
-    while (!last) {
-        const Clock::time_point start = Clock::now();
-        const double share = static_cast<double>(state.budget.points()) / std::max(points, 1.0);
-        const double end = std::min(1.0, done + share);
-        state.pass(done, end);
-        last = end >= 1.0 || !order.full || interrupted();
-        if (last) {
-            picture.image = state.window->read();
-        } else {
-            state.window->WaitForCompletion();
-        }
-        const auto drawn = static_cast<std::size_t>((end - done) * points);
-        if (!std::exchange(state.fresh, false)) state.budget.drawn(drawn, Clock::now() - start);
-        done = end;
-    }
+    const std::vector<ScanActor*> all = state.shown();
+    const double share = state.begin(all);
+    picture.complete = share >= 1.0 || (order.full && state.refine(all, share, interrupted));
+    picture.image = state.window->read();
     picture.image.setDevicePixelRatio(order.pixelRatio);
-    picture.complete = done >= 1.0;
     return picture;
 }
 
