@@ -211,8 +211,10 @@ void CameraPane::mousePressEvent(QMouseEvent* event) {
     const bool inside = at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0;
     if (event->button() == Qt::RightButton && m_pointing) return emit pointingEnded();
     if (event->button() != Qt::LeftButton || !inside) return;
-    if (m_pointing || event->modifiers().testFlag(Qt::ShiftModifier)) return emit pointedAt(at);
+    if (m_pointing) return emit pointedAt(at);
     m_pressed = event->position();
+    m_points =
+        event->modifiers().testFlag(Qt::ShiftModifier);  // unless it is dragged: Shift also drives slowly
 }
 
 void CameraPane::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -224,6 +226,8 @@ void CameraPane::mouseReleaseEvent(QMouseEvent* event) {
     const QPointF at = inPicture(*std::exchange(m_pressed, std::nullopt));
     if (std::exchange(m_dragging, false)) {
         showCursor();
+    } else if (m_points) {
+        emit pointedAt(at);
     } else {
         emit pictureClicked(at.x(), at.y());
     }

@@ -104,6 +104,7 @@ private:
     std::optional<QPointF> m_front;
     bool m_turnable = false, m_dragging = false, m_pointing = false;
     std::optional<QPointF> m_pressed;  ///< where the button went down [px]
+    bool m_points = false;             ///< Shift was held then
     std::optional<QPointF> m_pointer;
 };
 

@@ -233,8 +233,9 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
     const auto camera = m_cameras.find(looked.picture.sensor);
     if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return std::nullopt;
     const auto mirror = MeiCamera::of(*camera->second.info, looked.width, looked.height);
+    const Eigen::Vector2d middle(0.5, 0.5);  // the mirror's model counts from the middle of the first pixel
     const auto direction =
-        mirror ? mirror->direction(looked.pixel)
+        mirror ? mirror->direction(looked.pixel - middle)
                : pixelDirection(*camera->second.info, looked.pixel, looked.width, looked.height);
     const Time stamp = stampOf(looked.picture, sample->header);
     const auto inBase = m_frames.inBase(looked.picture.sensor, sample->header.frame, stamp);

@@ -20,6 +20,7 @@ WindowFrame::WindowFrame(QMainWindow& window)
     m_word->setAccessibleName(tr("Newest message"));
     m_word->setProperty("muted", true);
     m_word->setContentsMargins(8, 7, 12, 0);
+    m_word->setTextFormat(Qt::PlainText);  // robots and files are quoted in it
     window.menuBar()->setCornerWidget(m_word);
 }
 
@@ -50,7 +51,10 @@ void WindowFrame::tell(const QString& text) {
     m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, m_window.width() / 2));
     m_recent.prepend(text);
     if (m_recent.size() > Recent) m_recent.removeLast();
-    m_word->setToolTip(m_recent.join(QLatin1Char('\n')));
+    m_word->setToolTip(QStringLiteral("<p>%1</p>")
+                           .arg(m_recent.join(QLatin1Char('\n'))
+                                    .toHtmlEscaped()
+                                    .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
     m_window.menuBar()->setCornerWidget(m_word);  // lays it out anew
     m_word->show();
 }

@@ -78,8 +78,9 @@ void FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSett
                 const auto found = cellOf(point.x() + x * m_cell, point.y() + y * m_cell);
                 if (found < 0) continue;
                 const auto cell = static_cast<std::size_t>(found);
-                if (m_seen[cell] == 0 && std::abs(m_surface[cell] - point.z()) < settings.underRobot)
-                    take(cell);
+                // Beside it there may be a pallet.
+                const double within = x == 0 && y == 0 ? settings.underRobot : settings.step;
+                if (m_seen[cell] == 0 && std::abs(m_surface[cell] - point.z()) < within) take(cell);
             }
         }
     }

@@ -14,8 +14,8 @@ struct FloorSettings {
     double cell = 0.10;       ///< [m]
     double layer = 0.10;      ///< points so far above a cell's lowest are of one surface [m]
     double step = 0.12;       ///< from cell to cell; what is higher is furniture, not floor [m]
-    double underRobot = 0.2;  ///< so near to the height of base_link a cell is floor for sure [m] ...
-    double blind = 1.0;       ///< ... where it is not farther than this from where the robot stood [m]
+    double underRobot = 0.2;  ///< under a robot a cell so near to the height of base_link is floor [m] ...
+    double blind = 1.0;       ///< ... and so far around it, one that is no step away from that height [m]
 };
 
 /// How high the floor is at each place of a map: floors have ramps and storeys, so that heights count from

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/mission/victims/candidate_book.h"
+
 namespace leitstand {
 namespace {
 
@@ -78,7 +80,7 @@ void TimelineCollector::addCandidate(const Event& event, const CandidateSample& 
     const auto known = m_candidates.find(candidate.id);
     const bool shown = candidate.confidence >= LeastShownConfidence && candidate.victim == 0;
     // The station takes back what it doubts, or what became part of another: nobody dismissed that.
-    const bool takenBack = candidate.cues.empty() || candidate.confidence < LeastShownConfidence;
+    const bool takenBack = candidate.cues.empty() || candidate.confidence < CandidateSettings{}.tell;
     if (candidate.dismissed && takenBack) return;
     if (known == m_candidates.end() ? candidate.dismissed || !shown : known->second || !candidate.dismissed)
         return;

@@ -28,6 +28,7 @@ struct CandidateBook::State {
     std::vector<CandidateThing> gone;    ///< told, then joined with an older one: to be told once more
     std::uint32_t newest = 0;
     std::uint64_t order = 0;
+    bool changed = false;  ///< since dropSeenPast()
 
     [[nodiscard]] bool isSame(const CandidateThing& thing, const Eigen::Vector3d& inMap,
                               const Eigen::Matrix3d& covariance, const std::string& text) const;
@@ -100,6 +101,7 @@ void CandidateBook::State::put(const PlacedCue& cue, CandidateThing& thing) {
 
 /// What a person before it explains, once that one is sure.
 void CandidateBook::State::dropSeenPast() {
+    if (!std::exchange(changed, false)) return;
     const auto isOf = [this](const CandidateThing& far) {
         return std::any_of(things.begin(), things.end(), [&](const CandidateThing& one) {
             const bool sure = one.id != 0 || one.confidence >= settings.tell;
@@ -180,6 +182,7 @@ void CandidateBook::State::forget(const Cue& sighting) {
 void CandidateBook::add(const PlacedCue& cue) {
     State& state = *m_state;
     if (!cue.inMap.allFinite() || !cue.covariance.allFinite()) return;
+    state.changed = true;
     if (cue.reach > 0.0) return state.support(cue);
     if (cue.cue.kind == "sighting") state.forget(cue.cue);
     if (cue.cue.kind == "code") {
@@ -217,6 +220,7 @@ void CandidateBook::scanAt(std::uint64_t id, const Pose& scanInMap) {
     const bool moved = known != state.scans.end() && !known->second.isApprox(scanInMap, 1e-9);
     state.scans[id] = scanInMap;
     if (!moved) return;
+    state.changed = true;
     for (CandidateThing& thing : state.things) {
         const bool seen = std::any_of(thing.looks.begin(), thing.looks.end(),
                                       [&](const auto& look) { return std::get<2>(look.first) == id; });
@@ -226,6 +230,7 @@ void CandidateBook::scanAt(std::uint64_t id, const Pose& scanInMap) {
 
 void CandidateBook::take(const CandidateSample& sample) {
     State& state = *m_state;
+    state.changed = true;
     state.newest = std::max(state.newest, sample.id);
     for (CandidateThing& thing : state.things) {
         if (thing.id != sample.id) continue;

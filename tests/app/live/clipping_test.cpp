@@ -2,8 +2,11 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QKeySequence>
 #include <QLabel>
 #include <QMenuBar>
 #include <QTextDocument>
@@ -124,6 +127,18 @@ TEST_F(LiveTexts, EveryKeyMeansOneThing) {
     EXPECT_GT(meanings.size(), 40U);
     for (const auto& [keys, what] : meanings)
         EXPECT_EQ(what.size(), 1) << keys.toStdString() << ": " << what.join(", ").toStdString();
+    // Nor do driving, cameras or STOP, which take keys before shortcuts do.
+    for (const auto& [keys, what] : meanings) {
+        const QKeyCombination pressed = QKeySequence(keys)[0];
+        QKeyEvent asked(QEvent::ShortcutOverride, pressed.key(), pressed.keyboardModifiers());
+        asked.ignore();
+        QApplication::sendEvent(m_window->centralWidget(), &asked);
+        EXPECT_FALSE(asked.isAccepted()) << keys.toStdString() << ": " << what.join(", ").toStdString();
+    }
+    QKeyEvent turns(QEvent::ShortcutOverride, Qt::Key_Q, Qt::ShiftModifier);
+    turns.ignore();
+    QApplication::sendEvent(m_window->centralWidget(), &turns);
+    EXPECT_TRUE(turns.isAccepted()) << "who takes a key is seen";
 }
 
 }  // namespace

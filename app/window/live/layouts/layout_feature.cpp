@@ -117,7 +117,8 @@ void LayoutFeature::fill() {
     std::vector<std::string> errors;
     int place = 0;
     for (const WindowLayout& layout : m_book.all(errors)) {
-        if (isOfUse(layout)) addChoice(layout, place++);
+        if (isOfUse(layout)) addChoice(layout, place);
+        ++place;  // the key of a layout is the same in every window
     }
     for (const std::string& error : errors) emit told(QString::fromStdString(error));
 }

@@ -87,7 +87,7 @@ void VictimsFeature::addFreezing() {
     filing("victim.hazard", tr("Ha&zard here"), tr("Hazard"), tr("The same for a hazard sign"),
            QKeySequence(Qt::SHIFT | Qt::Key_H), Kind::Hazard);
     filing("victim.code", tr("&QR code here"), tr("Code"), tr("The same for a QR code"),
-           QKeySequence(Qt::SHIFT | Qt::Key_Q), Kind::Code);
+           QKeySequence(Qt::SHIFT | Qt::Key_C), Kind::Code);
     filing("victim.object", tr("&Object here"), tr("Object"), tr("The same for an object of interest"),
            QKeySequence(Qt::SHIFT | Qt::Key_B), Kind::Object);
 }
