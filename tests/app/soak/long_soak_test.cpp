@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "tests/app/soak/demo_recording.h"
 #include "tests/app/soak/station_process.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"
@@ -35,6 +37,7 @@ constexpr double MostMegabytes = 1500.0, MostCores = 1.0;
 constexpr double MostMegabytesAScan = 1.0;  ///< that enters the map
 constexpr double LeastHeard = 0.95;  ///< of what was said, pictures apart: 12 times as much as robots say
 constexpr double Warming = 5.0, AtRateOne = 40.0;  ///< [s]
+constexpr double MostSecondsOfReport = 20.0;       ///< of a mission of 20 minutes
 constexpr double Calm = 0.5;                       ///< cores of a station that has worked off all that came
 constexpr std::chrono::seconds Behind(2);          ///< at most, is its log then
 constexpr std::chrono::minutes WorkOff(2);         ///< at most
@@ -137,6 +140,16 @@ double coresAtRateOne(const StationProcess& station, const std::filesystem::path
     return (station.processorSeconds() - used) / (passed() - before);
 }
 
+/// Seconds that the report of @p mission takes, which is still recorded; infinite where there is none.
+double reportOf(const std::filesystem::path& mission, const std::filesystem::path& out) {
+    const auto began = Clock::now();
+    const ProcessOutcome report =
+        runProcess(LEITSTANDCTL, {"report", mission.string(), "--out", out.string()});
+    EXPECT_EQ(report.exitCode, 0) << report.err;
+    if (report.exitCode != 0) return std::numeric_limits<double>::infinity();
+    return std::chrono::duration<double>(Clock::now() - began).count();
+}
+
 TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOneAndAHalfGigabytes) {
     const TemporaryFolder folder;
     const TestDomain domain;
@@ -180,6 +193,11 @@ TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOneAndAHalfGigabytes) {
             if (minute == 5) {
                 atFive = megabytes;
                 scansAtFive = scans;
+            }
+            if (minute == 20) {
+                const double took = reportOf(station.mission(), folder / "report");
+                std::printf("        the report of 20 minutes took %.1f s\n", took);
+                EXPECT_LE(took, MostSecondsOfReport);
             }
             used = station.processorSeconds();
             at = Clock::now();
