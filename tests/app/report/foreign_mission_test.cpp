@@ -42,7 +42,7 @@ public:
         const std::string type(typeOf(sample));
         auto payload = encode(sample, type);
         ASSERT_TRUE(payload.ok()) << payload.error().text;
-        m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, "cdr"});
+        m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, false, "cdr"});
         m_writer->write({++m_sequence, at(seconds), topic, type, std::move(payload).value()});
     }
     void drive() {

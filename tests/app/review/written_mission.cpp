@@ -73,7 +73,7 @@ void WrittenMission::write(double seconds, const std::string& topic, const Sampl
     const std::string type(typeOf(sample));
     auto payload = encode(sample, type);
     ASSERT_TRUE(payload) << topic << ": " << payload.error().text;
-    m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, "cdr"});
+    m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, false, "cdr"});
     const RawEvent raw{++m_sequence, at(seconds), topic, type, std::move(payload).value()};
     EventDecoder({robot()}).decode(raw, [this](const Event& event) { m_fold.add(event); });
     m_writer->write(raw);

@@ -39,7 +39,7 @@ private:
         const std::string type(typeOf(sample));
         auto payload = encode(sample, type);
         ASSERT_TRUE(payload) << payload.error().text;
-        m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, "cdr"});
+        m_writer->addTopic({topic, type, qosProfilesOf({}), "", "", false, false, "cdr"});
         m_writer->write({++m_sequence, received, topic, type, std::move(payload).value()});
     }
     void saySweep(int place) {
