@@ -9,6 +9,7 @@
 #include <QPolygonF>
 
 #include "widgets/camera/pan_overlay.h"
+#include "widgets/models/camera/ring_layout.h"
 #include "widgets/models/live/view_geometry.h"
 #include "widgets/models/numbers.h"
 
@@ -21,7 +22,8 @@ struct OverlayTexts {
 
 const QColor Rim(0, 0, 0, 150);
 
-void paintMode(QPainter& painter, const QRectF& picture, double top, const ModeLabel& mode) {
+/// Where the mode ends [px].
+double paintMode(QPainter& painter, const QRectF& picture, double top, const ModeLabel& mode) {
     painter.save();
     const double room = std::min(0.6 * picture.width(), 320.0);
     painter.setFont(fitted(painter.font(), mode.text, room - 28.0, 18, 11));
@@ -33,6 +35,7 @@ void paintMode(QPainter& painter, const QRectF& picture, double top, const ModeL
     painter.setPen(modeInk(mode.kind, overlayInks()));
     painter.drawText(box, Qt::AlignCenter, mode.text);
     painter.restore();
+    return box.bottom();
 }
 
 void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay) {
@@ -65,50 +68,48 @@ void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay&
     painter.restore();
 }
 
-void paintRing(QPainter& painter, const QRectF& picture, const std::vector<Proximity>& ring) {
-    constexpr double LeastSide = 120.0;  // smaller ones have no room for its figures [px]
-    if (ring.empty() || std::min(picture.width(), picture.height()) < LeastSide) return;
+void paintArc(QPainter& painter, const QRectF& circle, const Proximity& part) {
     constexpr double Gap = 3.0;       // between parts [degrees]
     constexpr double SeenFrom = 2.5;  // farther things leave the ring faint [m]
-    const double radius = 0.34 * std::min(picture.height(), picture.width());
-    const QPointF centre(picture.center().x(), picture.top() + 0.58 * picture.height());
-    const QRectF circle(centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius);
-    const Proximity* nearest = nearestOf(ring);
-    for (const Proximity& part : ring) {
-        // ahead is up: directions are counter-clockwise from x, Qt's angles from the right
-        const double from = inDegrees(part.from) + 90.0 + 0.5 * Gap;
-        const double span = inDegrees(part.to - part.from) - Gap;
-        QPainterPath arc;
-        arc.arcMoveTo(circle, from);
-        arc.arcTo(circle, from, span);
-        switch (part.nearness) {
-            case Nearness::Unknown:
-                strokeRimmed(painter, arc, QColor(255, 255, 255, 110), 1.5, Qt::DotLine);
-                break;
-            case Nearness::Far: {
-                const double near = std::clamp(1.0 - part.distance / SeenFrom, 0.0, 1.0);
-                strokeRimmed(painter, arc, QColor(255, 255, 255, 60 + static_cast<int>(120.0 * near)), 4.0);
-                break;
-            }
-            case Nearness::Near:
-                strokeRimmed(painter, arc, overlayInks().attention, 7.0);
-                break;
-            case Nearness::Touching:
-                strokeRimmed(painter, arc, overlayInks().act, 11.0);
-                break;
+    // ahead is up: directions are counter-clockwise from x, Qt's angles from the right
+    const double from = inDegrees(part.from) + 90.0 + 0.5 * Gap;
+    const double span = inDegrees(part.to - part.from) - Gap;
+    QPainterPath arc;
+    arc.arcMoveTo(circle, from);
+    arc.arcTo(circle, from, span);
+    switch (part.nearness) {
+        case Nearness::Unknown:
+            strokeRimmed(painter, arc, QColor(255, 255, 255, 110), 1.5, Qt::DotLine);
+            break;
+        case Nearness::Far: {
+            const double near = std::clamp(1.0 - part.distance / SeenFrom, 0.0, 1.0);
+            strokeRimmed(painter, arc, QColor(255, 255, 255, 60 + static_cast<int>(120.0 * near)), 4.0);
+            break;
         }
-        const bool loud = part.nearness == Nearness::Near || part.nearness == Nearness::Touching;
-        if (!loud && &part != nearest) continue;
-        const double middle = 0.5 * (part.from + part.to);
-        const QPointF at = centre + (radius - 30.0) * QPointF(-std::sin(middle), -std::cos(middle));
-        QRectF box(0, 0, 90, 22);
-        box.moveCenter(at);
-        painter.save();
-        painter.setFont(sized(painter.font(), loud ? 17 : 13, true));
-        paintRimmedText(painter, box, Qt::AlignCenter,
-                        OverlayTexts::tr("%1 m").arg(numberText(part.distance, 2)), Qt::white);
-        painter.restore();
+        case Nearness::Near:
+            strokeRimmed(painter, arc, overlayInks().attention, 7.0);
+            break;
+        case Nearness::Touching:
+            strokeRimmed(painter, arc, overlayInks().act, 11.0);
+            break;
     }
+}
+
+void paintRing(QPainter& painter, const QRectF& circle, const std::vector<Proximity>& ring) {
+    if (circle.isEmpty()) return;
+    for (const Proximity& part : ring) paintArc(painter, circle, part);
+    painter.save();
+    const QFont loud = sized(painter.font(), 17, true), calm = sized(painter.font(), 13, true);
+    const auto textOf = [](double distance) { return OverlayTexts::tr("%1 m").arg(numberText(distance, 2)); };
+    const QFontMetricsF metrics(loud);
+    const QSizeF size(metrics.horizontalAdvance(textOf(8.88)) + 4.0, metrics.height());
+    for (const RingFigure& figure : ringFigures(ring, circle, size)) {
+        QRectF box({0, 0}, size);
+        box.moveCenter(figure.at);
+        painter.setFont(figure.loud ? loud : calm);
+        paintRimmedText(painter, box, Qt::AlignCenter, textOf(ring[figure.part].distance), Qt::white);
+    }
+    painter.restore();
 }
 
 void paintNotes(QPainter& painter, const QRectF& picture, double top, const QStringList& notes) {
@@ -159,9 +160,11 @@ void paintCameraOverlay(QPainter& painter, const QRectF& picture, double top, co
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     paintHorizon(painter, picture, overlay);
-    paintRing(painter, picture, overlay.ring);
+    double free = std::max(picture.top(), top);
+    if (overlay.mode) free = paintMode(painter, picture, top, *overlay.mode);
+    if (!overlay.ring.empty())
+        paintRing(painter, ringCircle(picture, free, panWordsTop(picture, overlay)), overlay.ring);
     paintPan(painter, picture, overlay);
-    if (overlay.mode) paintMode(painter, picture, top, *overlay.mode);
     // Beside the mode where there is room, below it otherwise.
     const bool beside = !overlay.mode || picture.width() >= 600.0;
     paintNotes(painter, picture, beside ? top : std::max(picture.top(), top) + 40.0, overlay.notes);

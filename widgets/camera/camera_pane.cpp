@@ -9,6 +9,7 @@
 
 #include "widgets/camera/camera_overlay.h"
 #include "widgets/camera/omni_overlay.h"
+#include "widgets/camera/pan_overlay.h"
 #include "widgets/camera/thermal_overlay.h"
 #include "widgets/models/numbers.h"
 
@@ -158,7 +159,10 @@ void CameraPane::paintPicture(QPainter& painter, Freshness freshness) {
 void CameraPane::paintThermal(QPainter& painter, bool live) const {
     const QRectF area = pictureArea();
     const QRectF open = area.adjusted(0, std::max(0.0, paneHeadHeight(font()) - area.top()), 0, 0);
-    paintHeat(painter, area, *m_thermal, m_heat);
+    std::vector<QRectF> taken;
+    if (live) taken.push_back(thermalScaleArea(open));
+    if (m_overlay.turn.pan || m_overlay.turn.tilt) taken.push_back(panMarkArea(area));
+    paintHeat(painter, area, *m_thermal, m_heat, open, taken);
     if (!live) return;  // what is grey has no temperatures
     paintThermalScale(painter, open, m_thermalRange, m_palette);
     if (!m_pointer) return;

@@ -14,6 +14,7 @@ namespace leitstand {
 namespace {
 
 constexpr double WedgeBox = 56.0;     ///< side of the view from above [px]
+constexpr double WordsHeight = 44.0;  ///< of the line with its words [px]
 constexpr double LeastWidth = 320.0;  ///< narrower pictures have only the view from above [px]
 
 const QColor& colourOf(const CameraOverlay& overlay) {
@@ -84,7 +85,7 @@ void paintWords(QPainter& painter, const QRectF& picture, const CameraOverlay& o
     QString words = panText(overlay.turn);
     if (metrics.horizontalAdvance(words) > room) words = shortPanText(overlay.turn);
     if (metrics.horizontalAdvance(words) <= room) {
-        const QRectF box(picture.center().x() - 0.5 * room, picture.bottom() - 44.0, room, 18.0);
+        const QRectF box(picture.center().x() - 0.5 * room, picture.bottom() - WordsHeight, room, 18.0);
         paintRimmedText(painter, box, Qt::AlignCenter, words, colour);
     }
     painter.restore();
@@ -92,11 +93,19 @@ void paintWords(QPainter& painter, const QRectF& picture, const CameraOverlay& o
 
 }  // namespace
 
+QRectF panMarkArea(const QRectF& picture) {
+    return {picture.left() + 8.0, picture.bottom() - WedgeBox - 6.0, WedgeBox, WedgeBox};
+}
+
+double panWordsTop(const QRectF& picture, const CameraOverlay& overlay) {
+    const bool words = (overlay.turn.pan || overlay.turn.tilt) && picture.width() >= LeastWidth;
+    return words ? picture.bottom() - WordsHeight : picture.bottom();
+}
+
 void paintPan(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay) {
     if (!overlay.turn.pan && !overlay.turn.tilt) return;
     const QColor colour = colourOf(overlay);
-    const QRectF box(picture.left() + 8.0, picture.bottom() - WedgeBox - 6.0, WedgeBox, WedgeBox);
-    paintFromAbove(painter, box, overlay, colour);
+    paintFromAbove(painter, panMarkArea(picture), overlay, colour);
     if (picture.width() < LeastWidth) return;
     paintLine(painter, picture, overlay, colour);
     paintWords(painter, picture, overlay, colour);

@@ -7,6 +7,7 @@
 #include <QLinearGradient>
 
 #include "widgets/camera/camera_overlay.h"
+#include "widgets/models/camera/heat_labels.h"
 #include "widgets/models/numbers.h"
 #include "widgets/pane_paint.h"
 
@@ -16,6 +17,8 @@ namespace {
 struct ThermalTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ThermalOverlay)
 };
+
+constexpr double ScaleWidth = 83.0;  // with its figures [px]
 
 QString celsiusText(double celsius, int decimals) {
     return ThermalTexts::tr("%1 °C").arg(numberText(celsius, decimals));
@@ -56,27 +59,37 @@ void paintThermalScale(QPainter& painter, const QRectF& area, const ThermalRange
     painter.restore();
 }
 
+QRectF thermalScaleArea(const QRectF& area) {
+    return {area.right() - ScaleWidth, area.top(), ScaleWidth, area.height()};
+}
+
 void paintHeat(QPainter& painter, const QRectF& area, const ThermalPicture& picture,
-               const std::vector<HeatBlob>& blobs) {
+               const std::vector<HeatBlob>& blobs, const QRectF& open, const std::vector<QRectF>& taken) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(sized(painter.font(), 13, true));
-    const double line = QFontMetricsF(painter.font()).height();
     const double across = area.width() / picture.width, down = area.height() / picture.height;
+    std::vector<HeatMark> bodies;
     for (const HeatBlob& blob : blobs) {
         const bool body = blob.kind == HeatBlob::Kind::Body;
-        const QRectF frame(area.left() + across * blob.left, area.top() + down * blob.top,
-                           across * (blob.right - blob.left + 1), down * (blob.bottom - blob.top + 1));
+        const QRectF frame =
+            QRectF(area.left() + across * blob.left, area.top() + down * blob.top,
+                   across * (blob.right - blob.left + 1), down * (blob.bottom - blob.top + 1))
+                .adjusted(-3, -3, 3, 3);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(255, 255, 255, body ? 255 : 110), body ? 2.0 : 1.0));
-        painter.drawRect(frame.adjusted(-3, -3, 3, 3));
-        if (!body) continue;
-        const QString text = ThermalTexts::tr("%1 person?").arg(celsiusText(blob.mean, 1));
-        const double width = QFontMetricsF(painter.font()).horizontalAdvance(text) + 4.0;
-        QRectF box(frame.center().x() - 0.5 * width, frame.top() - line - 5.0, width, line);
-        if (box.top() < area.top() + line) box.moveTop(frame.bottom() + 5.0);
-        paintRimmedText(painter, within(box, area), Qt::AlignCenter, text, Qt::white);
+        painter.drawRect(frame);
+        if (body) bodies.push_back({frame, blob.mean});
     }
+    const QFontMetricsF metrics(painter.font());
+    const auto textOf = [](double celsius) {
+        return ThermalTexts::tr("%1 person?").arg(celsiusText(celsius, 1));
+    };
+    const auto sizeOf = [&](double celsius) {
+        return QSizeF(metrics.horizontalAdvance(textOf(celsius)) + 4.0, metrics.height());
+    };
+    for (const HeatLabel& label : heatLabels(bodies, sizeOf, open, taken))
+        paintRimmedText(painter, label.box, Qt::AlignCenter, textOf(label.celsius), Qt::white);
     painter.restore();
 }
 

@@ -137,6 +137,43 @@ TEST_P(Cameras, InfraredHasALegendABodyAndTheValueUnderThePointer) {
     }
 }
 
+TEST_P(Cameras, WordsAboutHeatNeverLieOnEachOther) {
+    pane.setCamera(robot.face, QStringLiteral("Infrared °C"));
+    pane.setThermal(body());
+    std::vector<HeatBlob> blobs;
+    for (const auto& [x, y] : {std::pair(20, 60), std::pair(27, 54), std::pair(33, 60), std::pair(78, 58),
+                               std::pair(90, 88), std::pair(120, 62), std::pair(3, 3)}) {
+        HeatBlob blob;
+        blob.kind = HeatBlob::Kind::Body;
+        blob.left = x, blob.top = y, blob.right = x + 4, blob.bottom = y + 4;
+        blob.mean = 34.0 + 0.1 * static_cast<double>(blobs.size());
+        blobs.push_back(blob);
+    }
+    pane.setHeat(blobs);
+    pane.setAge({.arrival = 0.0, .content = 0.0});
+    for (const QSize size : {QSize(240, 200), QSize(320, 240), QSize(640, 480)}) {
+        (void)pictureOf(pane, size, QStringLiteral("infrared-bodies-%1").arg(size.width()));
+        EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "") << size.width();
+        EXPECT_THAT(wordsOf(pane), Contains(HasSubstr("person?")));
+    }
+    EXPECT_THAT(wordsOf(pane), Not(Contains("34.0 °C person?"))) << "hand, head, hand: one body";
+    EXPECT_THAT(wordsOf(pane), Contains("34.2 °C person?"));
+}
+
+TEST_P(Cameras, TheRingKeepsOffWordsInEverySize) {
+    CameraOverlay overlay;
+    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.ring = proximityRing(*robot.view.around, boxAround(robot.description.footprint), {0.2, 0, 0});
+    for (Proximity& part : overlay.ring) part.nearness = Nearness::Near, part.distance = 0.2;
+    overlay.turn.pan = 0.0;
+    overlay.turn.keys = QStringLiteral("Q E PgUp PgDn");
+    pane.setOverlay(overlay);
+    for (const QSize size : {QSize(210, 240), QSize(360, 270), QSize(512, 270), QSize(640, 480)}) {
+        (void)pictureOf(pane, size, QStringLiteral("camera-ring-%1").arg(size.width()));
+        EXPECT_EQ(textFaults(pane).join("; ").toStdString(), "") << size.width();
+    }
+}
+
 TEST_P(Cameras, AnEmptyPaneIsCalm) {
     CameraPane empty;
     empty.setCamera(robot.face, QStringLiteral("No camera"));
@@ -147,6 +184,24 @@ TEST_P(Cameras, AnEmptyPaneIsCalm) {
     empty.setVacant(true);
     EXPECT_EQ(amber(), 0);
     EXPECT_THAT(wordsOf(empty), Not(Contains(HasSubstr("no data"))));
+}
+
+TEST_P(Cameras, ADoubleClickPointsOnce) {
+    pane.resize(640, 480);
+    QSignalSpy pointed(&pane, &CameraPane::pointedAt), clicked(&pane, &CameraPane::pictureClicked);
+    const auto clickTwice = [this](Qt::KeyboardModifiers keys) {
+        QTest::mouseClick(&pane, Qt::LeftButton, keys, {320, 240});
+        QTest::mouseDClick(&pane, Qt::LeftButton, keys, {320, 240});
+        QTest::mouseRelease(&pane, Qt::LeftButton, keys, {320, 240});
+    };
+    clickTwice(Qt::ShiftModifier);
+    EXPECT_EQ(pointed.size(), 1);
+    // Armed: the first click points, and whoever armed it lets go.
+    pane.setPointing(true);
+    QObject::connect(&pane, &CameraPane::pointedAt, &pane, [this] { pane.setPointing(false); });
+    clickTwice({});
+    EXPECT_EQ(pointed.size(), 2);
+    EXPECT_TRUE(clicked.isEmpty()) << "and nothing is driven to";
 }
 
 TEST_P(Cameras, ADragIsNoClick) {

@@ -1,5 +1,6 @@
 #include "widgets/map_view/victims/victim_overlay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/models/victims/mark_places.h"
 
 namespace leitstand {
 namespace {
@@ -61,6 +63,15 @@ QPainterPath outline(const VictimRow& find, const QPointF& at) {
     return path;
 }
 
+/// From a mark that stands aside to what it marks.
+void paintLeader(QPainter& painter, const QPointF& place, const QPointF& mark, const QColor& colour,
+                 const OverlayStyle& style) {
+    for (const QPen& pen : {QPen(asColour(style.colours.background), 4.0), QPen(colour, 2.0)}) {
+        painter.setPen(pen);
+        painter.drawLine(place, mark);
+    }
+}
+
 void paintFind(QPainter& painter, const VictimRow& find, const QPointF& at, bool chosen,
                const OverlayStyle& style) {
     const QColor colour = colourOf(find);
@@ -92,19 +103,21 @@ void paintFind(QPainter& painter, const VictimRow& find, const QPointF& at, bool
 void paintVictims(QPainter& painter, const MapProjection& projection, const std::vector<VictimRow>& finds,
                   const std::optional<FindKey>& chosen, const OverlayStyle& style) {
     const auto isChosen = [&](const VictimRow& find) { return find.filed() && chosen == find.find; };
-    const auto paint = [&](const VictimRow& find, bool mark) {
-        const auto seen = projection.project(find.inMap);
-        if (seen) paintFind(painter, find, seen->position, mark, style);
-    };
-    // What matters most lies on top.
+    const auto rankOf = [&](const VictimRow& find) { return isChosen(find) ? 0 : find.filed() ? 1 : 2; };
+    // What matters most stands where it is, and lies on top.
+    std::vector<const VictimRow*> seen;
     for (const VictimRow& find : finds) {
-        if (!find.filed()) paint(find, false);
+        if (projection.project(find.inMap)) seen.push_back(&find);
     }
-    for (const VictimRow& find : finds) {
-        if (find.filed() && !isChosen(find)) paint(find, false);
-    }
-    for (const VictimRow& find : finds) {
-        if (isChosen(find)) paint(find, true);
+    std::ranges::stable_sort(seen, {}, [&](const VictimRow* find) { return rankOf(*find); });
+    std::vector<MarkDisc> discs;
+    for (const VictimRow* find : seen)
+        discs.push_back(
+            {projection.project(find->inMap)->position, find->filed() ? Radius : CandidateRadius});
+    const std::vector<QPointF> places = markPlaces(discs);
+    for (std::size_t i = seen.size(); i-- > 0;) {
+        if (places[i] != discs[i].at) paintLeader(painter, discs[i].at, places[i], colourOf(*seen[i]), style);
+        paintFind(painter, *seen[i], places[i], isChosen(*seen[i]), style);
     }
 }
 
