@@ -88,6 +88,24 @@ Hottest hottestOf(const std::vector<Event>& pictures, const CameraInfoSample& ca
     return found;
 }
 
+/// The body in the thermal picture that was @p pointed into, the nearest to @p share of it where there are
+/// several: a hand that is cooler than the head beside it.
+Hottest pointedBodyOf(const Sharpest& pointed, const Eigen::Vector2d& share, const CameraInfoSample& camera,
+                      const ThermalScale& scale) {
+    Hottest found{pointed.event, pointed.width, pointed.height, std::nullopt};
+    const auto* sample = std::get_if<PictureSample>(&pointed.event->sample);
+    const auto picture = sample != nullptr ? decodePicture(*sample) : Error{};
+    const auto thermal = picture ? temperatures(*picture, scale) : Error{};
+    if (!thermal) return found;
+    const Eigen::Vector2d pixel(share.x() * pointed.width, share.y() * pointed.height);
+    for (const HeatBlob& blob : findHeat(*thermal, camera)) {
+        if (blob.kind != HeatBlob::Kind::Body) break;  // bodies come first
+        if (!found.blob || (blob.centre - pixel).norm() < (found.blob->centre - pixel).norm())
+            found.blob = blob;
+    }
+    return found;
+}
+
 void chooseGas(const std::vector<Event>& gas, FrozenEvidence& frozen) {
     double least = INFINITY, newest = Unknown;
     for (const Event& event : gas) {
@@ -136,12 +154,14 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
         const StreamDescription* stream = robot.stream(StreamRole::Thermal, sensor);
         const auto camera = recent.cameras.find(sensor);
         if (stream == nullptr) continue;
-        const Hottest hottest = hottestOf(
-            pictures, camera == recent.cameras.end() ? CameraInfoSample() : camera->second, stream->thermal);
+        const CameraInfoSample info = camera == recent.cameras.end() ? CameraInfoSample() : camera->second;
+        const Sharpest pointed = pointedIn(sensor, pictures);
+        const Hottest hottest = pointed.event != nullptr
+                                    ? pointedBodyOf(pointed, share, info, stream->thermal)
+                                    : hottestOf(pictures, info, stream->thermal);
         if (hottest.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("thermal", *hottest.event));
-        if (const Sharpest pointed = pointedIn(sensor, pictures); pointed.event != nullptr)
-            aim(sensor, *pointed.event, pointed.width, pointed.height);
+        if (pointed.event != nullptr) aim(sensor, *pointed.event, pointed.width, pointed.height);
         if (!hottest.blob) continue;
         chosen.frozen.heat = hottest.blob->peak;
         if (!at && camera != recent.cameras.end())

@@ -32,8 +32,8 @@ struct ChosenEvidence {
     double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
 };
 
-/// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with its
-/// hottest body, gas where it rose, newest scan, odometry and sightings. The place is looked for through
+/// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with a
+/// body, gas where it rose, newest scan, odometry and sightings. The place is looked for through
 /// @p at where it is told (that picture is the one kept of its camera: the robot may have moved since), else
 /// through the hot spot, else through the middle of the camera @p looksThrough.
 /// Takes some tens of milliseconds.

@@ -11,6 +11,7 @@
 #include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/selection.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/camera/camera_pane.h"
@@ -160,6 +161,14 @@ TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
     QTest::mouseClick(around, Qt::RightButton, {}, around->pixelOf({1.0, 0.0}).toPoint());
     EXPECT_FALSE(m_window->commands().find("victim.point")->isChecked()) << "at nothing";
     EXPECT_EQ(victim(3), nullptr);
+
+    trigger("victim.point");
+    m_window->selection().select("crawler");
+    EXPECT_FALSE(m_window->commands().find("victim.point")->isChecked())
+        << "what was seen was the other one's";
+    EXPECT_NE(large->cursor().shape(), Qt::CrossCursor);
+    QTest::mouseClick(around, Qt::LeftButton, {}, around->pixelOf({-1.2, -0.9}).toPoint());
+    EXPECT_EQ(station().finds().filings(), 2U);
 }
 
 TEST_F(LiveVictims, MissionDataAreAskedForWithoutStoppingAnything) {

@@ -35,6 +35,10 @@ public:
     Robot() {
         m_robot.name = "kurt3d";
         m_robot.title = "Kurt3D";
+        StreamDescription infrared;
+        infrared.role = StreamRole::Thermal;
+        infrared.sensor = "ir";
+        m_robot.streams.push_back(infrared);
     }
     [[nodiscard]] const RobotDescription& description() const { return m_robot; }
 
@@ -51,17 +55,35 @@ public:
         sample.content = raw(blur);
         return event(when, StreamRole::Picture, "left", sample);
     }
+    /// 20 degrees C with a body as wide as a hand at @p column.
+    [[nodiscard]] Event infrared(Time when, int column, double celsius) {
+        auto bytes = std::make_shared<std::vector<std::byte>>(2 * 64 * 48);
+        for (int i = 0; i < 64 * 48; ++i) {
+            const bool warm = std::hypot(i % 64 - column, i / 64 - 24) < 5.0;
+            const auto value = static_cast<unsigned>(100.0 * ((warm ? celsius : 20.0) + 273.15));
+            (*bytes)[static_cast<std::size_t>(2 * i)] = static_cast<std::byte>(value & 0xFF);
+            (*bytes)[static_cast<std::size_t>(2 * i + 1)] = static_cast<std::byte>(value >> 8);
+        }
+        PictureSample sample;
+        sample.header.stamp = when;
+        sample.encoding = "mono16";
+        sample.width = 64;
+        sample.height = 48;
+        sample.step = 128;
+        sample.content = {bytes, std::span<const std::byte>(*bytes)};
+        return event(when, StreamRole::Thermal, "ir", sample);
+    }
     [[nodiscard]] Event gas(Time when, double ppm) {
         GasSample sample;
         sample.ppm = ppm;
         return event(when, StreamRole::Gas, "co2", sample);
     }
-    [[nodiscard]] Event info() {
+    [[nodiscard]] Event info(const std::string& sensor = "left") {
         CameraInfoSample info;
         info.width = 64;
         info.height = 48;
         info.intrinsics = {60, 0, 32, 0, 60, 24, 0, 0, 1};
-        return event(at(0), StreamRole::CameraInfo, "left", info);
+        return event(at(0), StreamRole::CameraInfo, sensor, info);
     }
 
 private:
@@ -135,6 +157,48 @@ TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
     ASSERT_TRUE(m_asked && m_asked->picture);
     EXPECT_EQ(m_asked->picture->sequence, pointed.sequence);
     EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(16.0, 36.0));
+}
+
+TEST_F(FindDeskTest, TheInfraredPictureThatWasPointedIntoIsTheEvidence) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.info("ir"));
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    const Event pointed = m_robot.infrared(at(9.2), 16, 31.0);
+    m_desk->take(pointed);
+    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));  // another body came into sight
+    m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, pointed.sequence});
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    std::vector<std::uint64_t> kept;
+    for (const VictimEvidence& one : find(1).evidence) {
+        if (one.kind == "thermal") kept.push_back(one.sequence);
+    }
+    EXPECT_THAT(kept, testing::ElementsAre(pointed.sequence)) << "that one, and nothing twice";
+    EXPECT_NEAR(find(1).heat.value, 31.0, 0.1) << "of what was pointed to";
+    ASSERT_TRUE(m_asked && m_asked->picture);
+    EXPECT_EQ(m_asked->picture->sequence, pointed.sequence);
+    EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(16.0, 24.0));
+}
+
+TEST_F(FindDeskTest, PointingIntoAPictureThatIsGoneStillFiles) {
+    m_place.reset();
+    m_desk->take(m_robot.info("ir"));
+    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));
+    m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, 7});
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_FALSE(m_asked) << "a pixel of a picture that is gone says nothing about another one";
+    EXPECT_EQ(find(1).evidence.size(), 1U) << "what there is is kept";
+    EXPECT_THAT(m_told, testing::Contains(HasSubstr("no range there")));
+}
+
+TEST_F(FindDeskTest, PointingWithoutAnyPictureFilesWithoutEvidence) {
+    m_place.reset();
+    m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, 7});
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_TRUE(find(1).evidence.empty());
+    EXPECT_EQ(find(1).positionInMap.x(), 1.0) << "ahead of the robot";
 }
 
 TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
