@@ -30,13 +30,27 @@ QString autonomyOf(Autonomy autonomy) {
     return {};
 }
 
+/// As the window's estimate has it, with the window's translations.
+QString itemText(ScoreItem item) {
+    const auto text = [](const char* words) {
+        return QCoreApplication::translate("leitstand::ScoreText", words);
+    };
+    switch (item) {
+        case ScoreItem::Location:
+            return text("place");
+        case ScoreItem::Co2:
+            return text("CO₂");
+        default:
+            return text(toString(item));
+    }
+}
+
 QString itemsOf(const ScoredFind& find) {
     QStringList items;
     for (const ScoredItem& item : find.items) {
         if (item.possible > 0.0)
-            items +=
-                QStringLiteral("%1 %2/%3")
-                    .arg(QString::fromUtf8(toString(item.item)), number(item.points), number(item.possible));
+            items += QStringLiteral("%1 %2/%3")
+                         .arg(itemText(item.item), number(item.points), number(item.possible));
     }
     return items.isEmpty() ? QStringLiteral("\u2013") : items.join(QStringLiteral(", "));
 }

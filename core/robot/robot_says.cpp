@@ -2,26 +2,17 @@
 
 #include <string_view>
 
+#include "core/base/said.h"
+
 namespace leitstand::robot_says {
 namespace {
 
-constexpr std::string_view Gap = "{}", Between = "; ";
+constexpr std::string_view Between = "; ";
 
 Part partOf(std::string_view said) {
-    for (const std::string_view words : All) {
-        if (words == said) return {words.data(), {}};
-    }
-    for (const std::string_view words : All) {
-        const auto gap = words.find(Gap);
-        if (gap == std::string_view::npos) continue;
-        const std::string_view before = words.substr(0, gap), after = words.substr(gap + Gap.size());
-        if (said.size() <= before.size() + after.size()) continue;
-        if (!said.starts_with(before) || !said.ends_with(after)) continue;
-        said.remove_prefix(before.size());
-        said.remove_suffix(after.size());
-        return {words.data(), std::string(said)};
-    }
-    return {nullptr, std::string(said)};
+    const SaidSentence known = knownSentence(said, All);
+    if (known.words == nullptr) return {nullptr, std::string(said)};
+    return {known.words, known.values.empty() ? std::string() : known.values.front()};
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ ScorePane::ScorePane(QWidget* parent)
     m_rules->setProperty("muted", true);
     m_rules->setWordWrap(true);
     m_more->setProperty("muted", true);
+    m_more->hide();  // until there is something
     auto* head = new QHBoxLayout;
     head->addWidget(m_score, 1);
     head->addWidget(m_left);

@@ -12,6 +12,7 @@
 
 #include "app/session/comparison/recorded_truth.h"
 #include "app/session/job_queue.h"
+#include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand {
@@ -87,7 +88,8 @@ Result<MapComparisonPtr> compareMaps(const std::filesystem::path& folder, const 
     auto scans = scansOf(index, rejected);
     if (scans.empty())
         return Error{
-            fmt::format("{}: there are no key scans that could be registered again", folder.string())};
+            fill(translate("leitstand::Station", "{}: there are no key scans that could be registered again"),
+                 folder.string())};
     auto made = registeredAgain(std::move(scans), settings, progress);
     if (!made) return MapComparisonPtr();
     made->rejected = rejected;

@@ -174,7 +174,8 @@ std::optional<FindKey> FindDesk::newest() const {
 
 Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const FindKey& find) {
     if (!sample)
-        return Error{nameOf(find.first, find.second) + ": the mission has no such find to change so"};
+        return Error{fill(translate("leitstand::Station", "{}: the mission has no such find to change so"),
+                          nameOf(find.first, find.second))};
     return keep(*sample);
 }
 
@@ -182,7 +183,8 @@ Result<void> FindDesk::fileCandidate(std::uint32_t candidate) {
     const std::scoped_lock filing(m_filing);
     const MissionStatePtr state = known();
     const auto entry = state->candidates->find(candidate);
-    if (entry == state->candidates->end()) return Error{"the mission has no such candidate"};
+    if (entry == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
     const VictimSample sample = filedFrom(*state, entry->second.candidate, m_setup.station, m_setup.now());
     if (auto said = keep(sample); !said) return said;
     const std::scoped_lock lock(m_mutex);

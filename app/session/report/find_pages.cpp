@@ -8,6 +8,7 @@
 
 #include "app/session/report/report_source.h"
 #include "app/session/report/report_words.h"
+#include "core/base/words.h"
 #include "core/perception/heat_picture.h"
 #include "core/perception/picture_decoding.h"
 
@@ -42,7 +43,8 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
             for (const float celsius : heat->celsius)
                 hottest = std::max(hottest, std::isnan(celsius) ? hottest : celsius);
             made.picture = heatPicture(*heat);
-            made.caption += fmt::format(", 15 to 40 \u00B0C, hottest {:.1f} \u00B0C", hottest);
+            made.caption += fill(
+                translate("leitstand::ReportText", ", 15 to 40 \u00B0C, hottest {:.1f} \u00B0C"), hottest);
             return made;
         }
     }
@@ -56,15 +58,16 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
 /// Evidence that is no picture, in words; empty: it says nothing to people.
 std::string traceOf(const Event& event) {
     if (const auto* gas = std::get_if<GasSample>(&event.sample))
-        return fmt::format("CO\u2082 {:.0f} ppm at {} ({})", gas->ppm, clockText(event.received),
-                           event.robot);
+        return fill(translate("leitstand::ReportText", "CO\u2082 {:.0f} ppm at {} ({})"), gas->ppm,
+                    clockText(event.received), event.robot);
     if (const auto* scan = std::get_if<KeyScanSample>(&event.sample))
-        return fmt::format("seen in scan {} of {} at {}", scan->id, scan->scan->robot,
-                           clockText(event.received));
+        return fill(translate("leitstand::ReportText", "seen in scan {} of {} at {}"), scan->id,
+                    scan->scan->robot, clockText(event.received));
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         const Eigen::Vector3d at = odometry->baseInOdom.translation();
-        return fmt::format("{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}", event.robot, at.x(),
-                           at.y(), at.z(), clockText(event.received));
+        return fill(
+            translate("leitstand::ReportText", "{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}"),
+            event.robot, at.x(), at.y(), at.z(), clockText(event.received));
     }
     return {};
 }

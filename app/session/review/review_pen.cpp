@@ -9,6 +9,7 @@
 
 #include "app/session/log/live_mission.h"
 #include "app/session/log/sequencer.h"
+#include "core/base/words.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -76,7 +77,7 @@ Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
 }
 
 Result<void> ReviewPen::note(Time at, const std::string& robot, const std::string& text) {
-    if (text.empty()) return Error{"a note without words is none"};
+    if (text.empty()) return Error{translate("leitstand::Station", "a note without words is none")};
     return say(NoteSample{.stamp = at, .station = m_station, .robot = robot, .text = text},
                station_topic::Notes);
 }
@@ -84,8 +85,8 @@ Result<void> ReviewPen::note(Time at, const std::string& robot, const std::strin
 Result<void> ReviewPen::correct(VictimSample victim) {
     if (auto opened = open(); !opened) return opened;
     if (!mission()->state()->victims->contains({victim.kind, victim.number}))
-        return Error{
-            fmt::format("{}: the mission has no {}", m_folder.string(), nameOf(victim.kind, victim.number))};
+        return Error{leitstand::fill(translate("leitstand::Station", "{}: the mission has no {}"),
+                                     m_folder.string(), nameOf(victim.kind, victim.number))};
     victim.stamp = stationTime();
     victim.station = m_station;
     return say(victim, station_topic::Victims);
@@ -99,7 +100,9 @@ bool ReviewPen::canUndo() const {
 Result<void> ReviewPen::undo() {
     const MissionStatePtr now = state();
     const Decision* const newest = now ? newestAfter(*now, m_before) : nullptr;
-    if (newest == nullptr) return Error{"nothing was written in this review that could be taken back"};
+    if (newest == nullptr)
+        return Error{
+            translate("leitstand::Station", "nothing was written in this review that could be taken back")};
     return say(
         UndoSample{
             .stamp = stationTime(), .station = m_station, .event = newest->sequence, .text = textOf(*newest)},

@@ -17,6 +17,7 @@
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
+#include "core/mapping/placement/placement_says.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -114,7 +115,7 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
                   "leitstand::Station",
                   "not found beside the other robot: put it to where it stands, or let the other one see it")
             : translate("leitstand::Station", "not found there");
-    tell(fmt::format("{}: {}: {}", place.robot, what, place.how));
+    tell(fmt::format("{}: {}: {}", place.robot, what, placement_says::inWindowsLanguage(place.how)));
 }
 
 void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {

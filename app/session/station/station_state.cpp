@@ -84,7 +84,9 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
         streams->take(link);
         brakes->look(link.robot);
     };
-    watch.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
+    watch.onState = [this, title = robot.title](const LinkStatus& link) {
+        say(fmt::format("{}: {}", title, linkStateWords(link.state)));
+    };
     watch.onClockOffset = [this](const ClockOffsetSample& offset) {
         const std::lock_guard lock(mutex);
         if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded

@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/mapping/placement/placement_says.h"
+
 namespace leitstand {
 namespace {
 
@@ -81,7 +83,7 @@ void RobotTracker::refresh() {
         m_now.odomInMap.reset();
         m_now.certain = false;
         m_now.certainty = 0.0;
-        m_now.how = "its odometry began anew";
+        m_now.how = placement_says::OdometryAnew;
         return;
     }
     if (const auto here = baseInMap(*m_newest)) m_now.baseInMap = *here;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/mapping/placement/placement_says.h"
 #include "core/mapping/placement/wall_fit.h"
 #include "core/mapping/placement/wall_map.h"
 
@@ -58,12 +59,12 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
         fit.overlap >= how.placement.plentyOverlap && fit.direction >= 0.5 * how.placement.plentyDirection;
     std::string doubt;
     if (static_cast<int>(view.points.size()) < how.placement.leastPoints) {
-        doubt = "its laser sees too little";
+        doubt = placement_says::TooLittle;
     } else if (fit.overlap < how.leastOverlap) {
-        doubt = fmt::format("only {:.0f} % of what it sees is in the map", 100.0 * fit.overlap);
+        doubt = fmt::format(placement_says::OnlyInMap, std::lround(100.0 * fit.overlap));
     } else if (jump > (sure ? how.sureJump + how.sureJumpOfWay * m_way : how.jump + how.jumpOfWay * m_way) ||
                swing > how.swing + how.swingOfTurn * m_turn + how.swingOfWay * m_way) {
-        doubt = fmt::format("its laser fits {:.0f} cm from where its tracks say", 100.0 * jump);
+        doubt = fmt::format(placement_says::FarFromTracks, std::lround(100.0 * jump));
     }
     MapFix fix{view.stamp, predicted, 0.0, false, doubt};
     if (doubt.empty()) {
@@ -71,10 +72,10 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
         fix.baseInMap = fit.pose.standing(map.ground) * view.tilt;
         const double meets = std::clamp(fit.overlap / how.placement.plentyOverlap, 0.0, 1.0);
         if (open) {
-            fix.how = "the walls leave a direction open";
+            fix.how = placement_says::DirectionOpen;
             fix.certainty = std::min(meets, m_certainty * std::exp(-m_way / how.fades));
         } else {
-            fix.how = fmt::format("{:.0f} % of what its laser sees is in the map", 100.0 * fit.overlap);
+            fix.how = fmt::format(placement_says::LaserInMap, std::lround(100.0 * fit.overlap));
             fix.certainty = meets * std::clamp(fit.direction / how.placement.plentyDirection, 0.0, 1.0);
             fix.certain = true;
             m_way = m_turn = 0.0;
@@ -98,7 +99,8 @@ MapFix LaserLocaliser::sought(const LaserView& view, const LocalMap& local, MapF
     m_doubted = 0;
     m_way = m_turn = 0.0;
     m_certainty = found.certainty;
-    return {view.stamp, found.baseInMap, found.certainty, true, "found again: " + found.how};
+    return {view.stamp, found.baseInMap, found.certainty, true,
+            fmt::format(placement_says::FoundAgain, found.how)};
 }
 
 }  // namespace leitstand

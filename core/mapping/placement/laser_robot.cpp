@@ -1,10 +1,12 @@
 #include "core/mapping/placement/laser_robot.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/mapping/placement/placement_says.h"
 #include "core/mapping/sighting/contradiction.h"
 
 namespace leitstand {
@@ -92,7 +94,7 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
     if (found.certain && contradicted(found.baseInMap, others)) {
         found.certain = false;
         found.certainty = 0.0;
-        found.how = "it would see things where the map has none";
+        found.how = placement_says::AgainstMap;
     }
     ++m_tries;
     if (!found.certain && m_tries != MostTries) return std::nullopt;
@@ -146,22 +148,20 @@ std::optional<RobotPlaceSample> LaserRobot::placeSeen(std::span<const SeenBody> 
     }
     if (!best.certain || second.certainty > AsGood * best.certainty) return std::nullopt;
     const MapFix fix{m_view->stamp, best.baseInMap, best.certainty, true,
-                     fmt::format("{} sees it: {:.0f} % of what its laser sees there is in the map", by,
-                                 100.0 * best.overlap)};
+                     fmt::format(placement_says::SeenBy, by, std::lround(100.0 * best.overlap))};
     m_localiser.begin(fix);
     return taken(fix, RobotPlaceSample::Cause::Seen, best.overlap, now);
 }
 
 RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map, Time now) {
-    MapFix fix{m_tracker.now().stamp, baseInMap, 0.0, false,
-               "put there by the operator; its laser says nothing"};
+    MapFix fix{m_tracker.now().stamp, baseInMap, 0.0, false, placement_says::PutBlindly};
     double overlap = 0.0;
     if (m_view && map && !map->scans.empty()) {
         const Placement found = placeRobot(*m_view, localAt(map, baseInMap), baseInMap,
                                            m_settings.placement.dragged, m_settings.placement);
         overlap = found.overlap;
         fix = {m_view->stamp, found.baseInMap, found.certainty, found.certain,
-               found.certain ? found.how : "put there by the operator, but " + found.how};
+               found.certain ? found.how : fmt::format(placement_says::PutBut, found.how)};
     }
     m_put = true;  // the operator knows better
     m_localiser.begin(fix);
@@ -170,8 +170,7 @@ RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map,
 
 void LaserRobot::restore(const RobotPlaceSample& place) {
     m_resumed = place;
-    m_tracker.correct(
-        {place.measured, place.baseInMap, 0.0, false, "where it was when the station was left"});
+    m_tracker.correct({place.measured, place.baseInMap, 0.0, false, placement_says::WhereLeft});
 }
 
 std::optional<RobotPlaceSample> LaserRobot::resumed(const LiveMapPtr& map, Time now) {
@@ -185,7 +184,7 @@ std::optional<RobotPlaceSample> LaserRobot::resumed(const LiveMapPtr& map, Time 
         if (best.how.empty() || one.certainty > best.certainty) best = one;
     }
     const MapFix fix{m_view->stamp, best.baseInMap, best.certainty, best.certain,
-                     best.certain ? best.how : "where it was when the station was left: " + best.how};
+                     best.certain ? best.how : fmt::format(placement_says::WhereLeftBut, best.how)};
     m_localiser.begin(fix);
     return taken(fix, RobotPlaceSample::Cause::FoundAgain, best.overlap, now);
 }

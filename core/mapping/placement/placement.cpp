@@ -1,10 +1,12 @@
 #include "core/mapping/placement/placement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/mapping/placement/placement_says.h"
 #include "core/mapping/placement/wall_fit.h"
 #include "core/mapping/placement/wall_map.h"
 
@@ -28,7 +30,7 @@ Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& g
     Placement placed;
     placed.baseInMap = guess;
     if (static_cast<int>(view.points.size()) < settings.leastPoints) {
-        placed.how = fmt::format("its laser sees too little: {} points", view.points.size());
+        placed.how = fmt::format(placement_says::TooFewPoints, view.points.size());
         return placed;
     }
     const WallMap map = wallMap(local, guess, view.low, view.high);
@@ -43,22 +45,22 @@ Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& g
     placed.certainty = meets * unique * held;
     std::string doubt;
     if (fit.overlap < settings.leastOverlap) {
-        doubt = "too little of what it sees is in the map";
+        doubt = placement_says::LittleInMap;
     } else if (placed.certainty < settings.leastCertainty) {
-        doubt = held <= unique ? "the walls leave a direction open" : "it could as well stand elsewhere";
+        doubt = held <= unique ? placement_says::DirectionOpen : placement_says::Elsewhere;
     }
     placed.certain = doubt.empty();
-    const std::string figures = fmt::format("{} % of what it sees is in the map", percent(fit.overlap));
     if (!placed.certain) {
         placed.certainty = std::min(placed.certainty, 0.5 * settings.leastCertainty);
-        placed.how = fmt::format("{}: {}", doubt, figures);
+        placed.how = fmt::format(placement_says::Because, doubt,
+                                 fmt::format(placement_says::InMap, percent(fit.overlap)));
         return placed;
     }
     placed.baseInMap = fit.pose.standing(map.ground) * view.tilt;
-    placed.how =
-        fmt::format("{}, {:.0f} cm and {:.0f} degrees from the guess", figures,
-                    100.0 * (fit.pose.place - guess.translation().head<2>()).norm(),
-                    inDegrees(angleBetween(fit.pose.standing(0.0), FlatPose::of(guess).standing(0.0))));
+    placed.how = fmt::format(
+        placement_says::FromGuess, percent(fit.overlap),
+        std::lround(100.0 * (fit.pose.place - guess.translation().head<2>()).norm()),
+        std::lround(inDegrees(angleBetween(fit.pose.standing(0.0), FlatPose::of(guess).standing(0.0)))));
     return placed;
 }
 

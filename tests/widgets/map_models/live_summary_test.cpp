@@ -31,7 +31,7 @@ TEST(LiveSummary, CountsWhatIsShownAndTellsTheNewestScan) {
     EXPECT_THAT(summary.title.toStdString(), HasSubstr("2 key scans"));
     EXPECT_THAT(summary.title.toStdString(), HasSubstr("follows K"));
     EXPECT_THAT(summary.result.toStdString(), HasSubstr("last scan 1.4 s ago"));
-    EXPECT_THAT(summary.result.toStdString(), HasSubstr("uncertain"));
+    EXPECT_THAT(summary.result.toStdString(), testing::StartsWith("uncertain")) << "the age is what is cut";
     EXPECT_EQ(summary.tone, Tone::Attention);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/pose.h"
 #include "widgets/models/live/freshness.h"
+#include "widgets/models/live/link_text.h"
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/numbers.h"
 
@@ -73,7 +74,8 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::StopUnanswered)
         return AlarmTexts::tr("does not answer STOP for %1").arg(wholeSeconds(cause.value));
     if (key == alarm_key::FrozenPicture)
-        return AlarmTexts::tr("camera %1 repeats one picture for %2").arg(detail, wholeSeconds(cause.value));
+        return AlarmTexts::tr("camera %1 repeats one picture for %2")
+            .arg(sensorText(cause.id.detail), wholeSeconds(cause.value));
     if (key == alarm_key::GrantLost) return AlarmTexts::tr("the grant to drive was lost to %1").arg(note);
     if (key == alarm_key::ClockOffset) return clockText(cause.value);
     if (key == alarm_key::UncertainScan)

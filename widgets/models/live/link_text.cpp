@@ -14,13 +14,22 @@ struct LinkTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::LinkStatus)
 };
 
-QString streamText(const LinkReason& reason) {
-    const bool camera = reason.role == StreamRole::Picture || reason.role == StreamRole::CameraInfo;
-    if (!camera || reason.sensor.empty()) return streamRoleText(reason.role);
-    return QStringLiteral("%1 %2").arg(QString::fromStdString(reason.sensor), streamRoleText(reason.role));
+}  // namespace
+
+QString sensorText(const std::string& sensor) {
+    if (sensor == "left") return LinkTexts::tr("left", "a camera");
+    if (sensor == "right") return LinkTexts::tr("right", "a camera");
+    if (sensor == "omni") return LinkTexts::tr("panorama", "a camera");
+    if (sensor == "ir") return LinkTexts::tr("infrared", "a camera");
+    return QString::fromStdString(sensor);
 }
 
-}  // namespace
+QString streamText(StreamRole role, const std::string& sensor) {
+    const bool camera = role == StreamRole::Picture || role == StreamRole::CameraInfo;
+    if (!camera || sensor.empty()) return streamRoleText(role);
+    return LinkTexts::tr("%1 %2", "a camera and what it sends: left pictures")
+        .arg(sensorText(sensor), streamRoleText(role));
+}
 
 QString streamRoleText(StreamRole role) {
     switch (role) {
@@ -81,11 +90,14 @@ QString linkReasonText(const LinkReason& reason) {
         case LinkReason::Kind::Silent:
             return LinkTexts::tr("silent for %1").arg(secondsText(reason.value));
         case LinkReason::Kind::Stale:
-            return LinkTexts::tr("%1 %2 old").arg(streamText(reason), secondsText(reason.value));
+            return LinkTexts::tr("%1 %2 old")
+                .arg(streamText(reason.role, reason.sensor), secondsText(reason.value));
         case LinkReason::Kind::Late:
-            return LinkTexts::tr("%1 %2 late").arg(streamText(reason), secondsText(reason.value));
+            return LinkTexts::tr("%1 %2 late")
+                .arg(streamText(reason.role, reason.sensor), secondsText(reason.value));
         case LinkReason::Kind::Loss:
-            return LinkTexts::tr("%1 of %2 lost").arg(percentText(reason.value), streamText(reason));
+            return LinkTexts::tr("%1 of %2 lost")
+                .arg(percentText(reason.value), streamText(reason.role, reason.sensor));
         case LinkReason::Kind::Slow:
             return LinkTexts::tr("slow: %1").arg(secondsText(reason.value));
         case LinkReason::Kind::NoAnswer:

@@ -9,6 +9,10 @@ namespace leitstand {
 
 /// What a stream carries: "3D scans", "odometry".
 [[nodiscard]] QString streamRoleText(StreamRole role);
+/// A stream with its sensor, where a robot has several: "left pictures".
+[[nodiscard]] QString streamText(StreamRole role, const std::string& sensor);
+/// What a sensor is called: "left"; unknown ones by their own names.
+[[nodiscard]] QString sensorText(const std::string& sensor);
 /// "connected", "degraded", "lost", "not heard yet".
 [[nodiscard]] QString linkStateText(LinkState state);
 /// One thing that is wrong: "odometry 1.4 s old", "12 % of points lost".

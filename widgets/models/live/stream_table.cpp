@@ -67,12 +67,7 @@ QString columnHint(StreamTable::Column column) {
 }  // namespace
 
 QString streamNameText(const StreamRow& row) {
-    const QString role = streamRoleText(row.stream.role);
-    const bool camera = row.stream.role == StreamRole::Picture || row.stream.role == StreamRole::CameraInfo;
-    const QString name = camera && !row.stream.sensor.empty()
-                             ? QStringLiteral("%1 %2").arg(QString::fromStdString(row.stream.sensor), role)
-                             : role;
-    return QStringLiteral("%1  %2").arg(row.face.letter, name);
+    return QStringLiteral("%1  %2").arg(row.face.letter, streamText(row.stream.role, row.stream.sensor));
 }
 
 QString streamRateText(const StreamStatus& stream) {

@@ -43,9 +43,10 @@ MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now) 
     summary.title = title.join(QStringLiteral(" · "));
     if (map.scans.empty()) return summary;
     const LiveKeyScan& newest = map.scans.back();
-    QStringList result = {agoText(std::chrono::duration<double>(now - newest.entered).count())};
+    // The verdict first: where there is little room, the age is what is cut.
+    QStringList result = {trustText(newest.pose.trust)};
     if (newest.matched != 0) result += Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
-    result += trustText(newest.pose.trust);
+    result += agoText(std::chrono::duration<double>(now - newest.entered).count());
     summary.result = result.join(QStringLiteral(" · "));
     if (newest.pose.trust == ScanTrust::Uncertain) summary.tone = Tone::Attention;
     return summary;

@@ -116,7 +116,11 @@ void ReportFeature::keep(const QString& folder) {
 }
 
 void ReportFeature::show(const LiveMoment& moment) {
-    if (m_sinceScore++ % TicksAScore != 0 || !m_score->isVisible()) return;
+    if (!m_score->isVisible()) {
+        m_sinceScore = 0;  // whoever opens it sees it at once
+        return;
+    }
+    if (m_sinceScore++ % TicksAScore != 0) return;
     const ScoreProfile* profile = m_board.profileOf(*moment.mission);
     if (profile == nullptr) return;
     m_score->show(

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leitstand {
+
+/// A sentence that was said, known again.
+struct SaidSentence {
+    const char* words = nullptr;           ///< one of those that are known; null: it is none of them
+    std::vector<std::string> values = {};  ///< what stands at its "{}", in order
+};
+/// Which of @p known @p said is; "{}" stands for whatever is not empty. Plain ones go first.
+[[nodiscard]] SaidSentence knownSentence(std::string_view said, std::span<const char* const> known);
+
+/// @p words with @p values at its "{}", in order; those that are missing stay "{}".
+[[nodiscard]] std::string withValues(std::string words, const std::vector<std::string>& values);
+
+}  // namespace leitstand

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/base/words.h"
+
+/// Why a robot's place in the map is certain or not: English in the log (RobotPlaceSample::how), in the
+/// window's language where it is told. "{}" stands for a figure, a name or another of these.
+namespace leitstand::placement_says {
+
+constexpr auto TooFewPoints = translatable("leitstand::Station", "its laser sees too little: {} points");
+constexpr auto TooLittle = translatable("leitstand::Station", "its laser sees too little");
+constexpr auto LittleInMap = translatable("leitstand::Station", "too little of what it sees is in the map");
+constexpr auto OnlyInMap = translatable("leitstand::Station", "only {} % of what it sees is in the map");
+constexpr auto InMap = translatable("leitstand::Station", "{} % of what it sees is in the map");
+constexpr auto LaserInMap = translatable("leitstand::Station", "{} % of what its laser sees is in the map");
+constexpr auto Because = translatable("leitstand::Station", "{}: {}");
+constexpr auto FromGuess = translatable(
+    "leitstand::Station", "{} % of what it sees is in the map, {} cm and {} degrees from the guess");
+constexpr auto DirectionOpen = translatable("leitstand::Station", "the walls leave a direction open");
+constexpr auto Elsewhere = translatable("leitstand::Station", "it could as well stand elsewhere");
+constexpr auto FarFromTracks =
+    translatable("leitstand::Station", "its laser fits {} cm from where its tracks say");
+constexpr auto FoundAgain = translatable("leitstand::Station", "found again: {}");
+constexpr auto SeenBy =
+    translatable("leitstand::Station", "{} sees it: {} % of what its laser sees there is in the map");
+constexpr auto AgainstMap = translatable("leitstand::Station", "it would see things where the map has none");
+constexpr auto PutBlindly =
+    translatable("leitstand::Station", "put there by the operator; its laser says nothing");
+constexpr auto PutBut = translatable("leitstand::Station", "put there by the operator, but {}");
+constexpr auto WhereLeftBut =
+    translatable("leitstand::Station", "where it was when the station was left: {}");
+constexpr auto WhereLeft = translatable("leitstand::Station", "where it was when the station was left");
+constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");
+
+/// The most special first.
+constexpr auto All =
+    std::to_array<const char*>({FoundAgain, PutBut, WhereLeftBut, SeenBy, TooFewPoints, FromGuess, TooLittle,
+                                LittleInMap, OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere, AgainstMap,
+                                PutBlindly, WhereLeft, OdometryAnew, Because, InMap, LaserInMap});
+
+/// @p how in the window's language; what is not known stays as it is.
+[[nodiscard]] std::string inWindowsLanguage(const std::string& how);
+
+}  // namespace leitstand::placement_says
