@@ -14,8 +14,10 @@ constexpr double SliceGap = 0.25;          // raw scans so close in time belong 
 constexpr double WidestStep = degrees(6);  // ... and in direction
 constexpr double LowPoint = 0.15;          // points so low over the ground tell of it [m]
 constexpr double NearBy = 1.5;             // obstacles so near are remembered for themselves [m]
+constexpr double NearInPlane = 0.8;        // ... of scanners in a plane, which look only ahead [m]
+constexpr std::size_t LookEvery = 3;       // of such a scanner's rays looks through what is remembered
 constexpr double Behind = 0.05;            // before an obstacle its own points may lie [m]
-constexpr double SameLook = 0.5;           // rays of a direction so close in time are one look [s]
+constexpr auto SameLook = std::chrono::milliseconds(500);  // rays of a direction so close in time are one
 
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * Pi);
@@ -54,6 +56,17 @@ bool hasUprightRows(const CloudSample& cloud, const Eigen::Matrix3d& toBase) {
     std::size_t upright = 0;
     for (std::size_t row = 0; row < rows; ++row) upright += isUpright(cloud, row, toBase) ? 1 : 0;
     return 2 * upright > rows;
+}
+
+/// Whether an echo of a scanner in a plane has another beside it, and is no mixed pixel at an edge.
+bool isSupported(const RangesSample& ranges, std::size_t ray, const ProfileSettings& profile) {
+    const double range = static_cast<double>(ranges.ranges[ray]);
+    const double near = profile.support + profile.supportRate * range;
+    const auto supports = [&](std::size_t other) {
+        return other < ranges.ranges.size() &&
+               std::abs(static_cast<double>(ranges.ranges[other]) - range) < near;
+    };
+    return supports(ray + 1) || (ray > 0 && supports(ray - 1));
 }
 
 /// A point of a raw scan before it is put in order.
@@ -179,8 +192,9 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
         const Eigen::Vector3d shot = base.linear().transpose() * Eigen::Vector3d(away.x(), away.y(), height);
         m_near.add({*ray.inner, ray.top, at, shot});
     }
-    if (follows) clearBetween(m_before->heading, heading, at);
-    put(ray, heading);
+    const Time look = at - SameLook;
+    if (follows) clearBetween(m_before->heading, heading, look);
+    put(ray, heading, look);
     m_before = Before{std::move(points), heading, at};
 }
 
@@ -195,11 +209,11 @@ void VirtualScan::remember(std::span<const ProfilePoint> points, const Ray& ray,
     m_near.lookThrough(origin, heading, nearest, farthest, ray.at);
 }
 
-void VirtualScan::put(const Ray& ray, double heading) {
+void VirtualScan::put(const Ray& ray, double heading, Time look) {
     m_newest = m_newest ? std::max(*m_newest, ray.at) : ray.at;
     Ray& old = m_rays[static_cast<std::size_t>(binOf(heading))];
     if (old.seen && old.at > ray.at + std::chrono::milliseconds(500)) return;  // it comes late
-    if (!old.seen || secondsBetween(old.at, ray.at) > SameLook) {
+    if (!old.seen || old.at < look) {
         old = ray;
         return;
     }
@@ -217,13 +231,13 @@ void VirtualScan::put(const Ray& ray, double heading) {
     old.at = std::max(old.at, ray.at);
 }
 
-void VirtualScan::clearBetween(double from, double to, Time at) {
+void VirtualScan::clearBetween(double from, double to, Time look) {
     const int count = static_cast<int>(m_rays.size());
     const int first = binOf(from), last = binOf(to);
     const int step = wrapped(to - from) >= 0.0 ? 1 : -1;
     for (int bin = first; bin != last; bin = (bin + step + count) % count) {
         Ray& ray = m_rays[static_cast<std::size_t>(bin)];
-        if (bin != first && ray.seen && secondsBetween(ray.at, at) > SameLook) ray = Ray{};
+        if (bin != first && ray.seen && ray.at < look) ray = Ray{};
     }
 }
 
@@ -265,9 +279,16 @@ void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, cons
         ray.echo = echo && height < m_settings.profile.wallHeight;
         ray.far = flat(inOdom);
         const bool floor = height < m_settings.profile.step;
-        if (echo && !floor && height < m_settings.profile.height) ray.inner = flat(inOdom);
-        if (std::abs(wrapped(heading - before)) < WidestStep) clearBetween(before, heading, at);
-        put(ray, heading);
+        if (echo && !floor && height < m_settings.profile.height &&
+            isSupported(ranges, i, m_settings.profile))
+            ray.inner = flat(inOdom);
+        if (std::abs(wrapped(heading - before)) < WidestStep)
+            clearBetween(before, heading, ranges.header.stamp);
+        const double away = (ray.far - flat(scanner)).norm();
+        if (i % LookEvery == 0)
+            m_near.lookThrough(flat(scanner), heading, 0.0, echo ? away - Behind : away, at);
+        if (ray.inner && away < NearInPlane) m_near.add({*ray.inner, ray.top, at, Eigen::Vector3d::Zero()});
+        put(ray, heading, ranges.header.stamp);
         before = heading;
     }
 }
@@ -301,7 +322,8 @@ VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
     }
     for (const NearObstacles::One& one : m_near.all()) {
         const double age = std::max(0.0, secondsBetween(one.at, now));
-        if (age > SameLook) addObstacle(view, toBase * (one.where - here), age, one.top);
+        if (age > std::chrono::duration<double>(SameLook).count())
+            addObstacle(view, toBase * (one.where - here), age, one.top);
     }
     view.closeGaps();
     return view;

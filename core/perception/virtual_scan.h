@@ -42,7 +42,8 @@ public:
     /// are vertical raw scans; other clouds, and those whose rows fan out to the sides (a tilting scanner's,
     /// for which robots stand), are cut by direction. Raw scans at times without odometry are left out.
     void add(const CloudSample& cloud, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom);
-    /// Takes a turn of a scanner in a plane. What it sees of the floor, being tilted, is no obstacle.
+    /// Takes a turn of a scanner in a plane. What it sees of the floor, being tilted, is no obstacle; what is
+    /// close beside the robot stays known when it comes behind the scanner.
     void add(const RangesSample& ranges, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom);
 
     /// How it looks from @p baseInOdom at @p now.
@@ -73,8 +74,9 @@ private:
     void remember(std::span<const ProfilePoint> points, const Ray& ray, const Eigen::Vector2d& origin,
                   double heading);
     static void addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top);
-    void put(const Ray& ray, double heading);
-    void clearBetween(double from, double to, Time at);
+    /// @p look: when the scanner began to look round this time; what it saw before is replaced.
+    void put(const Ray& ray, double heading, Time look);
+    void clearBetween(double from, double to, Time look);
     [[nodiscard]] int binOf(double heading) const;
 
     VirtualScanSettings m_settings;

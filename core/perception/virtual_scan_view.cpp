@@ -116,6 +116,32 @@ void VirtualScanView::closeGaps(int widest) {
     sectors = std::move(closed);
 }
 
+void VirtualScanView::bridgeEdges(int widest) {
+    const int count = static_cast<int>(sectors.size());
+    const std::vector<VirtualSector> seen = sectors;
+    const auto at = [&](int i) -> const VirtualSector& {
+        return seen[static_cast<std::size_t>((i % count + count) % count)];
+    };
+    const auto lengthOf = [](const VirtualSector& sector) {
+        const double outer = sector.outer ? sector.outer->norm() : Infinity;
+        return sector.inner ? std::min(outer, sector.inner->norm()) : outer;
+    };
+    for (int i = 0; i < count; ++i) {
+        if (std::isfinite(at(i).age)) continue;
+        int before = 1, after = 1;
+        while (before <= widest && !std::isfinite(at(i - before).age)) ++before;
+        while (after <= widest && !std::isfinite(at(i + after).age)) ++after;
+        if (before + after > widest + 1) continue;
+        const VirtualSector &right = at(i - before), &left = at(i + after);
+        VirtualSector& sector = sectors[static_cast<std::size_t>(i)];
+        sector.age = std::max(right.age, left.age);
+        const double length = std::min(lengthOf(right), lengthOf(left));
+        const double direction = directionOf(i);
+        if (std::isfinite(length))
+            sector.outer = length * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    }
+}
+
 double VirtualScanView::nearest(double from, double to, double maxAge) const {
     double best = Infinity;
     for (const VirtualObstacle& one : obstacles) {

@@ -49,6 +49,10 @@ struct VirtualScanView {
     /// is one surface; up to @p widest of them in a row.
     void closeGaps(int widest = 4);
 
+    /// Sectors that were never looked at beside an edge, which a scanner ahead of base_link sees from another
+    /// side, are as far in sight as the nearer of those beside them; up to @p widest of them in a row.
+    void bridgeEdges(int widest);
+
     [[nodiscard]] int sectorOf(double direction) const;  ///< [rad]
     [[nodiscard]] double directionOf(int sector) const;  ///< of its middle [rad]
 

@@ -50,6 +50,10 @@ constexpr auto NoWayToTheGoal = translatable("leitstand::RobotSays", "finds no w
 constexpr auto NothingLeft = translatable("leitstand::RobotSays", "nothing is left to explore");
 constexpr auto MakesRoom = translatable("leitstand::RobotSays", "stuck: makes room");
 constexpr auto LooksForAWay = translatable("leitstand::RobotSays", "looks for a way");
+constexpr auto BacksOut = translatable("leitstand::RobotSays", "ran against something: backs out");
+constexpr auto LeansBacksOut = translatable("leitstand::RobotSays", "leans too much: backs out");
+constexpr auto NoWayOff = translatable("leitstand::RobotSays", "finds no way off what it ran into");
+constexpr auto RolledOverStands = translatable("leitstand::RobotSays", "rolled over: stands");
 constexpr auto NoRule = translatable("leitstand::RobotSays", "no rule applies: stands");
 // While it drives to a victim.
 constexpr auto NoHeat = translatable("leitstand::RobotSays", "no heat to drive to");
@@ -92,6 +96,8 @@ constexpr auto All = std::to_array<const char*>({Started,          AskedFor,
                                                  AtTheGoal,        LooksAgain,
                                                  NoWayToTheGoal,   NothingLeft,
                                                  MakesRoom,        LooksForAWay,
+                                                 BacksOut,         LeansBacksOut,
+                                                 NoWayOff,         RolledOverStands,
                                                  NoRule,           NoHeat,
                                                  HeatLost,         HeatUnreachable,
                                                  VictimKnown,      GaveUp,

@@ -1,37 +1,59 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "core/base/pose.h"
-#include "robots/agent/robot_agent.h"
+#include "robots/agent/self_driving_agent.h"
+#include "robots/control/driving/evasion.h"
+#include "robots/control/driving/felt_obstacles.h"
 
 namespace leitstand {
 
-/// How the Crawler warns of rolling over.
+/// How the Crawler drives and how it warns of rolling over.
 struct CrawlerSettings {
-    AgentSettings agent = {.geometry = {.trackWidth = 0.20 / 0.7, .maxSpeed = 0.6},  // turns slip by 30 %
-                           .motors = {.fullSpeed = 0.7, .proportional = 7.0, .integral = 60.0},
-                           .modes = {DriveMode::Teleoperation},
-                           .hasRemote = true};
+    CrawlerSettings();  ///< as it was built
+
+    AgentSettings agent;
+    SelfDrivingSettings driving;  ///< by a plane laser that sees neither what is low nor what is behind
+    EvasionSettings evasion;
     double warnFrom = 0.7;      ///< share of the tip-over limits
     double lies = degrees(65);  ///< tilted so far, it lies on its side or back [rad]
     double lookAhead = 0.5;     ///< turn rates of the gyro are carried on for so long [s]
 };
 
-/// What drives the Crawler: chains, radio remote, warning of rolling over (paper, section 3). One thread.
-class CrawlerAgent final : public RobotAgent {
+/// What drives the Crawler: chains, radio remote, warning of rolling over (paper, section 3), and by itself
+/// as Kurt3D does, by its plane laser and by what it feels. One thread.
+class CrawlerAgent final : public SelfDrivingAgent {
 public:
-    CrawlerAgent(RobotHardware& hardware, const RobotDescription& robot,
-                 const CrawlerSettings& settings = {});
+    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as of FuzzyDrive::create().
+    [[nodiscard]] static Result<std::unique_ptr<CrawlerAgent>> create(RobotHardware& hardware,
+                                                                      const RobotDescription& robot,
+                                                                      const FuzzySystem& fuzzy,
+                                                                      const CrawlerSettings& settings = {});
 
 private:
+    CrawlerAgent(RobotHardware& hardware, const RobotDescription& robot, const FuzzyDrive& drive,
+                 const CrawlerSettings& settings);
     void sense(HardwareSample& sample) override;
+    void consider(VirtualScanView& view, const Pose& here, Time now) override;
+    DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now) override;
+    [[nodiscard]] double caution() const override;
+
     void feel(const ImuSample& imu);
+    void feel(const BumpSample& bumps);
+    void remember(const EvasionStep& felt, const Pose& here, Time now);
+    [[nodiscard]] double lean(const Eigen::Vector3d& rate) const;
     [[nodiscard]] DiagnosticStatus::Level danger(const Eigen::Vector3d& rate) const;
     [[nodiscard]] DiagnosticStatus warning() const;
 
     CrawlerSettings m_settings;
-    double m_roll = 0.0, m_pitch = 0.0;  ///< [rad]
+    Evasion m_evasion;
+    FeltObstacles m_felts;
+    std::array<std::uint32_t, 4> m_hits{};  ///< of the bumpers of each BodySide
+    double m_roll = 0.0, m_pitch = 0.0;     ///< [rad]
     std::optional<Time> m_felt;
     DiagnosticStatus::Level m_danger = DiagnosticStatus::Level::Ok;
 };

@@ -70,7 +70,8 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
         const bool keep = !m_way.empty() && (m_way.back() - here).norm() > m_settings.arrived &&
                           m_memory.isBorderNear(m_way.back());
         if (keep) m_way = m_memory.wayTo(here, m_way.back());
-        if (!keep || m_way.empty()) m_way = m_memory.wayToUnseen(here);
+        if (!keep || m_way.empty())
+            m_way = m_memory.wayToUnseen(here, {yawOf(baseInOdom), m_settings.turnCost});
     }
     m_emptyPlans = m_way.empty() ? m_emptyPlans + 1 : 0;
 }

@@ -13,6 +13,7 @@ namespace leitstand {
 
 struct ExplorerSettings {
     FloorMemorySettings memory;
+    double turnCost = 0.0;    ///< half a turn to the unseen is as bad as so long a way [m]
     double aimAhead = 0.7;    ///< along the way [m]
     double goalNear = 0.5;    ///< of a goal that cannot be reached itself [m]
     double arrived = 0.25;    ///< from a goal [m]

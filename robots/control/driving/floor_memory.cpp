@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
 
 namespace leitstand {
@@ -117,6 +118,9 @@ void FloorMemory::see(const VirtualScanView& view, const Pose& baseInOdom) {
         if (one.age <= m_settings.maxAge && one.where.norm() < m_settings.sight + 1.0)
             addEvidence(keyOf(here + turn * one.where), HitEvidence);
     }
+    if (m_settings.around > 0.0) {
+        for (const Key key : around(here, m_settings.around)) m_cells[key].seen = true;
+    }
     const Key key = keyOf(here);
     Cell& cell = m_cells[key];
     cell.seen = true;
@@ -197,7 +201,12 @@ double FloorMemory::weightOf(const Cell* cell, bool tight) {
 
 std::vector<Eigen::Vector2d> FloorMemory::search(const Eigen::Vector2d& from,
                                                  const std::function<bool(Key)>& goal,
-                                                 std::optional<double> unseen) const {
+                                                 std::optional<double> unseen, const Turning& turning) const {
+    const auto turned = [&turning, this](std::int64_t x, std::int64_t y) {
+        const double towards = std::atan2(static_cast<double>(y), static_cast<double>(x));
+        const double turn = std::abs(std::remainder(towards - turning.heading, 2.0 * std::numbers::pi));
+        return turning.cost / m_settings.cell * turn / std::numbers::pi;
+    };
     struct Node {
         double cost;
         Key key;
@@ -237,7 +246,8 @@ std::vector<Eigen::Vector2d> FloorMemory::search(const Eigen::Vector2d& from,
                 if (cell != nullptr && cell->evidence > 0) continue;
                 const bool tight = cell != nullptr && cell->near > 0;
                 if (tight && (middleOf(next) - from).norm() > Escape) continue;
-                const double cost = node.cost + weightOf(cell, tight) * std::hypot(x, y);
+                const double cost = node.cost + weightOf(cell, tight) * std::hypot(x, y) +
+                                    (node.key == start ? turned(x, y) : 0.0);
                 const auto found = best.find(next);
                 if (found != best.end() && found->second.cost <= cost) continue;
                 best[next] = {cost, node.key};
@@ -248,9 +258,10 @@ std::vector<Eigen::Vector2d> FloorMemory::search(const Eigen::Vector2d& from,
     return {};
 }
 
-std::vector<Eigen::Vector2d> FloorMemory::wayToUnseen(const Eigen::Vector2d& from) const {
+std::vector<Eigen::Vector2d> FloorMemory::wayToUnseen(const Eigen::Vector2d& from,
+                                                      const Turning& turning) const {
     return search(
-        from, [this](Key key) { return isBorder(key); }, std::nullopt);
+        from, [this](Key key) { return isBorder(key); }, std::nullopt, turning);
 }
 
 std::vector<Eigen::Vector2d> FloorMemory::wayTo(const Eigen::Vector2d& from, const Eigen::Vector2d& goal,
@@ -259,12 +270,10 @@ std::vector<Eigen::Vector2d> FloorMemory::wayTo(const Eigen::Vector2d& from, con
     const Key wanted = keyOf(goal);
     const Cell* cell = find(wanted);
     if (cell == nullptr || cell->near == 0) {
-        auto way = search(
-            from, [wanted](Key key) { return key == wanted; }, around);
+        auto way = search(from, [wanted](Key key) { return key == wanted; }, around, {});
         if (!way.empty()) return way;
     }
-    return search(
-        from, [&](Key key) { return (middleOf(key) - goal).norm() < near; }, around);
+    return search(from, [&](Key key) { return (middleOf(key) - goal).norm() < near; }, around, {});
 }
 
 bool FloorMemory::isSeen(const Eigen::Vector2d& place) const {

@@ -19,6 +19,7 @@ struct FloorMemorySettings {
     double sight = 3.0;       ///< floor is remembered as seen up to there [m]
     double clearance = 0.25;  ///< from obstacles, that the robot's middle needs: half its width at least [m]
     double comfort = 0.40;    ///< from obstacles, that it keeps where there is space [m]
+    double around = 0.0;      ///< floor so near the robot counts as seen, where its scanner is blind [m]
     double maxAge = 0.5;      ///< of sectors that are entered: they were seen from about here [s]
 };
 
@@ -38,8 +39,17 @@ public:
     void doubt(const Eigen::Vector2d& place, double radius);
     void clear();
 
+    /// What the first step of a way costs more when the robot has to turn for it.
+    struct Turning {
+        double heading = 0.0;  ///< of the robot, in odom [rad]
+        double cost = 0.0;     ///< as so long a way, for half a turn [m]
+    };
     /// The way from @p from over seen floor to the nearest border of the unseen; in odom [m]. Empty: none.
-    [[nodiscard]] std::vector<Eigen::Vector2d> wayToUnseen(const Eigen::Vector2d& from) const;
+    [[nodiscard]] std::vector<Eigen::Vector2d> wayToUnseen(const Eigen::Vector2d& from,
+                                                           const Turning& turning) const;
+    [[nodiscard]] std::vector<Eigen::Vector2d> wayToUnseen(const Eigen::Vector2d& from) const {
+        return wayToUnseen(from, {});
+    }
     /// The way to @p goal, or within @p near of it when it cannot be reached itself [m]; over unseen floor
     /// too. Empty: none.
     [[nodiscard]] std::vector<Eigen::Vector2d> wayTo(const Eigen::Vector2d& from, const Eigen::Vector2d& goal,
@@ -72,11 +82,11 @@ private:
                   const std::unordered_set<Key>& held);
     [[nodiscard]] bool isBorder(Key key) const;
     /// Dijkstra's cheapest way from @p from to the first cell that is a @p goal; over the unseen as well,
-    /// when
-    /// @p unseen says how far away [m].
+    /// when @p unseen says how far away [m].
     [[nodiscard]] std::vector<Eigen::Vector2d> search(const Eigen::Vector2d& from,
                                                       const std::function<bool(Key)>& goal,
-                                                      std::optional<double> unseen) const;
+                                                      std::optional<double> unseen,
+                                                      const Turning& turning) const;
 
     FloorMemorySettings m_settings;
     std::unordered_map<Key, Cell> m_cells;

@@ -72,15 +72,19 @@ Result<FuzzySystem> fuzzyRules() {
     return Error{"control/fuzzy_drive.yaml: not found beside the robots' files"};
 }
 
-Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotHardware& hardware,
-                                             const RobotDescription& robot) {
-    if (options.kind == "crawler")
-        return std::unique_ptr<RobotAgent>(std::make_unique<CrawlerAgent>(hardware, robot));
+template <class Agent>
+Result<std::unique_ptr<RobotAgent>> make(RobotHardware& hardware, const RobotDescription& robot) {
     const auto rules = fuzzyRules();
     if (!rules) return rules.error();
-    auto agent = Kurt3dAgent::create(hardware, robot, *rules);
+    auto agent = Agent::create(hardware, robot, *rules);
     if (!agent) return agent.error();
     return std::unique_ptr<RobotAgent>(std::move(agent).value());
+}
+
+Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotHardware& hardware,
+                                             const RobotDescription& robot) {
+    if (options.kind == "crawler") return make<CrawlerAgent>(hardware, robot);
+    return make<Kurt3dAgent>(hardware, robot);
 }
 
 Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::string& name, int domain,

@@ -288,6 +288,37 @@ TEST(VirtualScan, AlsoFromAScannerInAPlane) {
     EXPECT_TRUE(std::isinf(innerAhead(virtualScan.view(Pose::Identity(), atSecond(0.1)))));
 }
 
+TEST(VirtualScan, APlaneScannerThatDrivesPastAPostRemembersItBesideTheRobot) {
+    VirtualWorld world;
+    world.blocks = hall();
+    world.blocks.push_back({{1.0, 0.35, 0.0}, {1.1, 0.45, 0.5}});
+    const Pose mount = poseFrom({0.14, 0.0, 0.2}, 0.0, 0.0, 0.0);
+    VirtualScan virtualScan(settings());
+    const auto turnFrom = [&](double x, double seconds) {
+        RangesSample ranges;
+        ranges.header.stamp = atSecond(seconds);
+        ranges.angleMin = degrees(-120);
+        ranges.angleStep = degrees(0.36);
+        ranges.rangeMin = 0.02;
+        ranges.rangeMax = 5.6;
+        const Pose base = poseFrom({x, 0.0, 0.0}, 0.0, 0.0, 0.0);
+        for (int i = 0; i < 667; ++i) {
+            const double angle = ranges.angleMin + i * ranges.angleStep;
+            ranges.ranges.push_back(static_cast<float>(world.cast(
+                (base * mount).translation(), Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0))));
+        }
+        virtualScan.add(ranges, mount, [base](Time) { return base; });
+    };
+    double x = 0.0, seconds = 0.0;
+    for (; x < 1.2; x += 0.05, seconds += 0.1) turnFrom(x, seconds);
+    const Pose here = poseFrom({x, 0.0, 0.0}, 0.0, 0.0, 0.0);
+    const double behind = degrees(115), left = degrees(65);
+    EXPECT_NEAR(virtualScan.view(here, atSecond(seconds)).nearest(left, behind + degrees(30)), 0.37, 0.06);
+    world.blocks.pop_back();
+    for (x = 0.6; x < 0.7; x += 0.05, seconds += 0.1) turnFrom(x, seconds);
+    EXPECT_GT(virtualScan.view(here, atSecond(seconds)).nearest(left, behind), 1.0) << "it has gone";
+}
+
 TEST(VirtualScanView, FreeTravelFollowsTheArcWithTheWholeBody) {
     VirtualScanView view;
     view.sectors.resize(180);

@@ -22,10 +22,9 @@ const std::string Resources = std::string(LEITSTAND_SOURCE_DIR) + "/resources/";
 
 std::unique_ptr<RobotAgent> agentFor(const std::string& kind, RobotHardware& hardware,
                                      const RobotDescription& robot) {
-    if (kind == "crawler") return std::make_unique<CrawlerAgent>(hardware, robot);
-    return Kurt3dAgent::create(hardware, robot,
-                               readFuzzySystem(Resources + "control/fuzzy_drive.yaml").value())
-        .value();
+    const FuzzySystem rules = readFuzzySystem(Resources + "control/fuzzy_drive.yaml").value();
+    if (kind == "crawler") return CrawlerAgent::create(hardware, robot, rules).value();
+    return Kurt3dAgent::create(hardware, robot, rules).value();
 }
 
 }  // namespace

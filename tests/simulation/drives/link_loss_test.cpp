@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,9 @@
 namespace leitstand::simulation::test {
 namespace {
 
-DriveSetup blindToHeat() {
+DriveSetup blindToHeat(const std::string& kind = "kurt3d") {
     DriveSetup setup;
+    setup.kind = kind;
     setup.infrared = false;
     return setup;
 }
@@ -55,7 +57,7 @@ TEST(LinkLoss, SafeTeleoperationStands) {
 Arena corner() {
     Arena arena = room(6.0, 3.0);
     arena.elements.push_back(wall("between", {2.6, 0.0}, {2.6, 1.9}));
-    arena.starts["kurt3d"] = poseFrom({0.8, 0.8, 0.0}, 0.0, 0.0, 0.0);
+    arena.starts["kurt3d"] = arena.starts["crawler"] = poseFrom({0.8, 0.8, 0.0}, 0.0, 0.0, 0.0);
     return arena;
 }
 
@@ -67,8 +69,13 @@ PoseSample goalAt(const DrivenWorld& driven, const std::string& frame, const Eig
     return goal;
 }
 
-TEST(LinkLoss, ExploringReturnsToWhereTheRadioReachedIt) {
-    DrivenWorld driven(corner(), blindToHeat());
+class OfBothRobots : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Drives, OfBothRobots, testing::Values("kurt3d", "crawler"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(OfBothRobots, ExploringReturnsToWhereTheRadioReachedIt) {
+    DrivenWorld driven(corner(), blindToHeat(GetParam()));
     driven.pass(0.5);
     driven.ask("explore");
     driven.station->say(StreamRole::GoalPose, goalAt(driven, "odom", {5.2, 0.7}));
@@ -113,9 +120,9 @@ TEST(LinkLoss, AnApproachIsFinishedAndWaits) {
     EXPECT_NE(driven.reason().find("waits"), std::string::npos) << driven.reason();
 }
 
-TEST(Goal, IsReachedAroundACorner) {
+TEST_P(OfBothRobots, AGoalIsReachedAroundACorner) {
     for (const std::string frame : {"odom", "base_link"}) {
-        DrivenWorld driven(corner(), blindToHeat());
+        DrivenWorld driven(corner(), blindToHeat(GetParam()));
         driven.pass(0.5);
         driven.ask("explore");
         const Eigen::Vector2d goal(4.8, 0.8);
@@ -126,8 +133,8 @@ TEST(Goal, IsReachedAroundACorner) {
         driven.pass(3.0);
         EXPECT_LT(driven.speed(), 0.01) << "waits there";
         EXPECT_EQ(driven.bumps(), 0);
-        std::printf("at the goal (%s) after %.0f s, %.2f m off\n", frame.c_str(), driven.world->seconds(),
-                    (driven.place() - goal).norm());
+        std::printf("%s at the goal (%s) after %.0f s, %.2f m off\n", GetParam(), frame.c_str(),
+                    driven.world->seconds(), (driven.place() - goal).norm());
     }
 }
 

@@ -30,7 +30,7 @@ Arena room(double x, double y) {
     floor.pose = poseFrom({x / 2, y / 2, 0.0}, 0.0, 0.0, 0.0);
     arena.elements = {floor, wall("south", {0, 0}, {x, 0}), wall("east", {x, 0}, {x, y}),
                       wall("north", {x, y}, {0, y}), wall("west", {0, y}, {0, 0})};
-    arena.starts["kurt3d"] = poseFrom({0.8, y / 2, 0.0}, 0.0, 0.0, 0.0);
+    arena.starts["kurt3d"] = arena.starts["crawler"] = poseFrom({0.8, y / 2, 0.0}, 0.0, 0.0, 0.0);
     return arena;
 }
 

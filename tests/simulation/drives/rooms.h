@@ -4,8 +4,8 @@
 
 namespace leitstand::simulation::test {
 
-/// A room of @p x by @p y m from the origin on, with walls of 1.2 m; "kurt3d" starts in the middle of its
-/// west end and looks east.
+/// A room of @p x by @p y m from the origin on, with walls of 1.2 m; a robot starts in the middle of its west
+/// end and looks east.
 [[nodiscard]] Arena room(double x, double y);
 /// A wall from @p a to @p b.
 [[nodiscard]] Element wall(const std::string& name, const Eigen::Vector2d& a, const Eigen::Vector2d& b);

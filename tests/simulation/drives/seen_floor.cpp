@@ -11,14 +11,15 @@ constexpr double Turn = 2.3;     ///< of the scanner [s]
 
 }  // namespace
 
-SeenFloor::SeenFloor(const World& world)
+SeenFloor::SeenFloor(const World& world, double eye)
     : m_world(world),
+      m_eye(eye),
       m_reachable(reachableFloor(world.arena(), Radius)),
       m_seen(m_reachable.reached.size(), 0) {}
 
 void SeenFloor::look(int robot) {
     const Pose& base = m_world.state(robot).baseInArena;
-    const Eigen::Vector3d head = base * Eigen::Vector3d(0.0, 0.0, 0.48);
+    const Eigen::Vector3d head = base * Eigen::Vector3d(0.0, 0.0, m_eye);
     const bool turned = m_world.seconds() - m_lookedAt >= Turn;
     if (turned) m_lookedAt = m_world.seconds();
     const double sight = turned ? Sight : 0.05;

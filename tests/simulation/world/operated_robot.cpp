@@ -24,8 +24,8 @@ BodySpec bodyOf(const std::string& kind) {
 
 std::unique_ptr<RobotAgent> agentOf(const std::string& kind, RobotHardware& hardware,
                                     const RobotDescription& robot) {
-    if (kind == "crawler") return std::make_unique<CrawlerAgent>(hardware, robot);
     const auto rules = readFuzzySystem(Resources + "control/fuzzy_drive.yaml");
+    if (kind == "crawler") return CrawlerAgent::create(hardware, robot, *rules).value();
     return Kurt3dAgent::create(hardware, robot, *rules).value();
 }
 

@@ -1,0 +1,175 @@
+#include "robots/agent/self_driving_agent.h"
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "core/robot/robot_says.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double LevelPlane = degrees(30);  ///< planes of lasers that are tilted more are no scan's
+
+VirtualScanSettings scanOf(const RobotDescription& robot, const SelfDrivingSettings& settings) {
+    VirtualScanSettings scan = settings.scan;
+    scan.body = boxAround(robot.footprint);
+    return scan;
+}
+
+DriveVelocity slowed(const DriveVelocity& velocity, double share) {
+    return {share * velocity.forward, share * velocity.left, share * velocity.turn};
+}
+
+}  // namespace
+
+Result<FuzzyDrive> SelfDrivingAgent::driveFor(const RobotDescription& robot, const FuzzySystem& fuzzy,
+                                              const SelfDrivingSettings& settings) {
+    FuzzyDriveSettings driving = settings.drive;
+    driving.safety.body = boxAround(robot.footprint);
+    return FuzzyDrive::create(fuzzy, driving);
+}
+
+SelfDrivingAgent::SelfDrivingAgent(RobotHardware& hardware, const RobotDescription& robot,
+                                   const FuzzyDrive& drive, const AgentSettings& agent,
+                                   const SelfDrivingSettings& settings)
+    : RobotAgent(hardware, robot, agent),
+      m_thinks(settings.thinks),
+      m_safety(drive.settings().safety),
+      m_scan(scanOf(robot, settings)),
+      m_explorer(drive, settings.explorer) {}
+
+void SelfDrivingAgent::sense(HardwareSample& sample) {
+    const auto then = [this](Time at) { return m_odometry.at(at); };
+    if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
+        m_odometry.add(odometry->header.stamp, odometry->baseInOdom);
+    } else if (const auto* transforms = std::get_if<TransformsSample>(&sample.sample)) {
+        for (const FrameTransform& one : transforms->transforms)
+            m_frames[one.childFrame] = {one.header.frame, one.childInParent};
+    } else if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+        if (const auto place = inBase(cloud->header.frame, sample.sensor)) m_scan.add(*cloud, *place, then);
+    } else if (const auto* ranges = std::get_if<RangesSample>(&sample.sample)) {
+        // A plane that a unit turns upright tells of heights; its points come as clouds too.
+        const auto place = inBase(ranges->header.frame, sample.sensor);
+        if (place && std::abs(place->linear()(2, 2)) > std::cos(LevelPlane))
+            m_scan.add(*ranges, *place, then);
+    }
+}
+
+std::optional<Pose> SelfDrivingAgent::inBase(const std::string& frame, const std::string& sensor) const {
+    Pose pose = Pose::Identity();
+    std::string at = frame;
+    for (int links = 0; links < 8 && at != robot().baseFrame; ++links) {
+        const auto found = m_frames.find(at);
+        if (found == m_frames.end()) break;
+        pose = found->second.second * pose;
+        at = found->second.first;
+    }
+    if (at == robot().baseFrame) return pose;
+    const auto described = robot().sensors.find(sensor);
+    if (described == robot().sensors.end() || described->second.frame != frame) return std::nullopt;
+    return described->second.sensorInBase;
+}
+
+void SelfDrivingAgent::consider(VirtualScanView& view, const Pose& here, Time now) {
+    static_cast<void>(view);
+    static_cast<void>(here);
+    static_cast<void>(now);
+}
+
+void SelfDrivingAgent::thought(Driver driver, Time now) {
+    static_cast<void>(driver);
+    static_cast<void>(now);
+}
+
+void SelfDrivingAgent::takeOver(Driver before, Driver now) {
+    static_cast<void>(before);
+    static_cast<void>(now);
+}
+
+RobotAgent::Report SelfDrivingAgent::report(Time now) {
+    if (const auto here = m_odometry.at(now); here && isDue(now)) {
+        m_view = m_scan.view(*here, now);
+        consider(m_view, *here, now);
+    }
+    Report told = m_report;
+    m_report.done = m_report.failed = false;
+    m_report.text.clear();
+    return told;
+}
+
+void SelfDrivingAgent::goTo(const PoseSample& goal) {
+    if (!goal.poseInFrame.translation().allFinite()) return;
+    const auto here = m_odometry.newest();
+    if (goal.header.frame == robot().odomFrame) {
+        m_goal = goal.poseInFrame.translation().head<2>();
+    } else if (goal.header.frame == robot().baseFrame && here) {
+        m_goal = (*here * goal.poseInFrame).translation().head<2>();
+    }
+}
+
+DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) {
+    const bool began = decision.driver != m_driver;
+    if (began) {
+        takeOver(m_driver, decision.driver);
+        if (decision.driver == Driver::Explorer || decision.driver == Driver::Returner) m_explorer.resume();
+        m_velocity = {};
+    }
+    m_driver = decision.driver;
+    if (began || isDue(now)) {
+        m_thought = now;
+        if (const auto here = m_odometry.at(now)) {
+            // The link was good where the station was heard last, not where its silence was found too long.
+            m_trail.moved(*here, decision.heardNow, decision.driver == Driver::Returner);
+            m_velocity = think(decision, *here, now);
+        } else {
+            m_velocity = {};
+        }
+        thought(decision.driver, now);
+    }
+    switch (decision.driver) {
+        case Driver::Operator:
+        case Driver::Remote:
+            return wish;
+        case Driver::LimitedOperator:
+            return slowed(safeVelocity(wish, m_view, m_safety).velocity, caution());
+        case Driver::Explorer:
+        case Driver::Approacher:
+        case Driver::Returner:
+            return slowed(m_velocity, caution());
+        case Driver::Nobody:
+            break;
+    }
+    return {};
+}
+
+DriveVelocity SelfDrivingAgent::think(const ModeDecision& decision, const Pose& here, Time now) {
+    if (decision.driver == Driver::Explorer) return explore(m_goal, here, now);
+    if (decision.driver == Driver::Returner) return comeBack(here, now);
+    m_explorer.see(m_view, here, now);
+    return {};
+}
+
+DriveVelocity SelfDrivingAgent::comeBack(const Pose& here, Time now) {
+    if (m_trail.isBack()) {
+        m_report.done = true;
+        m_report.text = robot_says::BackWhereLinkWasGood;
+        return {};
+    }
+    const DriveVelocity velocity = explore(m_trail.next(), here, now);
+    m_report.done = false;  // one place of the trail is not its end
+    return velocity;
+}
+
+DriveVelocity SelfDrivingAgent::explore(const std::optional<Eigen::Vector2d>& goal, const Pose& here,
+                                        Time now) {
+    if (m_explorer.goal() != goal) m_explorer.setGoal(goal);
+    const ExplorerStep step = m_explorer.step(m_view, here, m_scan.newest(), now);
+    m_report.done = step.done;
+    m_report.failed = step.failed;
+    m_report.text = step.reason;
+    if (step.done || step.failed) m_goal.reset();
+    return step.velocity;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/perception/virtual_scan.h"
+#include "robots/agent/odometry_track.h"
+#include "robots/agent/robot_agent.h"
+#include "robots/control/driving/explorer.h"
+#include "robots/control/link_trail.h"
+
+namespace leitstand {
+
+/// How a robot looks and drives by itself. Its body is filled in from its description.
+struct SelfDrivingSettings {
+    std::chrono::nanoseconds thinks = std::chrono::milliseconds(50);  ///< period of its own drivers
+    VirtualScanSettings scan;
+    FuzzyDriveSettings drive;
+    ExplorerSettings explorer;
+};
+
+/// What robots that can drive by themselves do alike (paper, section 2.3): a virtual scan of 3D or plane
+/// lasers, safe teleoperation, exploring, driving to a goal, and back to where the link was good. One thread.
+class SelfDrivingAgent : public RobotAgent {
+protected:
+    /// @p drive: of driveFor().
+    SelfDrivingAgent(RobotHardware& hardware, const RobotDescription& robot, const FuzzyDrive& drive,
+                     const AgentSettings& agent, const SelfDrivingSettings& settings);
+    /// Errors as of FuzzyDrive::create().
+    [[nodiscard]] static Result<FuzzyDrive> driveFor(const RobotDescription& robot, const FuzzySystem& fuzzy,
+                                                     const SelfDrivingSettings& settings);
+
+    void sense(HardwareSample& sample) override;
+    Report report(Time now) override;
+    void goTo(const PoseSample& goal) override;
+    DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) override;
+
+    /// A new view, before anything is decided by it: robots may know more of what is about them.
+    virtual void consider(VirtualScanView& view, const Pose& here, Time now);
+    /// What its own drivers want; the robot is at @p here. Also told while others drive: it looks on.
+    virtual DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now);
+    virtual void thought(Driver driver, Time now);     ///< after every thought
+    virtual void takeOver(Driver before, Driver now);  ///< before the first thought of another driver
+    [[nodiscard]] virtual double caution() const { return 1.0; }  ///< share of the speed, 0 to 1
+
+    /// Where @p frame of @p sensor is now, by tf, else as described. Empty: nobody knows.
+    [[nodiscard]] std::optional<Pose> inBase(const std::string& frame, const std::string& sensor) const;
+    [[nodiscard]] const OdometryTrack& odometry() const { return m_odometry; }
+    [[nodiscard]] const VirtualScanView& view() const { return m_view; }
+    [[nodiscard]] const SafeTeleoperationSettings& safety() const { return m_safety; }
+    [[nodiscard]] const DriveVelocity& velocity() const { return m_velocity; }  ///< that it wanted last
+    [[nodiscard]] Driver driver() const { return m_driver; }
+    Explorer& explorer() { return m_explorer; }
+    Report& told() { return m_report; }  ///< to be said to the modes
+
+private:
+    DriveVelocity explore(const std::optional<Eigen::Vector2d>& goal, const Pose& here, Time now);
+    DriveVelocity comeBack(const Pose& here, Time now);
+    [[nodiscard]] bool isDue(Time now) const { return !m_thought || now - *m_thought >= m_thinks; }
+
+    std::chrono::nanoseconds m_thinks;
+    SafeTeleoperationSettings m_safety;
+    VirtualScan m_scan;
+    Explorer m_explorer;
+    LinkTrail m_trail;
+    OdometryTrack m_odometry;
+    std::map<std::string, std::pair<std::string, Pose>> m_frames;  ///< child: parent, child in it
+    VirtualScanView m_view;
+    std::optional<Eigen::Vector2d> m_goal;  ///< of the operator, odom [m]
+    std::optional<Time> m_thought;
+    Driver m_driver = Driver::Nobody;
+    DriveVelocity m_velocity;
+    Report m_report;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/perception/virtual_scan_view.h"
+
+namespace leitstand {
+
+/// What a robot felt and its scanner does not see: low things that it ran against, ground too steep for it.
+/// They stay obstacles for five minutes.
+class FeltObstacles {
+public:
+    /// At @p inBase, when the robot was at @p baseInOdom.
+    void add(const Eigen::Vector2d& inBase, const Pose& baseInOdom, Time now);
+    /// Puts them into @p view, which is of @p baseInOdom.
+    void addTo(VirtualScanView& view, const Pose& baseInOdom, Time now);
+    [[nodiscard]] std::size_t count() const { return m_all.size(); }
+
+private:
+    struct One {
+        Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< in odom [m]
+        Time at{};
+    };
+    std::vector<One> m_all;  ///< the oldest first
+};
+
+}  // namespace leitstand
