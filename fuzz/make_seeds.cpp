@@ -97,7 +97,7 @@ bool writeBag(const fs::path& corpus) {
     if (!opened) return false;
     const auto writer = std::move(opened).value();
     writer->addTopic(
-        {"/kurt3d/gas", "std_msgs/msg/Float32", qosProfilesOf({}), "float32 data", "", false, "cdr"});
+        {"/kurt3d/gas", "std_msgs/msg/Float32", qosProfilesOf({}), "float32 data", "", false, false, "cdr"});
     for (std::uint64_t i = 1; i <= 3; ++i) {
         const auto cdr = std::make_shared<const std::vector<std::byte>>(8, std::byte{1});
         writer->write({i, Time(std::chrono::seconds(i)), "/kurt3d/gas", "std_msgs/msg/Float32", cdr});
