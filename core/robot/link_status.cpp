@@ -1,9 +1,15 @@
 #include "core/robot/link_status.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "core/base/said.h"
+#include "core/robot/link_reasons.h"
 
 namespace leitstand {
 namespace {
@@ -34,7 +40,64 @@ std::string streamOf(const LinkReason& reason) {
                                             : wordsOf(reason.role);
 }
 
+constexpr std::pair<LinkReason::Kind, const char*> Sentences[] = {
+    {LinkReason::Kind::Silent, "nothing heard for {} s"},
+    {LinkReason::Kind::NoAnswer, "no answer to pings for {} s"},
+    {LinkReason::Kind::Slow, "round trip {} ms"},
+    {LinkReason::Kind::Loss, "{} % of {} lost"},
+    {LinkReason::Kind::Stale, "{} s old"},
+    {LinkReason::Kind::Late, "{} s late"},
+};
+
+/// Reads "left pictures" into @p reason.
+bool readStream(std::string_view said, LinkReason& reason) {
+    const auto isWhole = [&](StreamRole role) { return said == wordsOf(role); };
+    const auto roles = allStreamRoles();
+    if (const auto role = std::ranges::find_if(roles, isWhole); role != roles.end()) {
+        reason.role = *role;
+        return true;
+    }
+    // The longest words first: "left thermal pictures" are none of a sensor "left thermal".
+    for (const StreamRole role : {StreamRole::Thermal, StreamRole::Picture, StreamRole::CameraInfo}) {
+        const std::string words = fmt::format(" {}", wordsOf(role));
+        if (said.size() <= words.size() || !said.ends_with(words)) continue;
+        reason.role = role;
+        reason.sensor = std::string(said.substr(0, said.size() - words.size()));
+        return true;
+    }
+    return false;
+}
+
+bool readFigure(std::string_view said, double& value) {
+    const auto [end, problem] = std::from_chars(said.data(), said.data() + said.size(), value);
+    return problem == std::errc() && end == said.data() + said.size() && std::isfinite(value);
+}
+
 }  // namespace
+
+std::optional<LinkReason> linkReasonFrom(std::string_view said) {
+    for (const auto& [kind, words] : Sentences) {
+        const SaidSentence found = knownSentence(said, std::array{words});
+        if (found.words == nullptr) continue;
+        LinkReason reason;
+        reason.kind = kind;
+        std::string_view figure = found.values.front(), stream;
+        if (found.values.size() == 2) stream = found.values.back();
+        const bool before = kind == LinkReason::Kind::Stale || kind == LinkReason::Kind::Late;
+        if (before) {
+            const auto gap = figure.rfind(' ');
+            if (gap == std::string_view::npos) continue;
+            stream = figure.substr(0, gap);
+            figure.remove_prefix(gap + 1);
+        }
+        if (!readFigure(figure, reason.value)) continue;
+        if (kind == LinkReason::Kind::Loss) reason.value /= 100.0;
+        if (kind == LinkReason::Kind::Slow) reason.value /= 1e3;
+        if ((before || kind == LinkReason::Kind::Loss) && !readStream(stream, reason)) continue;
+        return reason;
+    }
+    return std::nullopt;
+}
 
 std::string toString(LinkState state) {
     switch (state) {

@@ -43,8 +43,8 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
             for (const float celsius : heat->celsius)
                 hottest = std::max(hottest, std::isnan(celsius) ? hottest : celsius);
             made.picture = heatPicture(*heat);
-            made.caption += fill(
-                translate("leitstand::ReportText", ", 15 to 40 \u00B0C, hottest {:.1f} \u00B0C"), hottest);
+            made.caption +=
+                fill(translate("leitstand::ReportText", ", 15 to 40 °C, hottest {:.1f} °C"), hottest);
             return made;
         }
     }
@@ -58,7 +58,7 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
 /// Evidence that is no picture, in words; empty: it says nothing to people.
 std::string traceOf(const Event& event) {
     if (const auto* gas = std::get_if<GasSample>(&event.sample))
-        return fill(translate("leitstand::ReportText", "CO\u2082 {:.0f} ppm at {} ({})"), gas->ppm,
+        return fill(translate("leitstand::ReportText", "CO₂ {:.0f} ppm at {} ({})"), gas->ppm,
                     clockText(event.received), event.robot);
     if (const auto* scan = std::get_if<KeyScanSample>(&event.sample))
         return fill(translate("leitstand::ReportText", "seen in scan {} of {} at {}"), scan->id,

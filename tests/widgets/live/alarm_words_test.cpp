@@ -34,7 +34,10 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Attitude, 0.72), "tilted: 72 % of where it tips over");
     EXPECT_EQ(textOf(alarm_key::RollOver, 1.4835), "rolled over, tilted by 85°");
     EXPECT_EQ(textOf(alarm_key::LinkLost, 4.4), "link lost, silent for 4 s");
-    EXPECT_EQ(textOf(alarm_key::LinkDegraded, 0, "", "round trip 380 ms"), "link: round trip 380 ms");
+    EXPECT_EQ(textOf(alarm_key::LinkDegraded, 0, "", "round trip 380 ms"), "link: slow: 380 ms");
+    EXPECT_EQ(textOf(alarm_key::LinkDegraded, 0, "", "left pictures 2.0 s late"),
+              "link: left pictures 2.0 s late");
+    EXPECT_EQ(textOf(alarm_key::LinkDegraded, 0, "", "degraded"), "link: degraded");
     EXPECT_EQ(textOf(alarm_key::Battery, 7.2, "", "minutes"), "battery: 7 min left");
     EXPECT_EQ(textOf(alarm_key::Battery, 0.18, "", "share"), "battery: 18 % left");
     EXPECT_EQ(textOf(alarm_key::Gas, 2345), "CO₂ 2,345 ppm");

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include "core/base/pose.h"
+#include "core/robot/link_reasons.h"
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
 #include "widgets/models/live/mode_label.h"
@@ -65,7 +66,10 @@ QString alarmText(const AlarmCause& cause) {
         return AlarmTexts::tr("rolled over, tilted by %1°").arg(numberText(inDegrees(cause.value), 0));
     if (key == alarm_key::LinkLost)
         return AlarmTexts::tr("link lost, silent for %1").arg(wholeSeconds(cause.value));
-    if (key == alarm_key::LinkDegraded) return AlarmTexts::tr("link: %1").arg(note);
+    if (key == alarm_key::LinkDegraded) {
+        const auto reason = linkReasonFrom(cause.note);
+        return AlarmTexts::tr("link: %1").arg(reason ? linkReasonText(*reason) : note);
+    }
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
     if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(detail);

@@ -1,0 +1,40 @@
+#include "core/robot/link_reasons.h"
+
+#include <gtest/gtest.h>
+
+namespace leitstand {
+namespace {
+
+using Kind = LinkReason::Kind;
+
+TEST(LinkReasons, AreReadAgainAsTheyWereSaid) {
+    for (const Kind kind : {Kind::Stale, Kind::Late, Kind::Loss}) {
+        for (const StreamRole role : allStreamRoles()) {
+            for (const std::string sensor : {"", "left", "mast camera"}) {
+                const LinkReason reason{kind, 0.25, role, sensor};
+                const auto read = linkReasonFrom(toString(reason));
+                ASSERT_TRUE(read) << toString(reason);
+                EXPECT_EQ(toString(*read), toString(reason));
+                EXPECT_EQ(read->kind, kind);
+                EXPECT_EQ(read->role, role);
+            }
+        }
+    }
+    for (const Kind kind : {Kind::Silent, Kind::Slow, Kind::NoAnswer}) {
+        const LinkReason reason{kind, 3.5};
+        const auto read = linkReasonFrom(toString(reason));
+        ASSERT_TRUE(read) << toString(reason);
+        EXPECT_EQ(read->kind, kind);
+        EXPECT_DOUBLE_EQ(read->value, 3.5);
+    }
+}
+
+TEST(LinkReasons, OthersAreNone) {
+    for (const char* said : {"", "degraded", "odometry old", "odometry x s old", "12 % of  lost",
+                             " 1.0 s old", "12 % of tea lost", "round trip nan ms", "round trip inf ms",
+                             "tea 1.0 s late", "no answer to pings for 1e999 s", "leftpictures 1.0 s old"})
+        EXPECT_FALSE(linkReasonFrom(said)) << said;
+}
+
+}  // namespace
+}  // namespace leitstand
