@@ -81,36 +81,94 @@ bool SearchGround::obstructs(std::size_t cell) const {
     return (m_standing[cell] & layers(m_settings.lowest, m_settings.robotHeight)) != 0;
 }
 
-void SearchGround::stand(std::span<const ReportScan> scans) {
+/// Where robots were, in 16 parts of each cell (bit: 4 * row + column): a wall that they pass closely is no
+/// robot.
+std::vector<std::uint16_t> SearchGround::trodden(std::span<const Eigen::Vector3d> trail) const {
+    constexpr double Body = 0.27;  // of a robot about base_link [m]
+    constexpr int Parts = 4;
+    std::vector<std::uint16_t> parts(m_floor.size());
+    const double step = m_cell / Parts;
+    const int reach = static_cast<int>(Body / step) + 1;
+    for (const Eigen::Vector3d& place : trail) {
+        if (cellAt(place.head<2>()) < 0) continue;
+        const Eigen::Vector2d at = (place.head<2>() - m_origin) / step;
+        const int column = static_cast<int>(at.x()), row = static_cast<int>(at.y());
+        for (int y = std::max(0, row - reach); y <= std::min(Parts * m_rows - 1, row + reach); ++y) {
+            for (int x = std::max(0, column - reach); x <= std::min(Parts * m_columns - 1, column + reach);
+                 ++x) {
+                if (std::hypot(x + 0.5 - at.x(), y + 0.5 - at.y()) * step > Body) continue;
+                const auto cell = static_cast<std::size_t>(y / Parts * m_columns + x / Parts);
+                parts[cell] |= static_cast<std::uint16_t>(1U << (Parts * (y % Parts) + x % Parts));
+            }
+        }
+    }
+    return parts;
+}
+
+void SearchGround::stand(std::span<const ReportScan> scans, std::span<const Eigen::Vector3d> trail,
+                         const FloorHeights& floor) {
+    const std::vector<std::uint16_t> robots = trodden(trail);
+    const std::uint32_t body = layers(0.0, m_settings.robotHeight);
     forEachPoint(scans, [&](const Eigen::Vector3d& point, Label label) {
         const auto found = cellAt(point.head<2>());
         if (found < 0 || label == Label::Ceiling) return;
         const auto cell = static_cast<std::size_t>(found);
         const double above = point.z() - static_cast<double>(m_height[cell]);
-        if (above > m_settings.lowest && above < Layer * Layers) m_standing[cell] |= layers(above, above);
+        if (!(above > m_settings.lowest && above < Layer * Layers)) return;
+        const std::uint32_t layer = layers(above, above);
+        if (robots[cell] != 0 && (layer & body) != 0) {
+            // Robots that are seen where they drove, by themselves or by others, are no obstacles.
+            const Eigen::Vector2d in =
+                4.0 * ((point.head<2>() - m_origin) / m_cell).array().unaryExpr([](double at) {
+                    return at - std::floor(at);
+                });
+            const int part =
+                4 * std::min(3, static_cast<int>(in.y())) + std::min(3, static_cast<int>(in.x()));
+            if ((robots[cell] >> part & 1U) != 0 && floor.seen(point.x(), point.y())) return;
+        }
+        m_standing[cell] |= layer;
     });
 }
 
-/// Floor far from a scanner has holes.
-void SearchGround::close() {
-    std::vector<std::uint8_t> whole = m_floor;
-    const auto at = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < m_columns && y < m_rows &&
-               m_floor[static_cast<std::size_t>(y * m_columns + x)] != 0;
-    };
-    for (int y = 0; y < m_rows; ++y) {
-        for (int x = 0; x < m_columns; ++x) {
-            const auto cell = static_cast<std::size_t>(y * m_columns + x);
-            if (whole[cell] != 0 || obstructs(cell)) continue;
-            bool before = false, after = false, below = false, above = false;
-            for (int i = 1; i <= Gap; ++i) {
-                before = before || at(x - i, y), after = after || at(x + i, y);
-                below = below || at(x, y - i), above = above || at(x, y + i);
-            }
-            if ((before && after) || (below && above)) whole[cell] = 1;
+/// Walls of thinned scans have gaps of a cell: what stands on both sides of it stands in it too.
+void SearchGround::closeWalls() {
+    const std::vector<std::uint32_t> seen = m_standing;
+    const auto at = [&](int x, int y) { return seen[static_cast<std::size_t>(y * m_columns + x)]; };
+    for (int y = 1; y + 1 < m_rows; ++y) {
+        for (int x = 1; x + 1 < m_columns; ++x) {
+            const std::uint32_t across = (at(x - 1, y) & at(x + 1, y)) | (at(x, y - 1) & at(x, y + 1)),
+                                aslant = (at(x - 1, y - 1) & at(x + 1, y + 1)) |
+                                         (at(x - 1, y + 1) & at(x + 1, y - 1));
+            m_standing[static_cast<std::size_t>(y * m_columns + x)] |= across | aslant;
         }
     }
-    m_floor = std::move(whole);
+}
+
+/// Floor far from a scanner has holes: along rows first, then along columns, so that holes in both are
+/// closed.
+void SearchGround::closeFloor() {
+    const auto close = [this](int stepX, int stepY) {
+        std::vector<std::uint8_t> whole = m_floor;
+        const auto at = [&](int x, int y) {
+            return x >= 0 && y >= 0 && x < m_columns && y < m_rows &&
+                   m_floor[static_cast<std::size_t>(y * m_columns + x)] != 0;
+        };
+        for (int y = 0; y < m_rows; ++y) {
+            for (int x = 0; x < m_columns; ++x) {
+                const auto cell = static_cast<std::size_t>(y * m_columns + x);
+                if (whole[cell] != 0 || obstructs(cell)) continue;
+                bool before = false, after = false;
+                for (int i = 1; i <= Gap; ++i) {
+                    before = before || at(x - i * stepX, y - i * stepY);
+                    after = after || at(x + i * stepX, y + i * stepY);
+                }
+                if (before && after) whole[cell] = 1;
+            }
+        }
+        m_floor = std::move(whole);
+    };
+    close(1, 0);
+    close(0, 1);
 }
 
 /// @p cells and all that are within @p radius of one.
@@ -183,25 +241,13 @@ SearchGround SearchGround::of(std::span<const ReportScan> scans, std::span<const
         const Eigen::Vector2d place = ground.middleOf(cell);
         ground.m_height[cell] = static_cast<float>(floor.at(place.x(), place.y()));
     }
-    ground.stand(scans);
-    // Robots that are seen where they drove, by themselves or by others, are no obstacles.
-    constexpr double Body = 0.25;  // about base_link [m]
-    const std::uint32_t body = ground.layers(0.0, settings.robotHeight);
-    for (const Eigen::Vector3d& place : trail) {
-        for (double x = -Body; x <= Body; x += ground.m_cell / 2) {
-            for (double y = -Body; y <= Body; y += ground.m_cell / 2) {
-                const Eigen::Vector2d at = place.head<2>() + Eigen::Vector2d(x, y);
-                const auto cell = ground.cellAt(at);
-                if (cell >= 0 && std::hypot(x, y) <= Body && floor.seen(at.x(), at.y()))
-                    ground.m_standing[static_cast<std::size_t>(cell)] &= ~body;
-            }
-        }
-    }
+    ground.stand(scans, trail, floor);
+    ground.closeWalls();
     for (std::size_t cell = 0; cell < ground.size(); ++cell) {
         const Eigen::Vector2d place = ground.middleOf(cell);
         ground.m_floor[cell] = floor.seen(place.x(), place.y()) && !ground.obstructs(cell) ? 1 : 0;
     }
-    ground.close();
+    ground.closeFloor();
     ground.reach(trail);
     return ground;
 }

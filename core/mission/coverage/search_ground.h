@@ -12,6 +12,8 @@
 
 namespace leitstand {
 
+class FloorHeights;
+
 /// What there is to search: the floor as the scans tell it, what stands on it, and what of it robots can
 /// reach. A grid in the map's frame.
 class SearchGround {
@@ -41,8 +43,11 @@ public:
 
 private:
     bool frame(std::span<const ReportScan> scans);
-    void stand(std::span<const ReportScan> scans);
-    void close();
+    void stand(std::span<const ReportScan> scans, std::span<const Eigen::Vector3d> trail,
+               const FloorHeights& floor);
+    [[nodiscard]] std::vector<std::uint16_t> trodden(std::span<const Eigen::Vector3d> trail) const;
+    void closeWalls();
+    void closeFloor();
     void reach(std::span<const Eigen::Vector3d> trail);
     [[nodiscard]] std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& cells,
                                                   double radius) const;

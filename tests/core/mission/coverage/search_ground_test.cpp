@@ -19,6 +19,10 @@ TEST(SearchGround, RobotsReachWhatADoorLeadsTo) {
     EXPECT_FALSE(reachable(open, 3.5, -1.5)) << "the cabin has no door";
     EXPECT_FALSE(reachable(open, 1.03, 0.0)) << "a wall is no floor";
     EXPECT_NEAR(open.reachableArea(), 8.0 * 4.0 - 1.0, 2.0);
+    for (double x = -3.8; x < 0.8; x += 0.05) {
+        for (double y = -1.8; y < 1.8; y += 0.05)
+            EXPECT_TRUE(reachable(open, x, y)) << "a hole in the floor, x " << x << ", y " << y;
+    }
     const SearchGround shut = groundOf({.door = false});
     EXPECT_TRUE(reachable(shut, -3.5, 1.5));
     EXPECT_FALSE(reachable(shut, 2.0, 0.0));
@@ -40,6 +44,26 @@ TEST(SearchGround, RobotsThatWereSeenOnTheirWayAreNoObstacles) {
     EXPECT_FALSE(ground.hides({-3.2, 0.0, 0.4}, {-1.5, 0.0, 0.15}));
     const std::vector<Eigen::Vector3d> elsewhere = {{-3.5, 1.0, 0.0}};
     EXPECT_TRUE(SearchGround::of(scans, elsewhere).hides({-3.2, 0.0, 0.4}, {-1.5, 0.0, 0.15}));
+}
+
+TEST(SearchGround, AWallThatARobotPassesCloselyStaysAWall) {
+    // The wall across stands at x = 1.03; cells begin anywhere, so it is passed in steps of a tenth of one.
+    for (double off = 0.0; off < 0.1; off += 0.01) {
+        const ReportScan seen = SearchScene{}.scan();
+        std::vector<ReportScan> scans = {seen};
+        scans.front().scanInMap.translation() += Eigen::Vector3d(off, off, 0.0);
+        std::vector<Eigen::Vector3d> trail;
+        for (double y = -1.6; y < 1.6; y += 0.03) trail.emplace_back(1.03 + off - 0.3, y, 0.0);
+        for (double x = -3.5; x < 1.03 - 0.3; x += 0.03) trail.emplace_back(x, off - 2.03 + 0.3, 0.0);
+        const SearchGround ground = SearchGround::of(scans, trail);
+        for (double y = -1.8; y < 0.9; y += 0.05)
+            EXPECT_TRUE(ground.hides({-1.0, y + off, 0.5}, {2.0, y + off, 0.15})) << off << ", y " << y;
+        for (double x = -3.8; x < 0.9; x += 0.05) {
+            const auto wall = ground.cellAt({x + off, off - 2.03});
+            ASSERT_GE(wall, 0);
+            EXPECT_FALSE(ground.isFloor(static_cast<std::size_t>(wall))) << off << ", x " << x;
+        }
+    }
 }
 
 TEST(SearchGround, AWallHidesAndALowOneDoesNot) {
