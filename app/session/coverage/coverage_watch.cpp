@@ -6,27 +6,21 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/coverage/searched_scans.h"
 #include "app/session/coverage/view_search.h"
 #include "core/mission/coverage/search_book.h"
 
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostPictures = 200;  ///< that wait
-constexpr int Rarely = 20;                 ///< times as long as it took the last time
+constexpr std::size_t MostPictures = 30'000;  ///< that wait, without what they show
+constexpr int Rarely = 20;                    ///< times as long as it took the last time
 constexpr std::chrono::milliseconds LongestSilence(500);
 constexpr std::chrono::seconds Longest(15);  ///< between two makings, on whatever computer
 constexpr double Moved = 0.1;                ///< a robot that did so may reach more [m]
 
 bool isPicture(const Event& event) {
     return std::holds_alternative<PictureSample>(event.sample);
-}
-
-ReportScan scanOf(const KeyScanSample& sample) {
-    return {.id = sample.id,
-            .scan = sample.scan,
-            .scanInMap = sample.scanInMap,
-            .sensorInBase = sample.sensorInBase};
 }
 
 /// Whether the scans lie as they did, as far as a grid of decimetres can tell.
@@ -62,6 +56,11 @@ struct CoverageWatch::Work {
         }
         search.take(event);
         for (const SearchView& view : search.found()) changed = book.add(view) || changed;
+        if (book.leftOut() == 0 || told || !setup.tell) return;
+        told = true;
+        setup.tell(
+            "Cameras looked from more places than can be kept: what they look at from now on may not count "
+            "as searched");
     }
 
     void followRobots() {
@@ -85,7 +84,7 @@ struct CoverageWatch::Work {
     }
 
     /// What was searched, where it is time to make it anew.
-    CoverageMapPtr due() {
+    SearchedFloorPtr due() {
         const auto begin = Clock::now();
         if (begin < next || book.scans() == 0) return nullptr;
         std::vector<ScanPose> now = setup.poses();
@@ -96,14 +95,9 @@ struct CoverageWatch::Work {
         poses = std::move(now);
         book.follow(poses);
         search.follow(poses);
-        std::vector<Eigen::Vector3d> trail;
-        for (const RobotInMap& one : places ? *places : RobotsInMap()) {
-            if (!one.placed) continue;
-            for (const Eigen::Vector3f& step : *one.trail) trail.push_back(step.cast<double>());
-            trail.emplace_back(one.baseInMap.translation());
-        }
+        const std::vector<Eigen::Vector3d> trail = trailsOf(places ? *places : RobotsInMap());
         if (trail.empty()) return nullptr;  // what can be reached is not known before
-        CoverageMapPtr made = book.coverage(trail);
+        SearchedFloorPtr made = searchedFloorOf(book.coverage(trail));
         changed = false;
         const auto took = Clock::now() - begin;
         next = Clock::now() + std::clamp<Clock::duration>(Rarely * took, Every, Longest);
@@ -116,7 +110,7 @@ struct CoverageWatch::Work {
     RobotsInMapPtr places;
     std::vector<ScanPose> poses;                   ///< as of the newest coverage
     std::map<std::string, Eigen::Vector3d> stood;  ///< each robot, as of the newest coverage [m]
-    bool changed = false;
+    bool changed = false, told = false;
     Clock::time_point next{};
 };
 
@@ -131,23 +125,41 @@ void CoverageWatch::end() {
     if (m_thread.joinable()) m_thread.join();
 }
 
-CoverageMapPtr CoverageWatch::coverage() const {
+SearchedFloorPtr CoverageWatch::searched() const {
     const std::lock_guard lock(m_mutex);
-    return m_coverage;
+    return m_searched;
+}
+
+/// Of a camera that says more pictures than are looked at.
+bool CoverageWatch::isTooSoon(const Event& picture) {
+    Time& last = m_taken[{picture.robot, picture.sensor}];
+    // Not the whole of it: the network makes gaps uneven.
+    if (picture.received >= last && picture.received - last < ViewFinder::Every / 2) return true;
+    last = picture.received;
+    return false;
 }
 
 void CoverageWatch::take(const Event& event) {
     if (!ViewSearch::wants(event)) return;
+    const bool picture = isPicture(event);
     {
         const std::lock_guard lock(m_mutex);
-        if (isPicture(event) && m_pictures >= MostPictures) return;
-        m_waiting.push_back(event);
-        if (isPicture(event)) {
-            ++m_pictures;
-            std::get<PictureSample>(m_waiting.back().sample).content = {};  // only when it was taken counts
+        if (picture && isTooSoon(event)) return;
+        if (!picture || m_pictures < MostPictures) {
+            m_waiting.push_back(event);
+            if (picture) {
+                ++m_pictures;
+                std::get<PictureSample>(m_waiting.back().sample)
+                    .content = {};  // only when it was taken counts
+            }
+            return m_came.notify_all();
         }
+        if (std::exchange(m_toldOfPictures, true)) return;
     }
-    m_came.notify_all();
+    if (m_setup.tell) {
+        m_setup.tell(
+            "This computer is too slow for all that cameras look at: some of it does not count as searched");
+    }
 }
 
 void CoverageWatch::run(const std::stop_token& stop) {
@@ -165,9 +177,9 @@ void CoverageWatch::run(const std::stop_token& stop) {
             work.take(event);
         }
         work.followRobots();
-        if (CoverageMapPtr made = work.due()) {
+        if (SearchedFloorPtr made = work.due()) {
             const std::lock_guard lock(m_mutex);
-            m_coverage = std::move(made);
+            m_searched = std::move(made);
         }
     }
 }

@@ -5,16 +5,19 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/mapping/live/robot_in_map.h"
-#include "core/mission/coverage/coverage_map.h"
+#include "core/mission/coverage/search_view.h"
 #include "core/mission/event.h"
+#include "core/mission/searched/searched_floor.h"
 
 namespace leitstand {
 
@@ -27,11 +30,13 @@ struct CoverageWatchSetup {
     /// What cameras looked at in earlier sessions; called on the watch's thread, returns soon when it is
     /// asked to stop. May be empty.
     std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
+    /// Told once, in words, when something cannot be counted; on any of the threads. May be empty.
+    std::function<void(const std::string&)> tell = {};
 };
 
 /// Keeps what was searched while a mission runs, on a thread of its own: made anew when something changed, at
-/// most every two seconds, and more rarely where that takes long. Any thread. Where it
-/// cannot keep up, pictures are left out.
+/// most every two seconds, and more rarely where that takes long. Any thread. Where it cannot
+/// keep up for minutes, or cameras looked from too many places, views are left out and the operator is told.
 class CoverageWatch {
 public:
     static constexpr std::chrono::seconds Every{2};
@@ -44,18 +49,21 @@ public:
     void take(const Event& event);  ///< all events of the mission, in order
     void end();                     ///< what waits is left
     /// What was searched, as made last; null until there is a map.
-    [[nodiscard]] CoverageMapPtr coverage() const;
+    [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:
     struct Work;
+    [[nodiscard]] bool isTooSoon(const Event& picture);
     void run(const std::stop_token& stop);
 
     CoverageWatchSetup m_setup;  ///< of the thread
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     std::deque<Event> m_waiting;
-    std::size_t m_pictures = 0;  ///< that wait
-    CoverageMapPtr m_coverage;
+    std::map<std::pair<std::string, std::string>, Time> m_taken;  ///< newest picture, by robot and sensor
+    std::size_t m_pictures = 0;                                   ///< that wait
+    bool m_toldOfPictures = false;
+    SearchedFloorPtr m_searched;
     std::jthread m_thread;  ///< last: joined first
 };
 

@@ -10,45 +10,18 @@ namespace {
 constexpr std::size_t MostWaiting = 60;
 constexpr std::chrono::milliseconds LongestWait(500);  ///< of a picture for odometry
 
-Time stampOf(const Event& event, const SampleHeader& header) {
-    return header.stamp == Time{} ? event.received : header.stamp;
-}
-
 }  // namespace
 
-ViewFinder::ViewFinder(const RobotDescription& robot)
-    : m_robot(robot), m_frames(m_robot), m_tracker(robot.name) {}
+ViewFinder::ViewFinder(const RobotDescription& robot) : m_robot(robot), m_places(m_robot) {}
 
 std::vector<FoundView> ViewFinder::found() {
     return std::exchange(m_found, {});
 }
 
-void ViewFinder::correct(const MapFix& fix) {
-    m_fix = fix;
-    follow();
-}
-
-void ViewFinder::lose() {
-    m_fix.reset();
-    m_tracker.lose();
-}
-
-void ViewFinder::follow() {
-    // A guessed motion would turn the robot in the map until the next fix.
-    if (!m_fix || !m_tracker.motion().covers(m_fix->stamp)) return;
-    m_tracker.correct(*m_fix);
-    m_fix.reset();
-}
-
 void ViewFinder::take(const Event& event) {
-    m_frames.add(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
-        m_tracker.add(*odometry, event.received);
-        follow();
+    m_places.take(event);
+    if (std::holds_alternative<OdometrySample>(event.sample)) {
         look(event.received);
-    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
-        const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
-        if (unit) m_tracker.add(*imu, *unit, event.received);
     } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
         m_cameras[event.sensor].field = fieldOf(*info);
     } else if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
@@ -67,7 +40,7 @@ void ViewFinder::take(const Event& event) {
 void ViewFinder::look(Time now) {
     while (!m_waiting.empty()) {
         const Waiting& first = m_waiting.front();
-        if (!m_tracker.motion().covers(first.stamp) && now - first.received < LongestWait) return;
+        if (!m_places.covers(first.stamp) && now - first.received < LongestWait) return;
         look(first);
         m_waiting.pop_front();
     }
@@ -75,10 +48,9 @@ void ViewFinder::look(Time now) {
 
 void ViewFinder::look(const Waiting& picture) {
     Camera& camera = m_cameras[picture.sensor];
-    const auto inBase = m_frames.inBase(picture.sensor, picture.frame, picture.stamp);
-    const auto motion = m_tracker.motion().at(picture.stamp);
-    if (!inBase || !motion || !camera.field) return;
-    const Pose inOdom = motion->baseInOdom * *inBase;
+    const auto place = m_places.at(picture.sensor, picture.frame, picture.stamp);
+    if (!place || !camera.field) return;
+    const Pose inOdom = place->sensorInOdom();
     bool blurred = false;
     if (camera.before && picture.stamp > camera.beforeAt) {
         const double since = std::chrono::duration<double>(picture.stamp - camera.beforeAt).count();
@@ -87,9 +59,8 @@ void ViewFinder::look(const Waiting& picture) {
     camera.before = inOdom;
     camera.beforeAt = picture.stamp;
     // What is seen from a place that is in doubt may be somewhere else.
-    const auto baseInMap = m_tracker.baseInMap(picture.stamp);
-    if (blurred || !baseInMap || !m_tracker.now().certain) return;
-    m_found.push_back({picture.kind, *baseInMap * *inBase, *camera.field});
+    if (blurred || !place->baseInMap || !place->certain) return;
+    m_found.push_back({picture.kind, *place->baseInMap * place->sensorInBase, *camera.field});
 }
 
 }  // namespace leitstand

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/victims/frame_tracks.h"
-#include "core/mapping/live/robot_tracker.h"
+#include "app/session/places/sensor_places.h"
 #include "core/mission/coverage/search_view.h"
 #include "core/mission/event.h"
 
@@ -35,11 +34,10 @@ public:
     /// Odometry, inertial unit, transforms, camera infos and pictures of this robot; others are passed by.
     void take(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
-    void correct(const MapFix& fix);
-    void lose();  ///< nobody knows where the robot is
+    void correct(const MapFix& fix) { m_places.correct(fix); }
+    void lose() { m_places.lose(); }  ///< nobody knows where the robot is
     /// What was seen since the last call.
     [[nodiscard]] std::vector<FoundView> found();
-    [[nodiscard]] const RobotInMap& now() const { return m_tracker.now(); }
 
 private:
     /// A picture that waits for odometry.
@@ -54,16 +52,13 @@ private:
         std::optional<Pose> before;  ///< optical frame in the odometry's
         Time beforeAt{};
     };
-    void follow();
     void look(Time now);
     void look(const Waiting& picture);
 
     const RobotDescription m_robot;
-    FrameTracks m_frames;
-    RobotTracker m_tracker;
+    SensorPlaces m_places;
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::deque<Waiting> m_waiting;
-    std::optional<MapFix> m_fix;  ///< that waits for odometry
     std::vector<FoundView> m_found;
 };
 

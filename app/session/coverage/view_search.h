@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session/coverage/view_finder.h"
+#include "app/session/places/key_scan_places.h"
 #include "core/mission/event.h"
 
 namespace leitstand {
@@ -30,20 +31,10 @@ public:
     [[nodiscard]] std::vector<SearchView> found();
 
 private:
-    struct Scan {
-        std::string robot;
-        Time end{};  ///< robot's clock
-        Pose sensorInBase = Pose::Identity(), scanInMap = Pose::Identity();
-        bool counts = true;
-    };
-    void move(const ScanPose& pose);
-    void correct(const Scan& scan, double certainty);
-    /// The key scan that a view of @p robot from @p place hangs on; 0: there is none.
-    [[nodiscard]] std::uint64_t scanFor(const std::string& robot, const Eigen::Vector3d& place) const;
+    void correct(std::span<const PlaceOfRobot> fixes);
 
     std::map<std::string, ViewFinder> m_finders;  ///< fixed
-    std::map<std::uint64_t, Scan> m_scans;
-    std::map<std::string, std::uint64_t> m_newest;  ///< key scan of each robot
+    KeyScanPlaces m_scans;
     std::vector<SearchView> m_found;
 };
 

@@ -208,7 +208,15 @@ void ReportSource::readWays(const Progress& progress) {
 void ReportSource::readViews(const Progress& progress) {
     const bool ours = std::any_of(m_input.scans.begin(), m_input.scans.end(),
                                   [](const ReportScan& scan) { return scan.id != 0; });
-    if (ours) m_input.views = loggedViews(*m_bag, *m_decoder, progress);
+    if (!ours) return;
+    LoggedViews logged = loggedViews(*m_bag, *m_decoder, progress);
+    m_input.views = std::move(logged.views);
+    if (logged.leftOut > 0) {
+        m_warnings.push_back(
+            fmt::format("cameras looked from more places than are counted: {} views are missing in what was "
+                        "searched",
+                        logged.leftOut));
+    }
 }
 
 Result<Event> ReportSource::event(std::uint64_t sequence) {

@@ -51,8 +51,8 @@ Result<void> Station::describe(MissionInfoSample info) {
     return m_state->mission->say(info, station_topic::Mission);
 }
 
-std::shared_ptr<const CoverageMap> Station::coverage() const {
-    return m_state->coverage->coverage();
+std::shared_ptr<const SearchedFloor> Station::searched() const {
+    return m_state->coverage->searched();
 }
 
 FindDesk& Station::finds() {

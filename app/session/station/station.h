@@ -21,7 +21,7 @@
 
 namespace leitstand {
 
-class CoverageMap;
+struct SearchedFloor;
 class FindDesk;
 class StationAlarms;
 class StationBrakes;
@@ -76,7 +76,7 @@ public:
     Result<void> describe(MissionInfoSample info);
     [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
     /// What was searched with each kind of sensor; null until there is a map.
-    [[nodiscard]] std::shared_ptr<const CoverageMap> coverage() const;
+    [[nodiscard]] std::shared_ptr<const SearchedFloor> searched() const;
     [[nodiscard]] StationAlarms& alarms();                      ///< what the operator has to know
     [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
     [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples

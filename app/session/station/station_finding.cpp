@@ -60,10 +60,11 @@ void Station::State::cover(std::vector<KeyScanSample> earlier) {
     setup.poses = [this] { return posesOf(*mission->state()); };
     if (!earlier.empty()) {
         setup.earlierViews = [folder = settings.mission.folder](const std::stop_token& stop) {
-            return loggedViews(folder, {.report = {}, .stop = stop});
+            return loggedViews(folder, {.report = {}, .stop = stop}).views;
         };
     }
     setup.earlier = std::move(earlier);
+    setup.tell = [this](const std::string& text) { say(text); };
     coverage = std::make_unique<CoverageWatch>(std::move(setup));
 }
 

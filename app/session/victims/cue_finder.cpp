@@ -41,33 +41,13 @@ bool isWarm(const ThermalPicture& picture, const Eigen::Vector2d& pixel, const H
     return static_cast<double>(picture.celsius[place]) >= HeatSettings{}.coolest;
 }
 
-Time stampOf(const Event& event, const SampleHeader& header) {
-    return header.stamp == Time{} ? event.received : header.stamp;
-}
-
 }  // namespace
 
 CueFinder::CueFinder(const RobotDescription& robot, const CueSettings& settings)
-    : m_robot(robot),
-      m_settings(settings),
-      m_frames(m_robot),
-      m_tracker(robot.name),
-      m_seen({robot.footprint, robot.height}) {}
+    : m_robot(robot), m_settings(settings), m_places(m_robot), m_seen({robot.footprint, robot.height}) {}
 
 std::vector<PlacedCue> CueFinder::found() {
     return std::exchange(m_found, {});
-}
-
-void CueFinder::correct(const MapFix& fix) {
-    m_fix = fix;
-    follow();
-}
-
-void CueFinder::follow() {
-    // A guessed motion would turn the robot in the map until the next fix.
-    if (!m_fix || !m_tracker.motion().covers(m_fix->stamp)) return;
-    m_tracker.correct(*m_fix);
-    m_fix.reset();
 }
 
 Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
@@ -82,25 +62,20 @@ Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
 }
 
 void CueFinder::take(const Event& event) {
-    m_frames.add(event);
+    m_places.take(event);
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
-        m_tracker.add(*odometry, event.received);
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);
-        follow();
         if (m_unheard) {
             const Event late = *m_unheard;
             hear(late, std::get<SightingSample>(late.sample));
         }
         look(event.received);
-    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
-        const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
-        if (unit) m_tracker.add(*imu, *unit, event.received);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
-        const auto sensor = m_frames.inBase(event.sensor, cloud->header.frame, cloud->header.stamp);
+        const auto sensor = m_places.inBase(event.sensor, cloud->header.frame, cloud->header.stamp);
         if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
-        const auto sensor = m_frames.inBase(event.sensor, ranges->header.frame, ranges->header.stamp);
+        const auto sensor = m_places.inBase(event.sensor, ranges->header.frame, ranges->header.stamp);
         if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
     } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
         m_cameras[event.sensor].info = *info;
@@ -114,12 +89,9 @@ void CueFinder::take(const Event& event) {
 }
 
 void CueFinder::look(Time now) {
-    const auto base = [this](Time at) -> std::optional<Pose> {
-        const auto motion = m_tracker.motion().at(at);
-        return motion ? std::optional<Pose>(motion->baseInOdom) : std::nullopt;
-    };
+    const auto base = [this](Time at) { return m_places.baseInOdom(at); };
     const auto waits = [&](const Event& event, Time stamp) {
-        return !m_tracker.motion().covers(stamp) && now - event.received < m_settings.longestWait;
+        return !m_places.covers(stamp) && now - event.received < m_settings.longestWait;
     };
     while (!m_slices.empty()) {
         const auto& [event, sensor] = m_slices.front();
@@ -145,10 +117,9 @@ void CueFinder::look(Time now) {
 std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const PictureSample& picture,
                                                  Camera& camera) {
     const Time stamp = stampOf(event, picture.header);
-    const auto inBase = m_frames.inBase(event.sensor, picture.header.frame, stamp);
-    const auto motion = m_tracker.motion().at(stamp);
-    const auto baseInMap = m_tracker.baseInMap(stamp);
-    if (!inBase || !motion) return std::nullopt;
+    const auto place = m_places.at(event.sensor, picture.header.frame, stamp);
+    if (!place) return std::nullopt;
+    const Pose& inBase = place->sensorInBase;
     View view;
     if (camera.before && stamp + std::chrono::seconds(5) < camera.beforeAt) {  // the robot's clock began anew
         camera.before.reset();
@@ -156,20 +127,20 @@ std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const Pictu
     }
     if (camera.before) {
         const double since = std::max(1e-3, secondsBetween(camera.beforeAt, stamp));
-        const double turned = angleBetween(*camera.before, *inBase);
+        const double turned = angleBetween(*camera.before, inBase);
         view.turning = turned / since;
         if (turned > StillCamera) camera.stoodSince = stamp;
     } else {
         camera.stoodSince = stamp;
     }
-    camera.before = *inBase;
+    camera.before = inBase;
     camera.beforeAt = stamp;
     camera.stoodSince = std::max(camera.stoodSince, m_movedAt);
-    if (!baseInMap) return std::nullopt;
-    view.opticalInOdom = motion->baseInOdom * *inBase;
-    view.opticalInMap = *baseInMap * *inBase;
-    view.baseInMap = *baseInMap;
-    view.certain = m_tracker.now().certain;
+    if (!place->baseInMap) return std::nullopt;
+    view.opticalInOdom = place->sensorInOdom();
+    view.opticalInMap = *place->baseInMap * inBase;
+    view.baseInMap = *place->baseInMap;
+    view.certain = place->certain;
     return view;
 }
 
@@ -238,17 +209,14 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
         mirror ? mirror->direction(looked.pixel - middle)
                : pixelDirection(*camera->second.info, looked.pixel, looked.width, looked.height);
     const Time stamp = stampOf(looked.picture, sample->header);
-    const auto inBase = m_frames.inBase(looked.picture.sensor, sample->header.frame, stamp);
-    const auto motion = m_tracker.motion().at(stamp);
-    const auto baseInMap = m_tracker.baseInMap(stamp);
-    if (!direction || !inBase || !motion || !baseInMap) return std::nullopt;
-    const auto hit =
-        m_seen.meet(rayFrom(motion->baseInOdom * *inBase, *direction), looked.halfAngle, Farthest);
+    const auto place = m_places.at(looked.picture.sensor, sample->header.frame, stamp);
+    if (!direction || !place || !place->baseInMap) return std::nullopt;
+    const auto hit = m_seen.meet(rayFrom(place->sensorInOdom(), *direction), looked.halfAngle, Farthest);
     if (!hit) return std::nullopt;
     PlacedCue cue;
     cue.cue = cueOf(looked.picture, "operator", stamp);
-    placeByRay(cue, rayFrom(*baseInMap * *inBase, *direction), *hit, looked.halfAngle,
-               m_tracker.now().certain);
+    placeByRay(cue, rayFrom(*place->baseInMap * place->sensorInBase, *direction), *hit, looked.halfAngle,
+               place->certain);
     return cue;
 }
 
@@ -326,8 +294,8 @@ void CueFinder::smell(const Event& event, const GasSample& gas) {
     if (gas.gas != "co2") return;
     const Time stamp = stampOf(event, gas.header);
     const auto rise = m_gases[event.sensor].add(stamp, gas.ppm);
-    const auto base = m_tracker.baseInMap(m_tracker.now().stamp);
-    const auto sensor = m_frames.inBase(event.sensor, gas.header.frame, stamp);
+    const auto base = m_places.baseInMap(m_places.now().stamp);
+    const auto sensor = m_places.inBase(event.sensor, gas.header.frame, stamp);
     if (!rise || !base || !sensor) return;
     PlacedCue cue;
     cue.cue = cueOf(event, "co2", stamp);
@@ -339,14 +307,14 @@ void CueFinder::smell(const Event& event, const GasSample& gas) {
 }
 
 void CueFinder::hear(const Event& event, const SightingSample& sightings) {
-    const auto base = m_tracker.baseInMap(m_tracker.now().stamp);
-    const auto motion = m_tracker.motion().at(m_tracker.now().stamp);
-    if (!base || !motion) {
+    const auto base = m_places.baseInMap(m_places.now().stamp);
+    const auto inOdom = m_places.baseInOdom(m_places.now().stamp);
+    if (!base || !inOdom) {
         m_unheard = event;  // a robot says them once
         return;
     }
     m_unheard.reset();
-    const Pose odomInMap = *base * motion->baseInOdom.inverse();
+    const Pose odomInMap = *base * inOdom->inverse();
     for (const Sighting& one : sightings.sightings) {
         const auto known = m_sightings.find(one.id);
         if (!one.position.allFinite()) continue;

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/victims/frame_tracks.h"
-#include "core/mapping/live/robot_tracker.h"
+#include "app/session/places/sensor_places.h"
 #include "core/mission/event.h"
 #include "core/mission/victims/placed_cue.h"
 #include "core/mission/victims/seen_points.h"
@@ -53,10 +52,10 @@ public:
     /// others are passed by.
     void take(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
-    void correct(const MapFix& fix);
+    void correct(const MapFix& fix) { m_places.correct(fix); }
     /// What was found since the last call, without the key scan.
     [[nodiscard]] std::vector<PlacedCue> found();
-    [[nodiscard]] const RobotInMap& now() const { return m_tracker.now(); }
+    [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
     /// Where @p looked lies, in the map; empty where the picture is too old or nothing was scanned there.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
 
@@ -75,7 +74,6 @@ private:
         std::optional<Pose> before;  ///< in base
         Time beforeAt{};
     };
-    void follow();  ///< the fix, once there is odometry of its time
     void look(Time now);
     void look(const Event& event);
     void lookForHeat(const Event& event, const Camera& camera, const View& view);
@@ -96,15 +94,13 @@ private:
 
     const RobotDescription m_robot;
     const CueSettings m_settings;
-    FrameTracks m_frames;
-    RobotTracker m_tracker;
+    SensorPlaces m_places;
     SeenPoints m_seen;
     CodeReader m_codes;
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
     std::optional<Event> m_unheard;               ///< sightings of a robot that is not placed yet
-    std::optional<MapFix> m_fix;                  ///< that waits for odometry
     std::deque<Event> m_waiting;                  ///< pictures, for odometry
     std::deque<std::pair<Event, Pose>> m_slices;  ///< scans, likewise, and how their sensor sat
     Time m_movedAt{};                             ///< last, robot's clock

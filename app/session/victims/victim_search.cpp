@@ -1,6 +1,5 @@
 #include "app/session/victims/victim_search.h"
 
-#include <limits>
 #include <variant>
 
 namespace leitstand {
@@ -16,11 +15,8 @@ VictimSearch::VictimSearch(const std::vector<RobotDescription>& robots, const st
     for (const RobotDescription& robot : robots) m_finders.try_emplace(robot.name, robot, cues);
 }
 
-void VictimSearch::correct(const Scan& scan, double certainty) {
-    const auto finder = m_finders.find(scan.robot);
-    if (finder == m_finders.end()) return;
-    finder->second.correct({scan.end, scan.scanInMap * scan.sensorInBase.inverse(), certainty, scan.counts,
-                            scan.counts ? "its scan fits the map" : "its scan does not fit"});
+void VictimSearch::correct(std::span<const PlaceOfRobot> fixes) {
+    for (const PlaceOfRobot& one : fixes) correct(one.robot, one.fix);
 }
 
 void VictimSearch::correct(const std::string& robot, const MapFix& fix) {
@@ -33,43 +29,15 @@ const RobotInMap* VictimSearch::place(const std::string& robot) const {
     return finder == m_finders.end() ? nullptr : &finder->second.now();
 }
 
-void VictimSearch::take(const KeyScanSample& sample) {
-    if (!sample.scan) return;
-    const Scan scan{sample.scan->robot, sample.scan->end, sample.sensorInBase, sample.scanInMap, true};
-    m_scans[sample.id] = scan;
-    m_newest[scan.robot] = sample.id;
-    m_book.scanAt(sample.id, scan.scanInMap);
-    correct(scan, 1.0);
-}
-
-void VictimSearch::move(const ScanPose& pose) {
-    m_book.scanAt(pose.scan, pose.scanInMap);
-    Scan& scan = m_scans[pose.scan];  // of an earlier session: without a robot
-    scan.scanInMap = pose.scanInMap;
-    scan.counts = pose.trust == ScanTrust::Certain;
-    const auto newest = m_newest.find(scan.robot);
-    if (newest != m_newest.end() && newest->second == pose.scan) correct(scan, pose.certainty);
-}
-
 void VictimSearch::follow(std::span<const ScanPose> poses) {
-    for (const ScanPose& pose : poses) move(pose);
+    for (const ScanPose& pose : poses) m_book.scanAt(pose.scan, pose.scanInMap);
+    correct(m_scans.follow(poses));
 }
 
 std::uint64_t VictimSearch::scanFor(const PlacedCue& cue) const {
-    const auto own = m_newest.find(cue.cue.robot);
-    if (own != m_newest.end() && m_scans.at(own->second).counts) return own->second;
-    const auto robot = m_finders.find(cue.cue.robot);
-    const Eigen::Vector3d from =
-        robot == m_finders.end() ? cue.inMap : Eigen::Vector3d(robot->second.now().baseInMap.translation());
-    std::uint64_t best = 0;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [id, scan] : m_scans) {
-        const double away = (scan.scanInMap.translation() - from).norm();
-        if (!scan.counts || away >= nearest) continue;
-        nearest = away;
-        best = id;
-    }
-    return best;
+    const RobotInMap* const robot = place(cue.cue.robot);
+    return m_scans.scanFor(cue.cue.robot,
+                           robot == nullptr ? cue.inMap : Eigen::Vector3d(robot->baseInMap.translation()));
 }
 
 bool VictimSearch::isRobot(const PlacedCue& cue) const {
@@ -91,15 +59,14 @@ std::optional<PlacedCue> VictimSearch::locate(const LookedAt& looked) {
 }
 
 void VictimSearch::take(const Event& event, bool search) {
-    if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) return take(*scan);
-    if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample)) return follow(poses->poses);
     if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
-    if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
-        const auto finder = m_finders.find(place->robot);
-        if (finder != m_finders.end())
-            finder->second.correct(
-                {place->measured, place->baseInMap, place->certainty, place->certain, place->how});
-        return;
+    if (KeyScanPlaces::wants(event)) {
+        if (const auto* scan = std::get_if<KeyScanSample>(&event.sample); scan != nullptr && scan->scan)
+            m_book.scanAt(scan->id, scan->scanInMap);
+        if (const auto* moved = std::get_if<ScanPosesSample>(&event.sample)) {
+            for (const ScanPose& pose : moved->poses) m_book.scanAt(pose.scan, pose.scanInMap);
+        }
+        return correct(m_scans.take(event));
     }
     const auto finder = m_finders.find(event.robot);
     if (finder == m_finders.end()) return;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/places/key_scan_places.h"
 #include "app/session/victims/cue_finder.h"
 #include "core/mission/event.h"
 #include "core/mission/victims/candidate_book.h"
@@ -43,23 +44,14 @@ public:
     std::function<void(const PlacedCue&)> onCue;
 
 private:
-    struct Scan {
-        std::string robot;
-        Time end{};  ///< robot's clock
-        Pose sensorInBase = Pose::Identity(), scanInMap = Pose::Identity();
-        bool counts = true;
-    };
-    void take(const KeyScanSample& sample);
-    void move(const ScanPose& pose);
-    void correct(const Scan& scan, double certainty);
+    void correct(std::span<const PlaceOfRobot> fixes);
     [[nodiscard]] std::uint64_t scanFor(const PlacedCue& cue) const;
     [[nodiscard]] bool isRobot(const PlacedCue& cue) const;
 
     std::map<std::string, CueFinder> m_finders;  ///< fixed
     CandidateBook m_book;
-    std::map<std::uint64_t, Scan> m_scans;
+    KeyScanPlaces m_scans;
     std::map<std::string, Event> m_unheard;  ///< sightings that came while nothing was searched, by robot
-    std::map<std::string, std::uint64_t> m_newest;  ///< key scan of each robot
 };
 
 }  // namespace leitstand

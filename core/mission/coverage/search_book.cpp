@@ -97,7 +97,7 @@ std::vector<SearchView> SearchBook::allViews() const {
     return all;
 }
 
-CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail) const {
+CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail, Time until) const {
     std::vector<ReportScan> scans;
     for (const auto& [id, held] : m_scans) {
         if (held.counts) scans.push_back(held.scan);
@@ -108,7 +108,9 @@ CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail) cons
         map->scan(held.shots, held.scan.scanInMap);
         const auto looks = m_looks.find(id);
         if (looks == m_looks.end()) continue;
-        for (const SearchView& view : looks->second.views()) map->look(view, held.scan.scanInMap);
+        for (const SearchView& view : looks->second.views()) {
+            if (view.seen <= until) map->look(view, held.scan.scanInMap);
+        }
     }
     return map;
 }

@@ -33,8 +33,9 @@ public:
     /// All views, by scan.
     [[nodiscard]] std::vector<SearchView> allViews() const;
 
-    /// What was searched. @p trail: base_link where robots were, in the map [m].
-    [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail) const;
+    /// What was searched @p until then. @p trail: base_link where robots were, in the map [m].
+    [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail,
+                                          Time until = Time::max()) const;
 
 private:
     struct Held {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/pose.h"
+#include "core/base/time.h"
 #include "core/mission/coverage/coverage_settings.h"
 #include "core/robot/samples/picture_samples.h"
 
@@ -39,6 +40,7 @@ struct SearchView {
     SearchSensor sensor = SearchSensor::Camera;
     Pose cameraInScan = Pose::Identity();  ///< optical frame (z ahead) in the scan's frame
     SearchField field;
+    Time seen{};  ///< station's clock
 
     /// How far away a body may be to span enough pixels [m].
     [[nodiscard]] double range(const CoverageSettings& settings) const;

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/mission/coverage/coverage_map.h"
-#include "core/mission/coverage/missed_floor.h"
 #include "core/mission/report/occupancy_grid.h"
 #include "core/mission/report/report_scan.h"
+#include "core/mission/searched/missed_floor.h"
 
 namespace leitstand {
 

@@ -143,6 +143,23 @@ void WrittenMission::moveKeyScan(double seconds, std::uint64_t id, double x) {
     say(seconds, std::string(station_topic::ScanPoses), poses);
 }
 
+void WrittenMission::sayUndo(double seconds, std::uint64_t sequence) {
+    UndoSample undo;
+    undo.stamp = at(seconds);
+    undo.station = "test";
+    undo.event = sequence;
+    say(seconds, std::string(station_topic::Undo), undo);
+}
+
+void WrittenMission::sayCamera(double seconds) {
+    CameraInfoSample info;
+    info.header = {at(seconds), "kurt3d/left"};
+    info.width = 320;
+    info.height = 240;
+    info.intrinsics = {320, 0, 160, 0, 320, 120, 0, 0, 1};
+    say(seconds, robot().stream(StreamRole::CameraInfo, "left")->topic, info);
+}
+
 void WrittenMission::sayVictim(double seconds, std::uint32_t number, VictimSample::Status status) {
     VictimSample victim;
     victim.stamp = victim.found = at(seconds);

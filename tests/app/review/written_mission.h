@@ -28,10 +28,16 @@ public:
     void sayKeyScan(double seconds, std::uint64_t id, double x);
     /// Scan @p id is now at x = @p x.
     void moveKeyScan(double seconds, std::uint64_t id, double x);
+    /// What event @p sequence did is taken back.
+    void sayUndo(double seconds, std::uint64_t sequence);
+    /// How the left camera is calibrated: 320 x 240 pixels (pictures are made smaller), 53 degrees wide.
+    void sayCamera(double seconds);
     void sayVictim(double seconds, std::uint32_t number, VictimSample::Status status);
     /// Ends the session; the next thing that is said begins another.
     void close();
 
+    /// Of what was said last; checkpoints count too.
+    [[nodiscard]] std::uint64_t sequence() const { return m_sequence; }
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
     [[nodiscard]] static Time begin();
     [[nodiscard]] static Time at(double seconds);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/victims/frame_tracks.h"
+#include "app/session/places/frame_tracks.h"
 #include "app/session/victims/victim_search.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/scan_cutter.h"

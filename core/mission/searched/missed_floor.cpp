@@ -1,4 +1,4 @@
-#include "core/mission/coverage/missed_floor.h"
+#include "core/mission/searched/missed_floor.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "app/session/victims/frame_tracks.h"
+#include "app/session/places/frame_tracks.h"
 
 #include <variant>
 

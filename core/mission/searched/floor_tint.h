@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mission/coverage/coverage_map.h"
+
+namespace leitstand {
+
+/// A level rectangle of floor.
+struct FloorPatch {
+    Eigen::Vector2f low, high;  ///< corners, in the map [m]
+    float height = 0.0F;        ///< [m]
+    bool seen = false;
+};
+
+/// What a kind of sensor saw of the floor that robots can reach, and what it missed, for painting.
+struct FloorTint {
+    SearchSensor sensor = SearchSensor::Camera;
+    std::vector<FloorPatch> patches;
+};
+using FloorTintPtr = std::shared_ptr<const FloorTint>;
+
+/// Few patches that cover the floor of @p coverage; heights within 5 cm count as level.
+[[nodiscard]] FloorTint floorTintOf(const CoverageMap& coverage, SearchSensor sensor);
+
+}  // namespace leitstand
