@@ -51,6 +51,56 @@ void PaneDocks::add(const QString& id, const QString& title, QWidget& pane) {
     dock->hide();
     m_ids.push_back(id);
     m_docks[id] = dock;
+    m_strays.insert(dock);
+    m_toggles[dock] = toggleOf(*dock);
+}
+
+/// As the dock's own, but that a dock without a place has one before it is shown: it would press its
+/// neighbours.
+QAction* PaneDocks::toggleOf(QDockWidget& dock) {
+    const QAction* const own = dock.toggleViewAction();
+    auto* toggle = new QAction(own->text(), &dock);
+    toggle->setCheckable(true);
+    connect(own, &QAction::changed, toggle, [own, toggle] {
+        toggle->setText(own->text());
+        toggle->setChecked(own->isChecked());
+    });
+    connect(toggle, &QAction::triggered, this, [this, &dock](bool shown) {
+        if (shown) return open(dock);
+        dock.close();
+    });
+    return toggle;
+}
+
+void PaneDocks::open(const QString& id) {
+    if (QDockWidget* const found = dock(id)) open(*found);
+}
+
+void PaneDocks::open(QDockWidget& dock) {
+    if (m_strays.erase(&dock) > 0 && !dock.isFloating()) {
+        if (QDockWidget* const host = hostOf(dock)) tabifyDockWidget(host, &dock);
+    }
+    dock.show();
+    dock.raise();
+}
+
+/// The pane in whose room @p dock finds most of what it needs, the smallest of those; null: there is none.
+QDockWidget* PaneDocks::hostOf(const QDockWidget& dock) const {
+    const QSize needed = dock.widget()->sizeHint().expandedTo(dock.widget()->minimumSizeHint());
+    const auto share = [](int has, int wants) { return wants > 0 ? std::min(1.0, 1.0 * has / wants) : 1.0; };
+    QDockWidget* best = nullptr;
+    std::pair<int, int> mark;  // how much of what is needed [%]; how little it is
+    for (const auto& [id, other] : m_docks) {
+        if (other == &dock || other->isHidden() || other->isFloating()) continue;
+        const QSize room = other->size();
+        const int fits = static_cast<int>(100.0 * share(room.width(), needed.width()) *
+                                          share(room.height(), needed.height()));
+        const std::pair here(fits, -room.width() * room.height());
+        if (best != nullptr && here <= mark) continue;
+        best = other;
+        mark = here;
+    }
+    return best;
 }
 
 QStringList PaneDocks::ids() const {
@@ -69,7 +119,7 @@ bool PaneDocks::isPaneVisible(const QString& id) const {
 
 QAction* PaneDocks::visibility(const QString& id) const {
     const QDockWidget* const found = dock(id);
-    return found == nullptr ? nullptr : found->toggleViewAction();
+    return found == nullptr ? nullptr : m_toggles.at(found);
 }
 
 PaneSplit PaneDocks::known(const PaneSplit& split) const {
@@ -94,10 +144,18 @@ void PaneDocks::arrange(const WindowLayout& layout) {
         removeDockWidget(dock);
     }
     m_placed = {};
+    m_strays.clear();
     const auto named = panesIn(tree);
     if (!layout.arrangement.empty()) {
         for (const auto& [id, dock] : m_docks) addDockWidget(Qt::LeftDockWidgetArea, dock);
-        if (restoreState(QByteArray::fromBase64(QByteArray::fromStdString(layout.arrangement)))) return;
+        if (restoreState(QByteArray::fromBase64(QByteArray::fromStdString(layout.arrangement)))) {
+            for (const auto& [id, dock] : m_docks) {
+                // One that the operator hid where the layout has it comes back there.
+                const bool known = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
+                if (!known && dock->isHidden() && tabifiedDockWidgets(dock).isEmpty()) m_strays.insert(dock);
+            }
+            return;
+        }
         for (const auto& [id, dock] : m_docks) removeDockWidget(dock);
     }
     if (named.empty()) return;
@@ -106,7 +164,7 @@ void PaneDocks::arrange(const WindowLayout& layout) {
     for (const auto& [id, dock] : m_docks) {
         const bool shown = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
         // Hidden ones are part of what arrangement() tells.
-        if (!shown) addDockWidget(Qt::LeftDockWidgetArea, dock);
+        if (!shown) addDockWidget(Qt::LeftDockWidgetArea, dock), m_strays.insert(dock);
         dock->setVisible(shown);
     }
     m_placed = tree;

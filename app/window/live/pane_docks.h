@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include <QMainWindow>
@@ -25,8 +26,11 @@ public:
     void add(const QString& id, const QString& title, QWidget& pane);
     [[nodiscard]] QStringList ids() const;
     [[nodiscard]] bool isPaneVisible(const QString& id) const;
-    /// Shows or hides one pane; while it is checked it is shown.
+    /// Shows or hides one pane; while it is checked it is shown. One that the layout has no place for comes
+    /// as a tab before the pane whose room fits it best.
     [[nodiscard]] QAction* visibility(const QString& id) const;
+    /// Shows a pane, before others that share its room.
+    void open(const QString& id);
 
     /// Places panes as @p layout says; those that it does not name are hidden, those that it names but are
     /// not here leave their room to their neighbours.
@@ -49,10 +53,15 @@ private:
     void place(const PaneSplit& split);
     void giveRoom(const PaneSplit& split, QSize room);
     void fit();
+    void open(QDockWidget& dock);
+    [[nodiscard]] QAction* toggleOf(QDockWidget& dock);
+    [[nodiscard]] QDockWidget* hostOf(const QDockWidget& dock) const;
     static void dress(QDockWidget& dock, bool withTitle);
 
     std::vector<QString> m_ids;
     std::map<QString, QDockWidget*> m_docks;
+    std::map<const QDockWidget*, QAction*> m_toggles;
+    std::set<QDockWidget*> m_strays;  ///< that the layout has no place for and nobody gave one
     PaneSplit m_placed;  ///< shares hold when the window changes its size, until a pane was moved
     bool m_arranging = false;
 };

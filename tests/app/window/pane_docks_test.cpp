@@ -78,6 +78,38 @@ TEST_F(PaneDocksTest, PanesAreShownAndHiddenAlsoWhileNothingIsArranged) {
     EXPECT_FALSE(m_docks.isPaneVisible("map"));
 }
 
+TEST_F(PaneDocksTest, APaneThatTheLayoutLacksComesAsATabWhereItFits) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - 800) < 12; }));
+    auto& other = static_cast<QLabel&>(*m_panes.at("other"));
+    other.setMinimumSize(500, 100);  // the strip has room for it; map and scan have less
+    const QRect strip = place("strip"), camera = place("camera");
+    const auto isBefore = [&](const char* id) { return !m_panes.at(id)->visibleRegion().isEmpty(); };
+    m_docks.open("other");
+    ASSERT_TRUE(m_docks.isPaneVisible("other"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("other") && !isBefore("strip"); }));
+    EXPECT_NEAR(place("other").width(), strip.width(), 12) << "in the room of its neighbour";
+    EXPECT_GT(place("other").height(), strip.height() - 60) << "but for the tabs";
+    EXPECT_NEAR(place("camera").width(), camera.width(), 12) << "the others stay";
+    EXPECT_NEAR(place("camera").height(), camera.height(), 60);
+
+    // Behind its neighbour it is brought before it again; hidden, it leaves no tabs.
+    m_docks.open("strip");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("strip") && !isBefore("other"); }));
+    m_docks.open("other");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("other"); }));
+    m_docks.visibility("other")->trigger();
+    EXPECT_FALSE(m_docks.isPaneVisible("other"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("strip"); }));
+    m_docks.visibility("other")->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("other"); })) << "in the same place as before";
+    EXPECT_NEAR(place("other").width(), strip.width(), 12);
+
+    m_docks.arrange(layout());
+    EXPECT_FALSE(m_docks.isPaneVisible("other"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("strip"); }));
+    m_docks.open("unknown");
+}
+
 TEST_F(PaneDocksTest, AnArrangementComesBack) {
     m_docks.setArranging(true);
     m_docks.visibility("scan")->trigger();
