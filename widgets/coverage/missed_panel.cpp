@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/models/coverage/floor_tint.h"
+#include "widgets/models/coverage/sensor_text.h"
 #include "widgets/tables/column_fitter.h"
 #include "widgets/tables/table_dress.h"
 
@@ -60,10 +60,10 @@ MissedPanel::MissedPanel(QWidget* parent)
     show(nullptr, std::nullopt);
 }
 
-void MissedPanel::show(const CoverageMapPtr& coverage, const std::optional<Pose>& robotInMap) {
+void MissedPanel::show(const SearchedFloorPtr& searched, const std::optional<Pose>& robotInMap) {
     constexpr double SamePlace = 0.75;  // pieces shrink while they are looked at [m]
     const auto kept = chosen();
-    const auto rows = coverage ? missedRows(*coverage, sensor(), robotInMap) : std::vector<MissedRow>();
+    const auto rows = searched ? missedRows(*searched, sensor(), robotInMap) : std::vector<MissedRow>();
     m_model.setRows(rows);
     if (kept) {
         const int row = m_model.rowAt(kept->inMap, SamePlace);
@@ -75,10 +75,10 @@ void MissedPanel::show(const CoverageMapPtr& coverage, const std::optional<Pose>
         }
         emit chosenChanged();  // a table that was filled anew does not say so
     }
-    m_title->setText(coverage ? searchedText(*coverage, sensor(), rows.size()) : QString());
+    m_title->setText(searched ? searchedText(*searched, sensor()) : QString());
     m_table->setVisible(!rows.empty());
     m_calm->setVisible(rows.empty());
-    m_calm->setText(emptyText(coverage.get(), sensor()));
+    m_calm->setText(emptyText(searched.get(), sensor()));
 }
 
 SearchSensor MissedPanel::sensor() const {

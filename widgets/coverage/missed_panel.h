@@ -20,8 +20,8 @@ class MissedPanel final : public QWidget {
 public:
     explicit MissedPanel(QWidget* parent = nullptr);
 
-    /// @p coverage: null until there is a map. @p robotInMap: of the selected robot.
-    void show(const CoverageMapPtr& coverage, const std::optional<Pose>& robotInMap);
+    /// @p searched: null until there is a map. @p robotInMap: of the selected robot.
+    void show(const SearchedFloorPtr& searched, const std::optional<Pose>& robotInMap);
     using QWidget::show;
     [[nodiscard]] SearchSensor sensor() const;
     void setSensor(SearchSensor sensor);

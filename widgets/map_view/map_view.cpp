@@ -88,7 +88,7 @@ void MapView::showPlace(const Eigen::Vector3d& place) {
 }
 
 void MapView::setFloorTint(FloorTintPtr tint) {
-    m_state->floor = std::move(tint);
+    m_state->floor.setTint(std::move(tint));
     update();
 }
 
@@ -163,7 +163,7 @@ OverlayStyle MapView::State::style(Theme theme) const {
     return {mapColours(theme), &coloursOf(theme), view.font(), view.locale()};
 }
 
-void MapView::State::paintOverlays(QPainter& painter) const {
+void MapView::State::paintOverlays(QPainter& painter) {
     const SceneContent& content = *scenery.picture().content;
     if (content.scans.empty() && robots.empty()) return;
     const MapProjection projection = scenery.projection();
@@ -173,7 +173,7 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     if (content.settings.look == MapLook::Top) {
         gridStep = paintGroundGrid(painter, projection, content, overlay);
     }
-    if (floor) paintFloorTint(painter, projection, *floor, overlay);
+    floor.paint(painter, projection, overlay);
     const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
     paintScanPositions(painter, projection, content, !trails, overlay);
     if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);
@@ -185,7 +185,7 @@ void MapView::State::paintOverlays(QPainter& painter) const {
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
     const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, overlay);
-    if (floor) paintFloorLegend(painter, *floor, projection.size(), legend, overlay);
+    if (floor.tint()) paintFloorLegend(painter, *floor.tint(), projection.size(), legend, overlay);
     paintAxes(painter, projection, overlay);
     if (!hint.isEmpty()) paintHint(painter, hint, projection.size(), overlay);
 }

@@ -10,6 +10,7 @@
 #include "widgets/map_view/gestures/ground_tools.h"
 #include "widgets/map_view/map_scenery.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/map_view/overlays/floor_overlay.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 
 namespace leitstand {
@@ -22,7 +23,7 @@ struct MapView::State {
 
     [[nodiscard]] OverlayStyle style(Theme theme) const;
     /// Grid, marks, measurement, legend, scale and axes of the picture on screen.
-    void paintOverlays(QPainter& painter) const;
+    void paintOverlays(QPainter& painter);
     /// Depth of what is drawn at @p position, or else of the camera's focus [m].
     [[nodiscard]] double depthAt(const QPoint& position) const;
     void measureAt(const QPoint& position);
@@ -48,7 +49,7 @@ struct MapView::State {
     std::vector<RobotMark> robots;
     std::vector<VictimRow> finds;
     std::optional<FindKey> chosenFind;
-    FloorTintPtr floor;
+    FloorOverlay floor;
     GroundTools tools;
     std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]

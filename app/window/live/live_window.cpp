@@ -59,7 +59,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     auto* mapActions = new MapActions(context, *m_map);
     connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
     connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
-    auto* coverage = new CoverageFeature(context, *m_map, *mapActions);
+    auto* coverage = new CoverageFeature(
+        context, *m_map, [&bridge](const LiveMoment&) { return bridge.station().searched(); }, mapActions);
     connect(coverage, &CoverageFeature::told, this, &LiveWindow::tell);
     auto* scan = new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);

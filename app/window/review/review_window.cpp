@@ -1,5 +1,6 @@
 #include "app/window/review/review_window.h"
 
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -7,10 +8,12 @@
 #include <QApplication>
 #include <QLabel>
 
+#include "app/session/coverage/coverage_replay.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/language.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
@@ -50,6 +53,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
+    addCoverage(context);
     new ScanFeature(context);
     auto* compare = new CompareFeature(context, bridge);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
@@ -78,6 +82,18 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
 ReviewWindow::~ReviewWindow() {
     // What its parts still say while they go has nobody to hear it.
     for (QObject* part : children()) part->disconnect(this);
+}
+
+void ReviewWindow::addCoverage(const ViewContext& context) {
+    auto* coverage = new CoverageFeature(
+        context, *m_map,
+        [&bridge = m_bridge,
+         replay = std::make_shared<CoverageReplay>(m_bridge.player().folder())](const LiveMoment& moment) {
+            if (bridge.index() && moment.mission && moment.places)
+                replay->want({moment.now, moment.mission, moment.places, bridge.index()});
+            return replay->searched();
+        });
+    connect(coverage, &CoverageFeature::told, this, &ReviewWindow::tell);
 }
 
 void ReviewWindow::addCommands() {

@@ -19,6 +19,7 @@ class ReviewPanes;
 class RobotsFeature;
 class Selection;
 class TimelineFeature;
+struct ViewContext;
 class WindowFrame;
 
 /// The window on a recorded mission (design, section 7): the live window's panes, and below them the
@@ -56,6 +57,7 @@ protected:
 private:
     void build();
     void addCommands();
+    void addCoverage(const ViewContext& context);
 
     ReviewBridge& m_bridge;
     Selection* m_selection;

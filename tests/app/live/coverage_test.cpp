@@ -5,7 +5,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/live/pane_docks.h"
-#include "core/mission/coverage/coverage_map.h"
+#include "core/mission/searched/searched_floor.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {
@@ -20,8 +20,8 @@ protected:
         action->trigger();
     }
     [[nodiscard]] double seen(SearchSensor sensor) const {
-        const auto coverage = station().coverage();
-        return coverage ? coverage->seenArea(sensor) : 0.0;
+        const auto searched = station().searched();
+        return searched ? searched->by(sensor).seen : 0.0;
     }
 };
 
@@ -29,7 +29,7 @@ TEST_F(LiveCoverage, WhatCamerasAndScannerLookAtIsKnownAndWhatTheyMissedIsListed
     ASSERT_TRUE(soon([&] { return seen(SearchSensor::Scanner) > 0.5; }));
     ASSERT_TRUE(soon([&] { return seen(SearchSensor::Camera) > 0.2; }));
     ASSERT_TRUE(soon([&] { return seen(SearchSensor::Infrared) > 0.2; }));
-    EXPECT_LE(seen(SearchSensor::Camera), station().coverage()->ground().reachableArea());
+    EXPECT_LE(seen(SearchSensor::Camera), station().searched()->reachable);
     trigger("coverage.next");
     EXPECT_TRUE(m_window->commands().find("coverage.scanner")->isChecked());
     trigger("coverage.next");

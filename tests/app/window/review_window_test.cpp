@@ -97,6 +97,34 @@ protected:
     std::unique_ptr<ReviewWindow> m_window;
 };
 
+TEST_F(ReviewWindowTest, WhatWasSearchedIsAskedForByTheKeysOfTheLiveWindow) {
+    goTo(30.0);
+    const auto trigger = [this](const char* id) {
+        QAction* const command = m_window->commands().find(id);
+        ASSERT_NE(command, nullptr) << id;
+        command->trigger();
+    };
+    EXPECT_EQ(m_window->commands().find("coverage.next")->shortcut(),
+              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    EXPECT_EQ(m_window->commands().find("coverage.goTo"), nullptr) << "nobody is there to be sent";
+    trigger("coverage.next");
+    EXPECT_TRUE(m_window->commands().find("coverage.scanner")->isChecked());
+    trigger("coverage.missed");
+    EXPECT_TRUE(m_window->panes().isPaneVisible("missed"));
+    // The scans of this mission are of walls alone.
+    EXPECT_TRUE(soon([this] { return label("missedTitle") == "No floor is known yet"; }));
+    lookAt("coverage");
+    trigger("coverage.off");
+    m_window->layouts().use(QStringLiteral("drive"));
+    EXPECT_FALSE(m_window->panes().isPaneVisible("missed"));
+    trigger("coverage.missed");
+    const auto& pane = find<QWidget>("missedPane");
+    EXPECT_TRUE(soon([&] { return !pane.visibleRegion().isEmpty(); }));
+    EXPECT_GT(pane.height(), 100) << "no strip";
+    EXPECT_GT(find<QWidget>("cameraPane").width(), m_window->width() / 2) << "the camera stays";
+    lookAt("coverage_drive");
+}
+
 TEST_F(ReviewWindowTest, EveryPaneFollowsTheMoment) {
     goTo(12.0);
     EXPECT_TRUE(soon([this] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();

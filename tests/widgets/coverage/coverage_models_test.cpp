@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mission/searched/floor_tint.h"
 #include "tests/core/mission/coverage/search_scene.h"
-#include "widgets/models/coverage/floor_tint.h"
 #include "widgets/models/coverage/missed_model.h"
 
 namespace leitstand::test {
@@ -44,16 +44,17 @@ TEST(FloorTint, CoversWhatWasSeenAndWhatWasMissedOnce) {
 }
 
 TEST(MissedModel, ListsTheLargestPieceFirstWithDistanceAndBearing) {
-    const auto map = searched();
+    const auto map = searchedFloorOf(searched());
+    const auto nothing = searchedFloorOf(std::make_shared<const CoverageMap>(SearchGround{}));
     const auto rows = missedRows(*map, SearchSensor::Camera, poseFrom({-2.0, 0.0, 0.0}, 0, 0, 0));
     ASSERT_GE(rows.size(), 1U);
     EXPECT_EQ(rows[0].number, 1);
     EXPECT_TRUE(rows[0].area.endsWith("m²")) << rows[0].area.toStdString();
     EXPECT_FALSE(rows[0].where.isEmpty());
     EXPECT_TRUE(missedRows(*map, SearchSensor::Camera, std::nullopt)[0].where.isEmpty());
-    const QString text = searchedText(*map, SearchSensor::Camera, rows.size());
+    const QString text = searchedText(*map, SearchSensor::Camera);
     EXPECT_TRUE(text.contains("%") && text.contains("m²") && text.startsWith("Camera")) << text.toStdString();
-    EXPECT_TRUE(searchedText(CoverageMap(SearchGround{}), SearchSensor::Camera, 0).contains("No floor"));
+    EXPECT_TRUE(searchedText(*nothing, SearchSensor::Camera).contains("No floor"));
 
     MissedModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);

@@ -4,23 +4,28 @@
 #include <QSignalSpy>
 #include <QTableView>
 
+#include "core/mission/searched/floor_tint.h"
 #include "tests/core/mission/coverage/search_scene.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/coverage/missed_panel.h"
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/floor_overlay.h"
 #include "widgets/map_view/overlays/overlay_style.h"
-#include "widgets/models/coverage/floor_tint.h"
 #include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {
 
-CoverageMapPtr searched() {
+/// By a camera that looks from (-2, 0) along x, and as far as @p infrared asks for one too, from there.
+SearchedFloorPtr searched(bool infrared = false) {
     SearchBook book;
     book.add(SearchScene{}.scan());
     EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, 0.0)));
-    return book.coverage(SearchScene::trail());
+    if (infrared) {
+        for (double heading = -3.0; heading < 3.0; heading += 0.3)
+            EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, heading, degrees(25), SearchSensor::Infrared)));
+    }
+    return searchedFloorOf(book.coverage(SearchScene::trail()));
 }
 
 class MissedPanes : public testing::TestWithParam<Theme> {
@@ -49,8 +54,68 @@ TEST_P(MissedPanes, TheListIsReadWholeAndTheSensorIsTheOperators) {
     (void)pictureOf(panel, {420, 220}, named("calm"));
 }
 
+TEST_P(MissedPanes, AnotherSensorMissedOtherPieces) {
+    MissedPanel panel;
+    const SearchedFloorPtr both = searched(true);
+    auto* const choice = panel.findChild<QComboBox*>("missedSensor");
+    auto* const table = panel.findChild<QTableView*>("missed");
+    ASSERT_TRUE(choice != nullptr && table != nullptr);
+    const auto listed = [&] { return static_cast<std::size_t>(table->model()->rowCount()); };
+    const auto choose = [&](SearchSensor sensor) {
+        const int row = choice->findData(static_cast<int>(sensor));
+        choice->setCurrentIndex(row);
+        emit choice->activated(row);  // as a hand does
+    };
+    QSignalSpy chosen(&panel, &MissedPanel::sensorChosen);
+    for (const SearchSensor sensor : {SearchSensor::Infrared, SearchSensor::Scanner, SearchSensor::Camera}) {
+        choose(sensor);
+        EXPECT_EQ(panel.sensor(), sensor);
+        panel.show(both, std::nullopt);
+        EXPECT_EQ(listed(), both->by(sensor).missed.size());
+        panel.show(both, poseFrom({-1.0, 0.0, 0.0}, 0, 0, 0));
+        EXPECT_EQ(panel.sensor(), sensor) << "what comes new leaves the operator's choice";
+    }
+    ASSERT_EQ(chosen.count(), 3);
+    EXPECT_EQ(chosen.back().front().value<SearchSensor>(), SearchSensor::Camera);
+    panel.setSensor(SearchSensor::Infrared);
+    EXPECT_EQ(chosen.count(), 3) << "only a hand's choice is told";
+}
+
+TEST_P(MissedPanes, AChosenPieceIsLostWhenItWasSearchedAndKeptWhereItGotSmaller) {
+    MissedPanel panel;
+    QSignalSpy changed(&panel, &MissedPanel::chosenChanged);
+    panel.show(searched(), std::nullopt);
+    panel.chooseFirst();
+    ASSERT_TRUE(panel.chosen());
+    EXPECT_GE(changed.count(), 1);
+    const Eigen::Vector3d place = panel.chosen()->inMap;
+
+    // The same list with a larger piece before it: the choice goes along with its place.
+    auto more = std::make_shared<SearchedFloor>(*searched());
+    auto& missed = more->parts[static_cast<std::size_t>(SearchSensor::Camera)].missed;
+    MissedRegion far = missed.front();
+    far.area += 1.0;
+    far.place += Eigen::Vector2d(20.0, 0.0);
+    missed.insert(missed.begin(), far);
+    panel.show(more, std::nullopt);
+    ASSERT_TRUE(panel.chosen());
+    EXPECT_EQ(panel.chosen()->number, 2);
+    EXPECT_EQ(panel.chosen()->inMap, place);
+
+    // It was searched: nothing is chosen in its stead, and who shows a button for it is told.
+    missed.resize(1);
+    changed.clear();
+    panel.show(more, std::nullopt);
+    EXPECT_FALSE(panel.chosen());
+    EXPECT_GE(changed.count(), 1);
+    panel.chooseFirst();
+    ASSERT_TRUE(panel.chosen());
+    EXPECT_EQ(panel.chosen()->number, 1);
+}
+
 TEST_P(MissedPanes, TheFloorIsTintedWhereSeenAndHatchedWhereMissed) {
-    const FloorTint tint = floorTintOf(*searched(), SearchSensor::Camera);
+    FloorOverlay overlay;
+    overlay.setTint(tintOf(searched(), SearchSensor::Camera));
     QImage picture(900, 600, QImage::Format_RGB32);
     const ThemeColours& colours = coloursOf(GetParam());
     const OverlayStyle style{mapColours(GetParam()), &colours, QFont(), QLocale::c()};
@@ -62,8 +127,8 @@ TEST_P(MissedPanes, TheFloorIsTintedWhereSeenAndHatchedWhereMissed) {
     {
         QPainter painter(&picture);
         const MapProjection projection(camera, picture.size());
-        paintFloorTint(painter, projection, tint, style);
-        paintFloorLegend(painter, tint, picture.size(), {}, style);
+        overlay.paint(painter, projection, style);
+        paintFloorLegend(painter, *overlay.tint(), picture.size(), {}, style);
         const auto at = [&](double x, double y) {
             return picture.pixelColor(projection.project({x, y, 0.0})->position.toPoint());
         };
@@ -74,6 +139,23 @@ TEST_P(MissedPanes, TheFloorIsTintedWhereSeenAndHatchedWhereMissed) {
         EXPECT_EQ(at(3.5, -1.5), none) << "nobody can come there";
     }
     EXPECT_GT(countOf(picture, colours.attention, 60), 200) << "the hatch";
+    QImage again(picture.size(), QImage::Format_ARGB32_Premultiplied);
+    again.fill(Qt::transparent);
+    QPainter painter(&again);
+    overlay.paint(painter, MapProjection(camera, again.size()), style);
+    EXPECT_EQ(overlay.made(), 1) << "nothing moved";
+    EXPECT_GT(qAlpha(again.pixel(MapProjection(camera, again.size()).project({0, 0, 0})->position.toPoint())),
+              0)
+        << "but it is painted";
+    camera.yaw = 0.5;
+    overlay.paint(painter, MapProjection(camera, again.size()), style);
+    EXPECT_EQ(overlay.made(), 2);
+    overlay.setTint(tintOf(searched(true), SearchSensor::Infrared));
+    overlay.paint(painter, MapProjection(camera, again.size()), style);
+    EXPECT_EQ(overlay.made(), 3);
+    overlay.setTint(nullptr);
+    overlay.paint(painter, MapProjection(camera, again.size()), style);
+    EXPECT_EQ(overlay.made(), 3);
     const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
     if (!folder.isEmpty()) picture.save(folder + QLatin1Char('/') + named("floor") + QStringLiteral(".png"));
 }

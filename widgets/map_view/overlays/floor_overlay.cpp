@@ -1,15 +1,15 @@
 #include "widgets/map_view/overlays/floor_overlay.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
 
-#include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
-#include "widgets/models/coverage/floor_tint.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -45,10 +45,9 @@ QString legendText(SearchSensor sensor, bool seen) {
                 : QCoreApplication::translate("leitstand::MapView", "missed by scanner");
 }
 
-}  // namespace
-
-void paintFloorTint(QPainter& painter, const MapProjection& projection, const FloorTint& tint,
-                    const OverlayStyle& style) {
+/// Paints the patches of @p tint that are in sight.
+void paintPatches(QPainter& painter, const MapProjection& projection, const FloorTint& tint,
+                  const ThemeColours& colours) {
     std::array<QPainterPath, 2> areas;  // missed, seen
     for (QPainterPath& area : areas) area.setFillRule(Qt::WindingFill);
     const QRectF screen(QPointF(-100, -100), projection.size() + QSize(200, 200));
@@ -66,11 +65,36 @@ void paintFloorTint(QPainter& painter, const MapProjection& projection, const Fl
         area.addPolygon(corners);
         area.closeSubpath();
     }
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing, false);  // patches meet without seams
-    fill(painter, areas[0], false, *style.window);
-    fill(painter, areas[1], true, *style.window);
-    painter.restore();
+    fill(painter, areas[0], false, colours);
+    fill(painter, areas[1], true, colours);
+}
+
+}  // namespace
+
+void FloorOverlay::setTint(FloorTintPtr tint) {
+    m_tint = std::move(tint);
+    m_picture = {};
+}
+
+void FloorOverlay::make(const MapProjection& projection, double ratio, const OverlayStyle& style) {
+    m_picture = QImage(projection.size() * ratio, QImage::Format_ARGB32_Premultiplied);
+    m_picture.setDevicePixelRatio(ratio);
+    m_picture.fill(Qt::transparent);
+    m_camera = projection.camera();
+    m_colours = style.window;
+    ++m_made;
+    QPainter painter(&m_picture);  // without antialiasing: patches meet without seams
+    paintPatches(painter, projection, *m_tint, *m_colours);
+}
+
+void FloorOverlay::paint(QPainter& painter, const MapProjection& projection, const OverlayStyle& style) {
+    if (!m_tint || projection.size().isEmpty()) return;
+    const double ratio = painter.device()->devicePixelRatioF();
+    const bool same = m_picture.size() == projection.size() * ratio &&
+                      qFuzzyCompare(m_picture.devicePixelRatio(), ratio) && m_camera == projection.camera() &&
+                      m_colours == style.window;
+    if (!same) make(projection, ratio, style);
+    painter.drawImage(QPoint(0, 0), m_picture);
 }
 
 void paintFloorLegend(QPainter& painter, const FloorTint& tint, QSize size, const QRect& below,

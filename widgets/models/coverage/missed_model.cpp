@@ -2,17 +2,16 @@
 
 #include <algorithm>
 
-#include "core/mission/coverage/missed_floor.h"
-#include "widgets/models/coverage/floor_tint.h"
+#include "widgets/models/coverage/sensor_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {
 
-std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sensor,
+std::vector<MissedRow> missedRows(const SearchedFloor& searched, SearchSensor sensor,
                                   const std::optional<Pose>& robotInMap) {
     std::vector<MissedRow> rows;
-    for (const MissedRegion& region : missed(coverage, sensor)) {
+    for (const MissedRegion& region : searched.by(sensor).missed) {
         MissedRow row;
         row.number = static_cast<int>(rows.size()) + 1;
         row.area = MissedModel::tr("%1 m²").arg(numberText(region.area, 1));
@@ -25,20 +24,21 @@ std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sens
     return rows;
 }
 
-QString emptyText(const CoverageMap* coverage, SearchSensor sensor) {
-    if (coverage == nullptr) return MissedModel::tr("What was searched is not known yet");
-    const double all = coverage->ground().reachableArea();
+QString emptyText(const SearchedFloor* searched, SearchSensor sensor) {
+    if (searched == nullptr) return MissedModel::tr("What was searched is not known yet");
+    const double all = searched->reachable;
     if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
-    if (all - coverage->seenArea(sensor) > 0.01) return MissedModel::tr("Only small pieces were missed");
+    if (all - searched->by(sensor).seen > 0.01) return MissedModel::tr("Only small pieces were missed");
     return MissedModel::tr("Nothing that can be reached was missed");
 }
 
-QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed) {
-    const double all = coverage.ground().reachableArea();
+QString searchedText(const SearchedFloor& searched, SearchSensor sensor) {
+    const double all = searched.reachable;
+    const SearchedFloor::Part& part = searched.by(sensor);
     if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
     return MissedModel::tr("%1: %2 of %3 m² seen, places missed: %4")
-        .arg(sensorText(sensor), percentText(coverage.seenArea(sensor) / all), numberText(all, 1),
-             QString::number(missed));
+        .arg(sensorText(sensor), percentText(part.seen / all), numberText(all, 1),
+             QString::number(part.missed.size()));
 }
 
 void MissedModel::setRows(const std::vector<MissedRow>& rows) {

@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "core/base/pose.h"
-#include "core/mission/coverage/coverage_map.h"
+#include "core/mission/searched/searched_floor.h"
 
 namespace leitstand {
 
@@ -23,12 +23,12 @@ struct MissedRow {
 
 /// The pieces that @p sensor missed, the largest first. @p robotInMap: of the selected robot; empty: nobody
 /// knows.
-[[nodiscard]] std::vector<MissedRow> missedRows(const CoverageMap& coverage, SearchSensor sensor,
+[[nodiscard]] std::vector<MissedRow> missedRows(const SearchedFloor& searched, SearchSensor sensor,
                                                 const std::optional<Pose>& robotInMap);
-/// Why the list of what was missed is empty. @p coverage: null until it is known.
-[[nodiscard]] QString emptyText(const CoverageMap* coverage, SearchSensor sensor);
+/// Why the list of what was missed is empty. @p searched: null until it is known.
+[[nodiscard]] QString emptyText(const SearchedFloor* searched, SearchSensor sensor);
 /// "Camera: 61 % of 20.1 m² seen, places missed: 3".
-[[nodiscard]] QString searchedText(const CoverageMap& coverage, SearchSensor sensor, std::size_t missed);
+[[nodiscard]] QString searchedText(const SearchedFloor& searched, SearchSensor sensor);
 
 /// Pieces of floor that were missed, as a table. A choice is kept while its place is about the same.
 class MissedModel final : public QAbstractTableModel {

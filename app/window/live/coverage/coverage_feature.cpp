@@ -1,25 +1,27 @@
 #include "app/window/live/coverage/coverage_feature.h"
 
+#include <chrono>
+#include <utility>
+#include <vector>
+
 #include <QAction>
 #include <QActionGroup>
 #include <QMainWindow>
 
-#include "app/session/station/station.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_actions.h"
 #include "app/window/live/map/map_feature.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/coverage/missed_panel.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/coverage/floor_tint.h"
 #include "widgets/models/coverage/missed_model.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int TicksALook = 15;  ///< what was searched is asked for twice a second
+constexpr std::chrono::milliseconds LookEvery(500);  ///< for what was searched
 
 /// Of an overlay's command; below 0: none is shown.
 int dataOf(std::optional<SearchSensor> sensor) {
@@ -28,24 +30,31 @@ int dataOf(std::optional<SearchSensor> sensor) {
 
 }  // namespace
 
-CoverageFeature::CoverageFeature(const LiveContext& context, MapFeature& map, MapActions& actions)
+CoverageFeature::CoverageFeature(const ViewContext& context, MapFeature& map, Source searched,
+                                 MapActions* actions)
     : QObject(&context.window),
       m_context(context),
       m_map(map),
+      m_source(std::move(searched)),
       m_panel(new MissedPanel(&context.window)),
       m_overlays(new QActionGroup(this)) {
     m_panel->setObjectName(QStringLiteral("missedPane"));
     context.panes.add(QStringLiteral("missed"), tr("Missed"), *m_panel);
     addOverlays();
-    addMissed(actions);
+    std::vector<QAction*> buttons = {addMissed()};
+    if (actions != nullptr) buttons.push_back(m_goTo = addGoTo(*actions));
+    m_panel->setCommands(buttons);
     connect(m_panel, &MissedPanel::sensorChosen, this, [this](SearchSensor sensor) {
         if (m_shown) return showOverlay(sensor);
         refresh();
     });
     connect(m_panel, &MissedPanel::activated, this, &CoverageFeature::showChosen);
-    connect(m_panel, &MissedPanel::chosenChanged, this,
-            [this] { m_goTo->setEnabled(m_panel->chosen().has_value()); });
-    connect(&context.source, &MomentSource::ticked, this, &CoverageFeature::follow);
+    connect(m_panel, &MissedPanel::chosenChanged, this, [this] {
+        if (m_goTo != nullptr) m_goTo->setEnabled(m_panel->chosen().has_value());
+    });
+    // Not with the moments: those of a review that stands come but once.
+    connect(&m_look, &QTimer::timeout, this, &CoverageFeature::follow);
+    m_look.start(LookEvery);
 }
 
 void CoverageFeature::addOverlays() {
@@ -85,7 +94,8 @@ void CoverageFeature::addOverlays() {
     });
 }
 
-void CoverageFeature::addMissed(MapActions& actions) {
+/// The commands of the list of what was missed; the one that shows a piece on the map.
+QAction* CoverageFeature::addMissed() {
     QAction& open = m_context.commands.add(
         {.id = QStringLiteral("coverage.missed"),
          .menu = CommandMenu::Map,
@@ -93,23 +103,26 @@ void CoverageFeature::addMissed(MapActions& actions) {
          .hint = tr("Lists the floor that robots can reach and that was not seen, the largest piece first"),
          .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)});
     connect(&open, &QAction::triggered, this, &CoverageFeature::showMissed);
-    QAction& goTo = m_context.commands.add({.id = QStringLiteral("coverage.goTo"),
-                                            .menu = CommandMenu::Map,
-                                            .text = tr("Go to what was &missed"),
-                                            .hint = tr("Sends the selected robot to the chosen place")});
-    goTo.setIconText(tr("Go there"));
-    goTo.setEnabled(false);
-    m_goTo = &goTo;
-    connect(&goTo, &QAction::triggered, this, [this, &actions] {
-        if (const auto chosen = m_panel->chosen()) actions.go(chosen->inMap);
-    });
     QAction& look = m_context.commands.add({.id = QStringLiteral("coverage.show"),
                                             .menu = CommandMenu::Map,
                                             .text = tr("Show what was missed on the ma&p"),
                                             .hint = tr("Moves the map to the chosen place")});
     look.setIconText(tr("Show"));
     connect(&look, &QAction::triggered, this, &CoverageFeature::showChosen);
-    m_panel->setCommands({&look, &goTo});
+    return &look;
+}
+
+QAction* CoverageFeature::addGoTo(MapActions& actions) {
+    QAction& goTo = m_context.commands.add({.id = QStringLiteral("coverage.goTo"),
+                                            .menu = CommandMenu::Map,
+                                            .text = tr("Go to what was &missed"),
+                                            .hint = tr("Sends the selected robot to the chosen place")});
+    goTo.setIconText(tr("Go there"));
+    goTo.setEnabled(false);
+    connect(&goTo, &QAction::triggered, this, [this, &actions] {
+        if (const auto chosen = m_panel->chosen()) actions.go(chosen->inMap);
+    });
+    return &goTo;
 }
 
 void CoverageFeature::showOverlay(std::optional<SearchSensor> sensor) {
@@ -117,17 +130,19 @@ void CoverageFeature::showOverlay(std::optional<SearchSensor> sensor) {
     if (sensor) m_panel->setSensor(*sensor);
     for (QAction* action : m_overlays->actions())
         action->setChecked(action->data().toInt() == dataOf(sensor));
+    if (sensor) m_searched = m_source(m_context.source.moment());
     refresh();
 }
 
 void CoverageFeature::showMissed() {
-    if (QAction* const pane = m_context.panes.visibility(QStringLiteral("missed")); !pane->isChecked())
-        pane->trigger();
+    m_searched = m_source(m_context.source.moment());
+    refresh();
+    m_context.panes.open(QStringLiteral("missed"));
     if (!m_shown) showOverlay(m_panel->sensor());
     m_panel->chooseFirst();
     m_panel->setFocus();
     if (m_panel->chosen()) return showChosen();
-    emit told(emptyText(m_coverage.get(), m_panel->sensor()));
+    emit told(emptyText(m_searched.get(), m_panel->sensor()));
 }
 
 void CoverageFeature::showChosen() {
@@ -135,20 +150,18 @@ void CoverageFeature::showChosen() {
     emit told(tr("Choose a place in the list of what was missed"));
 }
 
-void CoverageFeature::follow(const LiveMoment& /*moment*/) {
-    if (++m_ticks % TicksALook != 0) return;
-    CoverageMapPtr now = m_context.bridge.station().coverage();
-    const bool news = now != m_coverage;
-    m_coverage = std::move(now);
+void CoverageFeature::follow() {
+    if (!m_shown && !m_panel->isVisible()) return;
+    SearchedFloorPtr now = m_source(m_context.source.moment());
+    const bool news = now != m_searched;
+    m_searched = std::move(now);
     if (news) return refresh();
     if (m_panel->isVisible()) list();  // how far things are from the robot
 }
 
 void CoverageFeature::refresh() {
     list();
-    m_map.view().setFloorTint(m_shown && m_coverage
-                                  ? std::make_shared<const FloorTint>(floorTintOf(*m_coverage, *m_shown))
-                                  : nullptr);
+    m_map.view().setFloorTint(m_shown ? tintOf(m_searched, *m_shown) : nullptr);
 }
 
 void CoverageFeature::list() {
@@ -157,7 +170,7 @@ void CoverageFeature::list() {
     for (const RobotInMap& one : moment.places ? *moment.places : RobotsInMap()) {
         if (one.robot == m_context.selection.name().toStdString() && one.placed) robot = one.baseInMap;
     }
-    m_panel->show(m_coverage, robot);
+    m_panel->show(m_searched, robot);
 }
 
 }  // namespace leitstand

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include <QObject>
+#include <QTimer>
 
 #include "app/window/live/live_context.h"
-#include "core/mission/coverage/coverage_map.h"
+#include "core/mission/searched/searched_floor.h"
 
 class QAction;
 class QActionGroup;
@@ -21,7 +23,12 @@ struct LiveMoment;
 class CoverageFeature final : public QObject {
     Q_OBJECT
 public:
-    CoverageFeature(const LiveContext& context, MapFeature& map, MapActions& actions);
+    /// Tells what was searched by a moment, as known by now; is asked while somebody looks.
+    using Source = std::function<SearchedFloorPtr(const LiveMoment&)>;
+
+    /// @p actions: send robots; null: there are none to be sent.
+    CoverageFeature(const ViewContext& context, MapFeature& map, Source searched,
+                    MapActions* actions = nullptr);
 
     /// What the map shows; empty: nothing.
     [[nodiscard]] const std::optional<SearchSensor>& shown() const { return m_shown; }
@@ -31,22 +38,24 @@ signals:
 
 private:
     void addOverlays();
-    void addMissed(MapActions& actions);
+    [[nodiscard]] QAction* addMissed();
+    [[nodiscard]] QAction* addGoTo(MapActions& actions);
     void showOverlay(std::optional<SearchSensor> sensor);
     void showMissed();
     void showChosen();
-    void follow(const LiveMoment& moment);
+    void follow();
     void refresh();
     void list();  ///< what was missed, from where the selected robot is now
 
-    LiveContext m_context;
+    ViewContext m_context;
     MapFeature& m_map;
+    Source m_source;
     MissedPanel* m_panel;
     QActionGroup* m_overlays;
-    QAction* m_goTo = nullptr;
+    QAction* m_goTo = nullptr;  ///< null: there are no robots to be sent
     std::optional<SearchSensor> m_shown;
-    CoverageMapPtr m_coverage;
-    int m_ticks = 0;
+    SearchedFloorPtr m_searched;
+    QTimer m_look;
 };
 
 }  // namespace leitstand
