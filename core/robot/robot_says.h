@@ -80,35 +80,25 @@ constexpr auto Upright = translatable("leitstand::RobotSays", "upright");
 constexpr auto AboutToRollOver = translatable("leitstand::RobotSays", "about to roll over");
 constexpr auto RolledOver = translatable("leitstand::RobotSays", "rolled over");
 
-constexpr auto All = std::to_array<const char*>({Started,          AskedFor,
-                                                 CannotBeAskedFor, NoMode,
-                                                 StopStands,       RemoteInUse,
-                                                 RemoteLetGo,      NoHeatInSight,
-                                                 HeatInSight,      Stop,
-                                                 StoppedBy,        StoppedByButton,
-                                                 Released,         LinkBack,
-                                                 LinkBackGoesOn,   LinkBackWaits,
-                                                 LinkLostStands,   LinkLostFinishes,
-                                                 LinkLostReturns,  LinkLostWaits,
-                                                 LinkLostFinished, LinkLostIsBack,
-                                                 LinkLostNoWay,    BackWhereLinkWasGood,
-                                                 ScannerSilent,    LooksAround,
-                                                 AtTheGoal,        LooksAgain,
-                                                 NoWayToTheGoal,   NothingLeft,
-                                                 MakesRoom,        LooksForAWay,
-                                                 BacksOut,         LeansBacksOut,
-                                                 NoWayOff,         RolledOverStands,
-                                                 NoRule,           NoHeat,
-                                                 HeatLost,         HeatUnreachable,
-                                                 VictimKnown,      GaveUp,
-                                                 TurnsToHeat,      DrivesToHeat,
-                                                 DrivesAround,     MeasuresAgain,
-                                                 HeatAhead,        AtAVictim,
-                                                 BeforeAVictim,    NoNumber,
-                                                 Obstacle,         OldScan,
-                                                 NotSeenYet,       RollOver,
-                                                 Upright,          AboutToRollOver,
-                                                 RolledOver});
+// Where it was touched, and what it saw.
+constexpr auto Front = translatable("leitstand::RobotSays", "front");
+constexpr auto Left = translatable("leitstand::RobotSays", "left");
+constexpr auto Rear = translatable("leitstand::RobotSays", "rear");
+constexpr auto Right = translatable("leitstand::RobotSays", "right");
+constexpr auto BodyHeat = translatable("leitstand::RobotSays", "body heat, {} degrees C");
+
+// clang-format off
+constexpr std::array All = {
+    Started, AskedFor, CannotBeAskedFor, NoMode, StopStands, RemoteInUse, RemoteLetGo, NoHeatInSight,
+    HeatInSight, Stop, StoppedBy, StoppedByButton, Released, LinkBack, LinkBackGoesOn, LinkBackWaits,
+    LinkLostStands, LinkLostFinishes, LinkLostReturns, LinkLostWaits, LinkLostFinished, LinkLostIsBack,
+    LinkLostNoWay, BackWhereLinkWasGood, ScannerSilent, LooksAround, AtTheGoal, LooksAgain,
+    NoWayToTheGoal, NothingLeft, MakesRoom, LooksForAWay, BacksOut, LeansBacksOut, NoWayOff,
+    RolledOverStands, NoRule, NoHeat, HeatLost, HeatUnreachable, VictimKnown, GaveUp, TurnsToHeat,
+    DrivesToHeat, DrivesAround, MeasuresAgain, HeatAhead, AtAVictim, BeforeAVictim, NoNumber, Obstacle,
+    OldScan, NotSeenYet, RollOver, Upright, AboutToRollOver, RolledOver, Front, Left, Rear, Right,
+    BodyHeat};
+// clang-format on
 
 /// A part of what a robot said.
 struct Part {

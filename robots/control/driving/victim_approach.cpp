@@ -242,7 +242,7 @@ ApproachStep VictimApproach::reach(const Target& target, const Pose& baseInOdom)
     sighting.deviation = 0.15;
     sighting.confidence = m_cue.confidence;
     sighting.value = m_cue.temperature;
-    sighting.text = fmt::format("body heat, {:.1f} degrees C", m_cue.temperature);
+    sighting.text = fmt::format(robot_says::BodyHeat, fmt::format("{:.1f}", m_cue.temperature));
     m_sightings.push_back(sighting);
     ApproachStep step;
     step.done = true;

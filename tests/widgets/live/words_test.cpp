@@ -57,6 +57,8 @@ public:
     [[nodiscard]] bool isEmpty() const override { return false; }
     QString translate(const char* context, const char* text, const char* /*about*/,
                       int /*count*/) const override {
+        if (qstrcmp(context, "leitstand::ModeLabel") == 0 && qstrcmp(text, "victim approach") == 0)
+            return QStringLiteral("Opferanfahrt");
         const bool known =
             qstrcmp(context, "leitstand::RobotSays") == 0 && qstrcmp(text, "heat {} m ahead") == 0;
         return known ? QStringLiteral("Wärme {} m voraus") : QString();
@@ -75,6 +77,9 @@ TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
     QLocale::setDefault(QLocale(QLocale::German));
     setMode(robot, "victim_approach", true, "heat 1.20 m ahead; läuft");
     EXPECT_EQ(labelOf(robot).reason.toStdString(), "Wärme 1,20 m voraus; läuft");
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "OPFERANFAHRT");
+    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said).texts.front().toStdString(),
+                HasSubstr("Opferanfahrt"));
     QCoreApplication::removeTranslator(&german);
 }
 

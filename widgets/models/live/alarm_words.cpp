@@ -72,7 +72,7 @@ QString alarmText(const AlarmCause& cause) {
     }
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
-    if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(detail);
+    if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(robotSaysText(detail.toStdString()));
     if (key == alarm_key::Diagnostics)
         return AlarmTexts::tr("%1: %2").arg(robotSaysText(detail.toStdString()), robotSaysText(cause.note));
     if (key == alarm_key::StopUnanswered)

@@ -27,6 +27,13 @@ QString batteryOf(const RobotState& said) {
     return percentText(said.battery->sample.fraction);
 }
 
+/// @p label within a line. The name of a mode is written as the language writes it: German has capitals.
+QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said) {
+    const QString name = said ? modeName(said->sample.mode) : QString(), large = name.toUpper();
+    if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
+    return name + label.text.sliced(large.size()).toLower();
+}
+
 }  // namespace
 
 RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said) {
@@ -36,7 +43,7 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
     const ModeLabel label = modeLabelOf(robot, said.mode);
     chip.mode = label.kind;
     chip.tone = chip.link == LinkState::Lost ? Tone::Attention : Tone::Muted;
-    const QString mode = label.text.toLower(), battery = batteryOf(said);
+    const QString mode = inALine(label, said.mode), battery = batteryOf(said);
     const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
     QString trip = talks ? roundTripText(robot.link) : QString();
     QString loss = talks ? lossShareText(robot.link) : QString();

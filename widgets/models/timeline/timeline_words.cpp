@@ -47,9 +47,8 @@ QString seenText(const std::string& kind) {
 
 QString sightingText(const TimelineMark& mark) {
     const QString what = seenText(mark.key);
-    return mark.text.empty()
-               ? TimelineTexts::tr("the robot saw %1").arg(what)
-               : TimelineTexts::tr("the robot saw %1: %2").arg(what, QString::fromStdString(mark.text));
+    return mark.text.empty() ? TimelineTexts::tr("the robot saw %1").arg(what)
+                             : TimelineTexts::tr("the robot saw %1: %2").arg(what, robotSaysText(mark.text));
 }
 
 QString candidateText(const TimelineMark& mark) {
@@ -85,7 +84,7 @@ QString contentOf(const TimelineMark& mark) {
                        ? TimelineTexts::tr("mode: %1").arg(modeName(mark.key))
                        : TimelineTexts::tr("mode: %1 (%2)").arg(modeName(mark.key), robotSaysText(mark.text));
         case Kind::Bump:
-            return TimelineTexts::tr("bumped: %1").arg(words(mark.key));
+            return TimelineTexts::tr("bumped: %1").arg(robotSaysText(words(mark.key).toStdString()));
         case Kind::Sighting:
             return sightingText(mark);
         case Kind::Session:

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/robot/robot_says.h"
+
 namespace leitstand::simulation {
 namespace {
 
-constexpr std::array<const char*, 4> Names = {"front", "left", "rear", "right"};
+constexpr std::array<const char*, 4> Names = {robot_says::Front, robot_says::Left, robot_says::Rear,
+                                              robot_says::Right};
 constexpr std::chrono::milliseconds Pressed(300);  ///< at least
 
 /// Which side faces @p where, for a robot longer than it is wide.
