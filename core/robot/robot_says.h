@@ -88,7 +88,7 @@ constexpr auto Right = translatable("leitstand::RobotSays", "right");
 constexpr auto BodyHeat = translatable("leitstand::RobotSays", "body heat, {} degrees C");
 
 // clang-format off
-constexpr std::array All = {
+inline constexpr std::array All = {
     Started, AskedFor, CannotBeAskedFor, NoMode, StopStands, RemoteInUse, RemoteLetGo, NoHeatInSight,
     HeatInSight, Stop, StoppedBy, StoppedByButton, Released, LinkBack, LinkBackGoesOn, LinkBackWaits,
     LinkLostStands, LinkLostFinishes, LinkLostReturns, LinkLostWaits, LinkLostFinished, LinkLostIsBack,

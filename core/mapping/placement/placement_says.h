@@ -35,7 +35,7 @@ constexpr auto WhereLeft = translatable("leitstand::Station", "where it was when
 constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");
 
 /// The most special first.
-constexpr auto All =
+inline constexpr auto All =
     std::to_array<const char*>({FoundAgain, PutBut, WhereLeftBut, SeenBy, TooFewPoints, FromGuess, TooLittle,
                                 LittleInMap, OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere, AgainstMap,
                                 PutBlindly, WhereLeft, OdometryAnew, Because, InMap, LaserInMap});
