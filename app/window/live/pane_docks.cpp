@@ -1,6 +1,7 @@
 #include "app/window/live/pane_docks.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <QAction>
@@ -84,18 +85,18 @@ void PaneDocks::open(QDockWidget& dock) {
     dock.raise();
 }
 
-/// The pane in whose room @p dock finds most of what it needs, the smallest of those; null: there is none.
+/// The smallest pane in whose room @p dock finds what it needs, or most of it; null: there is none.
 QDockWidget* PaneDocks::hostOf(const QDockWidget& dock) const {
+    constexpr double Enough = 0.8;  // of what is needed; lists scroll
     const QSize needed = dock.widget()->sizeHint().expandedTo(dock.widget()->minimumSizeHint());
     const auto share = [](int has, int wants) { return wants > 0 ? std::min(1.0, 1.0 * has / wants) : 1.0; };
     QDockWidget* best = nullptr;
-    std::pair<int, int> mark;  // how much of what is needed [%]; how little it is
+    std::tuple<bool, double, int> mark;  // may be covered; how much of what is needed; how small
     for (const auto& [id, other] : m_docks) {
         if (other == &dock || other->isHidden() || other->isFloating()) continue;
         const QSize room = other->size();
-        const int fits = static_cast<int>(100.0 * share(room.width(), needed.width()) *
-                                          share(room.height(), needed.height()));
-        const std::pair here(fits, -room.width() * room.height());
+        const double fits = share(room.width(), needed.width()) * share(room.height(), needed.height());
+        const std::tuple here(!m_inSight.contains(id), std::min(Enough, fits), -room.width() * room.height());
         if (best != nullptr && here <= mark) continue;
         best = other;
         mark = here;

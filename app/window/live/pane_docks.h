@@ -24,10 +24,12 @@ public:
 
     /// Takes @p pane over; hidden until a layout names it. @p title: for people.
     void add(const QString& id, const QString& title, QWidget& pane);
+    /// Others are not opened as a tab before pane @p id, while there is another that they may.
+    void keepInSight(const QString& id) { m_inSight.insert(id); }
     [[nodiscard]] QStringList ids() const;
     [[nodiscard]] bool isPaneVisible(const QString& id) const;
     /// Shows or hides one pane; while it is checked it is shown. One that the layout has no place for comes
-    /// as a tab before the pane whose room fits it best.
+    /// as a tab before the smallest pane with room for it.
     [[nodiscard]] QAction* visibility(const QString& id) const;
     /// Shows a pane, before others that share its room.
     void open(const QString& id);
@@ -61,6 +63,7 @@ private:
     std::vector<QString> m_ids;
     std::map<QString, QDockWidget*> m_docks;
     std::map<const QDockWidget*, QAction*> m_toggles;
+    std::set<QString> m_inSight;
     std::set<QDockWidget*> m_strays;  ///< that the layout has no place for and nobody gave one
     PaneSplit m_placed;  ///< shares hold when the window changes its size, until a pane was moved
     bool m_arranging = false;

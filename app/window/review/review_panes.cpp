@@ -27,6 +27,7 @@ ReviewPanes::ReviewPanes(const ViewContext& context, ReviewBridge& bridge)
       m_clock(new ClockFace(&context.window)) {
     m_alarms->setReadOnly(true);
     context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
+    context.panes.keepInSight(QStringLiteral("strip"));
     context.panes.add(QStringLiteral("alarms"), tr("Alarms"), *m_alarms);
     connect(&context.source, &MomentSource::ticked, this, &ReviewPanes::show);
 }

@@ -81,7 +81,7 @@ TEST_F(PaneDocksTest, PanesAreShownAndHiddenAlsoWhileNothingIsArranged) {
 TEST_F(PaneDocksTest, APaneThatTheLayoutLacksComesAsATabWhereItFits) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - 800) < 12; }));
     auto& other = static_cast<QLabel&>(*m_panes.at("other"));
-    other.setMinimumSize(500, 100);  // the strip has room for it; map and scan have less
+    other.setMinimumSize(700, 100);  // the strip has room for it; map and scan have less
     const QRect strip = place("strip"), camera = place("camera");
     const auto isBefore = [&](const char* id) { return !m_panes.at(id)->visibleRegion().isEmpty(); };
     m_docks.open("other");
@@ -107,6 +107,11 @@ TEST_F(PaneDocksTest, APaneThatTheLayoutLacksComesAsATabWhereItFits) {
     m_docks.arrange(layout());
     EXPECT_FALSE(m_docks.isPaneVisible("other"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("strip"); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(place("strip").width() - 1200) < 12; }));
+    m_docks.keepInSight("strip");
+    m_docks.open("other");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isBefore("other"); }));
+    EXPECT_TRUE(isBefore("strip")) << "a robot's mode stays in sight, whatever is opened";
     m_docks.open("unknown");
 }
 

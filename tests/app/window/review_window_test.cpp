@@ -117,11 +117,13 @@ TEST_F(ReviewWindowTest, WhatWasSearchedIsAskedForByTheKeysOfTheLiveWindow) {
     trigger("coverage.off");
     m_window->layouts().use(QStringLiteral("drive"));
     EXPECT_FALSE(m_window->panes().isPaneVisible("missed"));
+    EXPECT_TRUE(soon([this] { return find<QWidget>("cameraPane").width() > m_window->width() / 2; }));
     trigger("coverage.missed");
     const auto& pane = find<QWidget>("missedPane");
     EXPECT_TRUE(soon([&] { return !pane.visibleRegion().isEmpty(); }));
     EXPECT_GT(pane.height(), 100) << "no strip";
-    EXPECT_GT(find<QWidget>("cameraPane").width(), m_window->width() / 2) << "the camera stays";
+    EXPECT_FALSE(find<QWidget>("cameraPane").visibleRegion().isEmpty()) << "the camera stays";
+    EXPECT_FALSE(m_window->mapView().visibleRegion().isEmpty()) << "and so does the map, to show places on";
     lookAt("coverage_drive");
 }
 

@@ -25,6 +25,7 @@ constexpr int TicksShown = 3;  ///< the list is made ten times a second
 AlarmsFeature::AlarmsFeature(const LiveContext& context)
     : QObject(&context.window), m_context(context), m_panel(new AlarmPanel(&context.window)) {
     context.panes.add(QStringLiteral("alarms"), tr("Alarms"), *m_panel);
+    context.panes.keepInSight(QStringLiteral("alarms"));
     addCommands();
     StationAlarms& alarms = context.bridge.station().alarms();
     connect(m_panel, &AlarmPanel::acknowledged, this,

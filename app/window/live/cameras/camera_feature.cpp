@@ -35,6 +35,7 @@ CameraFeature::CameraFeature(const ViewContext& context)
     m_large->setObjectName(QStringLiteral("cameraPane"));
     m_small->setObjectName(QStringLiteral("rightPane"));
     context.panes.add(QStringLiteral("camera"), tr("Camera"), *m_large);
+    context.panes.keepInSight(QStringLiteral("camera"));
     context.panes.add(QStringLiteral("right"), tr("Second camera"), *m_small);
     if (context.station != nullptr) addTurning();
     addLooks();

@@ -19,6 +19,7 @@ DriveFeature::DriveFeature(const LiveContext& context)
       m_input(context.window),
       m_strip(new DriveStrip(&context.window)) {
     context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
+    context.panes.keepInSight(QStringLiteral("strip"));
     Station& station = context.bridge.station();
     connect(&m_input, &DriveInput::sticks, this,
             [this, &station](const DriveVelocity& sticks) { station.push(sticks, m_input.withoutEyes()); });

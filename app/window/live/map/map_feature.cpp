@@ -25,6 +25,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
       m_pane(new MapPane(m_view, &context.window)) {
     m_pane->setHelpVisible(false);
     context.panes.add(QStringLiteral("map"), tr("3D map"), *m_pane);
+    context.panes.keepInSight(QStringLiteral("map"));
     addCommands();
     connect(&context.source, &MomentSource::mapChanged, this, [this](const MapPtr& map) {
         m_seen = m_seen || !map->scans.empty();
