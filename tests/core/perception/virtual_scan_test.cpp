@@ -319,6 +319,25 @@ TEST(VirtualScan, APlaneScannerThatDrivesPastAPostRemembersItBesideTheRobot) {
     EXPECT_GT(virtualScan.view(here, atSecond(seconds)).nearest(left, behind), 1.0) << "it has gone";
 }
 
+TEST(VirtualScanView, EdgesAreBridgedByWhatIsNearer) {
+    VirtualScanView view;
+    view.sectors.resize(180);
+    for (int i = 80; i < 100; ++i) {
+        const double direction = view.directionOf(i), away = i < 90 ? 1.0 : 3.0;
+        if (i >= 88 && i < 93) continue;
+        view.sectors[static_cast<std::size_t>(i)].age = 0.1 * (i < 90 ? 1 : 2);
+        view.sectors[static_cast<std::size_t>(i)].outer =
+            away * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    }
+    view.bridgeEdges(4);
+    EXPECT_TRUE(std::isinf(view.sectors[90].age)) << "too wide";
+    view.bridgeEdges(6);
+    EXPECT_DOUBLE_EQ(view.sectors[90].age, 0.2) << "the older of both";
+    ASSERT_TRUE(view.sectors[90].outer);
+    EXPECT_NEAR(view.sectors[90].outer->norm(), 1.0, 1e-9);
+    EXPECT_TRUE(std::isinf(view.sectors[79].age)) << "nothing on its other side";
+}
+
 TEST(VirtualScanView, FreeTravelFollowsTheArcWithTheWholeBody) {
     VirtualScanView view;
     view.sectors.resize(180);

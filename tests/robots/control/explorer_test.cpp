@@ -141,6 +141,25 @@ TEST(Explorer, StandsWhenTheScannerIsSilentAndWhenAllIsSeen) {
     EXPECT_EQ(ground.touches(), 0);
 }
 
+TEST(FloorMemory, AWayToTheUnseenBeginsAheadWhereTurningCosts) {
+    FloorMemorySettings settings;
+    settings.around = 0.5;
+    FloorMemory memory(settings);
+    VirtualScanView view;  // its scanner is blind behind
+    view.sectors.resize(180);
+    for (int i = 30; i < 150; ++i) {
+        const double direction = view.directionOf(i);
+        view.sectors[static_cast<std::size_t>(i)].age = 0.1;
+        view.sectors[static_cast<std::size_t>(i)].outer =
+            Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    }
+    memory.see(view, Pose::Identity());
+    EXPECT_TRUE(memory.isSeen({-0.4, 0.0})) << "it stands there";
+    EXPECT_FALSE(memory.isSeen({-0.7, 0.0}));
+    EXPECT_LT(memory.wayToUnseen({0.0, 0.0}).front().x(), 0.0) << "nearest by way";
+    EXPECT_GT(memory.wayToUnseen({0.0, 0.0}, {.heading = 0.0, .cost = 2.0}).front().x(), 0.0);
+}
+
 TEST(FloorMemory, RemembersWhatItSawAndWhereItWas) {
     FloorMemory memory;
     VirtualScanView view;
