@@ -61,16 +61,17 @@ bool mine(Station& station, const char* robot) {
     return station.robot(robot).grant.mine;
 }
 
-/// Kurt3D is asked to explore; it does until it is asked for something else. The Crawler has no such mode.
+/// Both robots are asked to explore; they do until they are asked for something else.
 void explore(Station& station) {
-    const char* const robot = Robots[0];
-    station.ask(robot);
-    ASSERT_TRUE(soon([&] { return mine(station, robot); }));
-    ASSERT_TRUE(station.setMode(robot, "explore"));
-    ASSERT_TRUE(soon([&] {
-        const auto mode = station.mission()->robots.at(robot)->mode;
-        return mode && mode->sample.autonomous;
-    }));
+    for (const char* robot : Robots) {
+        station.ask(robot);
+        ASSERT_TRUE(soon([&] { return mine(station, robot); })) << robot;
+        ASSERT_TRUE(station.setMode(robot, "explore")) << robot;
+        ASSERT_TRUE(soon([&] {
+            const auto mode = station.mission()->robots.at(robot)->mode;
+            return mode && mode->sample.autonomous;
+        })) << robot;
+    }
 }
 
 /// In the process that is killed: an operator at the window of @p folder's mission, who tells what there is.
@@ -237,7 +238,7 @@ protected:
     Pose m_mapInArena = Pose::Identity();
 };
 
-TEST_F(LongKill, WhatARobotFindsByItselfOutlastsTheKillAndIsTrue) {
+TEST_F(LongKill, WhatTheRobotsFindByThemselvesOutlastsTheKillAndIsTrue) {
     if (const char* folder = std::getenv(FolderTold))
         return operate(folder, std::atoi(std::getenv(DomainTold)), true);
     robots();

@@ -15,7 +15,7 @@
 namespace leitstand::test {
 namespace {
 
-/// A mission that Kurt3D drives by itself while an operator files what the station finds. Also makes
+/// A mission that both robots drive by themselves while an operator files what the station finds. Also makes
 /// resources/samples anew: with LEITSTAND_SAMPLE=FOLDER the mission is copied there.
 class LongMission : public LivePage {
 protected:
@@ -24,7 +24,7 @@ protected:
     [[nodiscard]] std::size_t confirmed() const { return confirmedVictims(station()); }
 };
 
-TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
+TEST_F(LongMission, DrivenByTheRobotsFiledByKeysResumedAndReported) {
     m_window->layouts().use("explore");
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
     MissionInfoSample info;
@@ -35,11 +35,13 @@ TEST_F(LongMission, DrivenByTheRobotFiledByKeysResumedAndReported) {
     info.area = "yellow";
     info.profile = "2005";
     ASSERT_TRUE(station().describe(info));
-    const auto mode = [&] { return station().mission()->robots.at("kurt3d")->mode; };
-    station().ask("kurt3d");
-    ASSERT_TRUE(soon([&] { return robot("kurt3d").grant.mine; }));
-    ASSERT_TRUE(station().setMode("kurt3d", "explore"));
-    ASSERT_TRUE(soon([&] { return mode() && mode()->sample.mode == "explore"; }));
+    for (const char* name : {"kurt3d", "crawler"}) {
+        const auto mode = [&] { return station().mission()->robots.at(name)->mode; };
+        station().ask(name);
+        ASSERT_TRUE(soon([&] { return robot(name).grant.mine; })) << name;
+        ASSERT_TRUE(station().setMode(name, "explore")) << name;
+        ASSERT_TRUE(soon([&] { return mode() && mode()->sample.autonomous; })) << name;
+    }
     QElapsedTimer clock;
     clock.start();
     bool resumed = false;
