@@ -88,6 +88,23 @@ std::optional<Projected> MapProjection::project(const Eigen::Vector3d& pointInMa
                      depth};
 }
 
+QPolygonF MapProjection::outline(std::span<const Eigen::Vector3d> corners) const {
+    constexpr double Nearest = 0.1;  // what is nearer would reach far beyond every screen [m]
+    const auto depthOf = [this](const Eigen::Vector3d& corner) { return (corner - m_eye).dot(m_forward); };
+    QPolygonF seen;
+    const auto add = [&](const Eigen::Vector3d& corner) {
+        if (const auto projected = project(corner)) seen << projected->position;
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector3d &from = corners[i], &to = corners[(i + 1) % corners.size()];
+        const double before = depthOf(from), after = depthOf(to);
+        if (before >= Nearest) add(from);
+        if ((before >= Nearest) != (after >= Nearest))
+            add(from + (Nearest - before) / (after - before) * (to - from));
+    }
+    return seen;
+}
+
 Eigen::Vector3d MapProjection::unproject(const QPointF& position, double depth) const {
     const double scale = metresPerPixel(depth);
     return m_eye + depth * m_forward + scale * (position.x() - m_size.width() / 2.0) * m_right -

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include <QPointF>
+#include <QPolygonF>
 #include <QSize>
 
 namespace leitstand {
@@ -41,6 +43,9 @@ public:
 
     /// Where @p pointInMap is drawn; nothing when behind the eye.
     [[nodiscard]] std::optional<Projected> project(const Eigen::Vector3d& pointInMap) const;
+    /// Outline on screen of the part of a flat shape that is before the eye; empty where none is. @p corners:
+    /// in the map's frame, in order [m]; convex.
+    [[nodiscard]] QPolygonF outline(std::span<const Eigen::Vector3d> corners) const;
     /// The point of the map under @p position at @p depth [m].
     [[nodiscard]] Eigen::Vector3d unproject(const QPointF& position, double depth) const;
     /// What a logical pixel covers at @p depth [m].

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -45,6 +46,24 @@ TEST(MapCamera, ResetLooksForwardFromBehindAndAbove) {
     // What is ahead is farther away: a metre across looks smaller there.
     EXPECT_LT(distance(view.at({8, 0, 0}), view.at({8, 0, 1})),
               distance(view.at({2, 0, 0}), view.at({2, 0, 1})));
+}
+
+TEST(MapCamera, OfAFloorThatReachesBehindTheEyeTheRestIsOutlined) {
+    MapCamera camera;
+    camera.focus = {2, 0, 0.4};
+    camera.pitch = 0.3;
+    camera.distance = 2.0;
+    const MapProjection projection(camera, {400, 300});
+    const auto floor = [](double from, double to) {
+        return std::array<Eigen::Vector3d, 4>{{{from, -3, 0}, {to, -3, 0}, {to, 3, 0}, {from, 3, 0}}};
+    };
+    const QPolygonF outline = projection.outline(floor(-6, 6));
+    for (const Eigen::Vector3d& ahead : {Eigen::Vector3d(1.5, 0, 0), {3, 1, 0}, {5, -2, 0}})
+        EXPECT_TRUE(outline.containsPoint(projection.project(ahead)->position, Qt::OddEvenFill)) << ahead.x();
+    const QPointF above = projection.project({5, 0, 1.5})->position;
+    EXPECT_FALSE(outline.containsPoint(above, Qt::OddEvenFill)) << "nothing of the wall behind it";
+    EXPECT_TRUE(projection.outline(floor(-6, -3)).isEmpty());
+    EXPECT_EQ(projection.outline(floor(3, 5)).size(), 4);
 }
 
 TEST(MapCamera, TopLooksStraightDownWithForwardUp) {

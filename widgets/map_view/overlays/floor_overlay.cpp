@@ -52,15 +52,13 @@ void paintPatches(QPainter& painter, const MapProjection& projection, const Floo
     for (QPainterPath& area : areas) area.setFillRule(Qt::WindingFill);
     const QRectF screen(QPointF(-100, -100), projection.size() + QSize(200, 200));
     for (const FloorPatch& patch : tint.patches) {
-        QPolygonF corners;
-        for (const auto& [x, y] :
-             {std::pair{patch.low.x(), patch.low.y()}, std::pair{patch.high.x(), patch.low.y()},
-              std::pair{patch.high.x(), patch.high.y()}, std::pair{patch.low.x(), patch.high.y()}}) {
-            const auto seen = projection.project(Eigen::Vector3f(x, y, patch.height).cast<double>());
-            if (!seen) break;
-            corners << seen->position;
-        }
-        if (corners.size() < 4 || !corners.boundingRect().intersects(screen)) continue;
+        const auto corner = [&](float x, float y) {
+            return Eigen::Vector3f(x, y, patch.height).cast<double>().eval();
+        };
+        const QPolygonF corners = projection.outline(std::array<Eigen::Vector3d, 4>{
+            corner(patch.low.x(), patch.low.y()), corner(patch.high.x(), patch.low.y()),
+            corner(patch.high.x(), patch.high.y()), corner(patch.low.x(), patch.high.y())});
+        if (corners.size() < 3 || !corners.boundingRect().intersects(screen)) continue;
         QPainterPath& area = areas[patch.seen ? 1 : 0];
         area.addPolygon(corners);
         area.closeSubpath();
