@@ -157,6 +157,12 @@ double VirtualScanView::oldest(double from, double to) const {
     return age;
 }
 
+double VirtualScanView::youngest() const {
+    double age = std::numeric_limits<double>::infinity();
+    for (const VirtualSector& sector : sectors) age = std::min(age, sector.age);
+    return age;
+}
+
 double VirtualScanView::freeLength(double direction, double width, double limit) const {
     const Eigen::Vector2d along(std::cos(direction), std::sin(direction));
     double length = limit;

@@ -63,6 +63,8 @@ struct VirtualScanView {
     /// Age of the oldest of the sectors from @p from counter-clockwise to @p to [s]; infinite: one was never
     /// looked at.
     [[nodiscard]] double oldest(double from, double to) const;
+    /// Age of the sector that was looked at last [s]; infinite: none ever was.
+    [[nodiscard]] double youngest() const;
     /// Length of a corridor of @p width from base_link towards @p direction until an obstacle, at most
     /// @p limit [m].
     [[nodiscard]] double freeLength(double direction, double width, double limit) const;

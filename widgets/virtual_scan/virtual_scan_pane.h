@@ -26,7 +26,9 @@ public:
 
     static constexpr double NearestRange = 1.5, FarthestRange = 20.0, UsualRange = 4.0;  ///< [m]
     [[nodiscard]] double range() const { return m_range; }  ///< as far as is seen ahead [m]
-    void setRange(double metres);                           ///< within the bounds
+    /// From which age the scan is stale and lost.
+    void setLimits(const FreshnessLimits& limits) { m_head.limits = limits; }
+    void setRange(double metres);  ///< within the bounds
 
     /// Where a point of base_link is painted [px].
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;

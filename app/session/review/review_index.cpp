@@ -16,7 +16,7 @@ constexpr std::chrono::seconds Silence(10);               ///< longer ones part 
 constexpr double Apart = 0.1, TurnedApart = degrees(10);  ///< of points on a track [m], [rad]
 
 constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms, StreamRole::Mode,
-                              StreamRole::Bumps, StreamRole::Sightings};
+                              StreamRole::Bumps,    StreamRole::Sightings,        StreamRole::Gas};
 
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
     std::vector<std::string> topics;
@@ -71,6 +71,8 @@ void Indexing::take(const Event& event) {
         if (scan->scan) index.keyScans.insert_or_assign(scan->id, *scan);
     } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
         index.places[place->robot].push_back(*place);
+    } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+        index.gas[event.robot].emplace_back(event.received, gas->ppm);
     } else if (event.role == StreamRole::StaticTransforms) {
         index.fixed.push_back(event);
     }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -27,10 +28,11 @@ struct ReviewIndex {
     std::vector<TimelineStretch> stretches;                 ///< in which something was recorded
     std::map<std::uint64_t, KeyScanSample> keyScans;        ///< by id
     std::map<std::string, std::vector<TrackPoint>> tracks;  ///< by robot, some 10 cm or 10 degrees apart
-    std::map<std::string, std::vector<RobotPlaceSample>> places;  ///< by robot, as they came
-    std::vector<Event> fixed;                                     ///< of what never changes: tf_static
-    Time lastHeard{};                                             ///< when a robot said something last
-    MissionStatePtr finished;                                     ///< the state at the end; never null
+    std::map<std::string, std::vector<RobotPlaceSample>> places;      ///< by robot, as they came
+    std::map<std::string, std::vector<std::pair<Time, double>>> gas;  ///< by robot: when received, [ppm]
+    std::vector<Event> fixed;                                         ///< of what never changes: tf_static
+    Time lastHeard{};                                                 ///< when a robot said something last
+    MissionStatePtr finished;                                         ///< the state at the end; never null
 };
 using ReviewIndexPtr = std::shared_ptr<const ReviewIndex>;
 

@@ -8,12 +8,13 @@
 
 #include "app/session/review/reviewed_robot.h"
 #include "app/session/station/live_mapping.h"
+#include "core/perception/virtual_scan.h"
 
 namespace leitstand {
 namespace {
 
-/// So long a virtual scan needs to be whole again: a turn of the scanner takes 2.3 s.
-constexpr std::chrono::seconds Preroll(5);
+/// So far back reaches what is around a robot: what a virtual scan remembers.
+const auto Preroll = std::chrono::nanoseconds(static_cast<std::int64_t>(VirtualScanSettings().memory * 1e9));
 constexpr std::chrono::milliseconds CommandLife(500);  ///< of a drive command
 
 /// The odometry's frame in the map from a moment on.
@@ -60,6 +61,16 @@ const Anchor& anchorAt(const std::vector<Anchor>& anchors, Time at) {
     return later == anchors.begin() ? anchors.front() : *std::prev(later);
 }
 
+/// Whether a log that ends with @p state has anything that a scanner of @p robot sent.
+bool hasScans(const MissionState& state, const std::string& robot) {
+    const auto said = state.robots.find(robot);
+    if (said == state.robots.end()) return false;
+    return std::any_of(said->second->streams.begin(), said->second->streams.end(), [](const auto& entry) {
+        const auto& role = entry.second.role;
+        return role == StreamRole::Points || role == StreamRole::Ranges;
+    });
+}
+
 LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index) {
     auto map = std::make_shared<LiveMap>();
     for (const auto& [id, kept] : *state.keyScans) {
@@ -97,19 +108,32 @@ void ReviewScene::watch(const std::string& robot) {
     m_around.reset();
 }
 
+void ReviewScene::see(const Event& event) {
+    if (event.robot == m_watched) return m_sight->take(event, steadyOf(event.received));
+    const auto* const scan = std::get_if<KeyScanSample>(&event.sample);
+    // A mission that was thinned, or recorded on a narrow link, keeps whole turns only.
+    if (scan != nullptr && !m_scanned && scan->scan && scan->scan->robot == m_watched)
+        m_sight->take(*scan, steadyOf(event.received));
+}
+
+void ReviewScene::beginSight(const RobotDescription& robot, Time from) {
+    m_sight = std::make_unique<RobotSight>(robot);
+    m_scanned = hasScans(*m_index.finished, robot.name);
+    for (const Event& event : m_index.fixed) see(event);
+    // What has not been said since counts still, as old as it is.
+    for (const StreamDescription& stream : robot.streams) {
+        if (stream.role != StreamRole::Odometry && stream.role != StreamRole::Joints) continue;
+        if (const auto before = m_log.newest(stream.topic, from)) see(*before);
+    }
+    m_seen = from;
+}
+
 void ReviewScene::look(Time at) {
     const RobotDescription* const robot = watched();
     if (robot == nullptr) return;
-    const auto take = [this](const Event& event) {
-        if (event.robot == m_watched) m_sight->take(event, steadyOf(event.received));
-    };
     const bool goesOn = m_sight && at >= m_seen && at - m_seen <= Preroll;
-    if (!goesOn) {
-        m_sight = std::make_unique<RobotSight>(*robot);
-        for (const Event& event : m_index.fixed) take(event);
-        m_seen = at - Preroll;
-    }
-    m_log.events(m_seen, at, take);
+    if (!goesOn) beginSight(*robot, at - Preroll);
+    m_log.events(m_seen, at, [this](const Event& event) { see(event); });
     m_seen = at;
     m_around = m_sight->view(steadyOf(at));
 }

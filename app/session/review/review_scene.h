@@ -53,6 +53,8 @@ public:
 
 private:
     void look(Time at);
+    void beginSight(const RobotDescription& robot, Time from);
+    void see(const Event& event);  ///< of the watched robot
     void showMap(const MissionState& state);
     [[nodiscard]] RobotInMap place(const RobotDescription& robot, const MissionState& state, Time at) const;
     [[nodiscard]] std::vector<Event> pictures(Time at);
@@ -63,6 +65,7 @@ private:
     std::string m_watched;
     ReviewMap m_which = ReviewMap::AsThen;
     std::unique_ptr<RobotSight> m_sight;  ///< of the watched robot
+    bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
     Time m_seen{};                        ///< up to where m_sight knows
     std::optional<VirtualScanView> m_around;
     MissionState m_mapped;  ///< whose scans m_scans and m_map are

@@ -25,6 +25,22 @@ VirtualScanSettings scanOf(const RobotDescription& robot) {
     return settings;
 }
 
+/// The points of @p scan with their times, as its scanner would have sent them at once.
+CloudSample cloudOf(const Scan& scan, Time end) {
+    CloudSample cloud;
+    cloud.points = scan.points;
+    cloud.header.stamp = end;
+    if (!scan.organised() || scan.sweep != Sweep::Yawing) return cloud;
+    cloud.rows = scan.rows;
+    cloud.columns = scan.columns;
+    const auto took = scan.start == Time{} ? std::chrono::nanoseconds(0) : end - scan.start;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        const auto after = static_cast<std::int64_t>(i) / scan.columns + 1 - scan.rows;
+        cloud.times.push_back(after * (took.count() / scan.rows));
+    }
+    return cloud;
+}
+
 }  // namespace
 
 RobotSight::RobotSight(const RobotDescription& robot)
@@ -68,6 +84,17 @@ void RobotSight::take(const Event& event, SteadyTime now) {
         m_joints = *joints;
         m_jointsCame = now;
     }
+}
+
+void RobotSight::take(const KeyScanSample& sample, SteadyTime now) {
+    if (!sample.scan || !sample.scan->hasOdometry) return;
+    const Scan& scan = *sample.scan;
+    // The motion is taken out of its points: all are as seen from where the robot was at the end.
+    const Pose baseThen = scan.sensorInOdom * sample.sensorInBase.inverse();
+    const CloudSample cloud = cloudOf(scan, scan.end == Time{} ? sample.stamp : scan.end);
+    const std::lock_guard lock(m_mutex);
+    m_scanned = now;
+    m_scan.add(cloud, sample.sensorInBase, [&baseThen](Time) { return std::optional(baseThen); });
 }
 
 void RobotSight::lookThrough(const std::string& sensor) {

@@ -11,6 +11,7 @@
 #include "core/perception/virtual_scan.h"
 #include "core/robot/control/sight_cap.h"
 #include "core/robot/robot_view.h"
+#include "core/robot/samples/map_samples.h"
 
 namespace leitstand {
 
@@ -22,6 +23,9 @@ public:
 
     void take(const Event& event);  ///< what this robot said; what tells nothing here is passed by
     void take(const Event& event, SteadyTime now);  ///< the same, as it came at another moment
+    /// The same of a whole turn of the scanner, @p scan, that a station kept: where its slices are not at
+    /// hand.
+    void take(const KeyScanSample& scan, SteadyTime now);
     /// The driver looks through the camera @p sensor from now on; at first, through the one named first.
     void lookThrough(const std::string& sensor);
     /// How fast the robot may be driven where @p sticks lead.

@@ -1,6 +1,9 @@
 #include "app/window/review/review_panes.h"
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QMainWindow>
@@ -32,19 +35,26 @@ ReviewPanes::ReviewPanes(const ViewContext& context, ReviewBridge& bridge)
     connect(&context.source, &MomentSource::ticked, this, &ReviewPanes::show);
 }
 
+GasTrend ReviewPanes::gasUntil(const std::string& robot, Time now) const {
+    GasTrend trend;
+    const auto said = m_bridge.index()->gas.find(robot);
+    if (said == m_bridge.index()->gas.end()) return trend;
+    const auto span =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(GasTrend::Span));
+    auto one = std::lower_bound(said->second.begin(), said->second.end(), std::pair(now - span, -1.0));
+    for (; one != said->second.end() && one->first <= now; ++one) trend.add(one->first, one->second);
+    return trend;
+}
+
 QWidget* ReviewPanes::clock() const {
     return m_clock;
 }
 
 void ReviewPanes::showStrip(const LiveMoment& moment) {
-    for (const RobotDescription& robot : m_context.selection.robots()) {
-        const RobotState& said = moment.said(robot.name);
-        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
-    }
     const RobotDescription* const robot = m_context.selection.robot();
     if (robot == nullptr) return;
     DriveState state = driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
-                                    moment.said(robot->name), m_gas[robot->name], moment.now);
+                                    moment.said(robot->name), gasUntil(robot->name, moment.now), moment.now);
     state.grant.choice = GrantFigures::Choice::None;  // nobody can be asked for it any more
     m_strip->show(state);
 }

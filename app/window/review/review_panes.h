@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include <QObject>
@@ -30,13 +29,14 @@ public:
 private:
     void show(const LiveMoment& moment);
     void showStrip(const LiveMoment& moment);
+    /// What @p robot measured in the minutes before @p now, as the log has it: also after a jump.
+    [[nodiscard]] GasTrend gasUntil(const std::string& robot, Time now) const;
 
     ViewContext m_context;
     ReviewBridge& m_bridge;
     DriveStrip* m_strip;
     AlarmPanel* m_alarms;
     ClockFace* m_clock;
-    std::map<std::string, GasTrend> m_gas;  ///< by robot
 };
 
 }  // namespace leitstand

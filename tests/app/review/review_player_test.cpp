@@ -1,5 +1,6 @@
 #include "app/session/review/review_player.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/log/mission_thinning.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -101,6 +103,54 @@ TEST_F(ReviewSceneTest, WhatIsAroundIsThereAfterAJumpAndAsOldAsItWas) {
         const auto& around = moment->robots.at("kurt3d").around;
         ASSERT_TRUE(around) << seconds;
         EXPECT_LT(around->nearest(-0.4, 0.4, /*maxAge=*/0.5), 3.0) << seconds;
+    }
+}
+
+TEST_F(ReviewSceneTest, WhatWasSeenBeforeAJumpIsAroundAsItIsLive) {
+    const auto folder = m_folder / "silent";
+    {
+        WrittenMission mission(folder);
+        for (int i = 0; i <= 200; ++i) {
+            const double t = 0.1 * i;
+            if (i <= 20) mission.sayPlace(t, 0.0);  // then its scanner is silent
+            if (i > 20 && i <= 100) mission.sayOdometry(t, 0.0);
+            if (i > 100 && i % 10 == 0) mission.sayPicture(t, 100);
+        }
+    }
+    const auto log = ReviewLog::open(folder).value();
+    const auto index = indexOf(*log);
+    ReviewScene played(*log, *index);
+    for (int i = 0; i <= 200; ++i) {
+        const Time now = Mission::at(0.1 * i);
+        const ReviewMomentPtr moment = played.at(now);
+        if (i % 20 != 5) continue;
+        ReviewScene jumped(*log, *index);
+        const auto around = jumped.at(now)->robots.at("kurt3d").around;
+        const auto& expected = moment->robots.at("kurt3d").around;
+        ASSERT_TRUE(around && expected) << i;
+        ASSERT_EQ(around->sectors.size(), expected->sectors.size());
+        for (std::size_t k = 0; k < around->sectors.size(); ++k) {
+            EXPECT_EQ(around->sectors[k].age, expected->sectors[k].age) << i << ", " << k;
+            EXPECT_EQ(around->sectors[k].outer.has_value(), expected->sectors[k].outer.has_value());
+        }
+        EXPECT_EQ(std::isfinite(around->youngest()), i <= 140) << "what is older is forgotten";
+    }
+}
+
+TEST_F(ReviewSceneTest, AMissionWithoutSlicesHasItsKeyScansAround) {
+    ASSERT_TRUE(thinMission(m_mission, m_folder / "thin", {}));
+    const auto log = ReviewLog::open(m_folder / "thin").value();
+    const auto index = indexOf(*log);
+    for (const double seconds : {41.5, 10.5, 32.0}) {
+        ReviewScene scene(*log, *index);
+        const auto around = scene.at(Mission::at(seconds))->robots.at("kurt3d").around;
+        ASSERT_TRUE(around) << seconds;
+        EXPECT_NEAR(around->youngest(), std::fmod(seconds, 5.0), 0.6) << seconds;
+        const double driven = 0.1 * std::fmod(seconds, 5.0);
+        double ahead = 0.0;
+        for (const VirtualSector& sector : around->sectors)
+            if (sector.outer) ahead = std::max(ahead, sector.outer->x());
+        EXPECT_NEAR(ahead, 3.0 - driven, 0.05) << seconds;
     }
 }
 

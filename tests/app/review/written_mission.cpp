@@ -86,13 +86,17 @@ void WrittenMission::say(double seconds, const std::string& topic, const Sample&
     write(seconds, std::string(station_topic::Checkpoints), checkpointOf(m_fold.state(), at(seconds)));
 }
 
-void WrittenMission::sayPlace(double seconds, double x) {
+void WrittenMission::sayOdometry(double seconds, double x) {
     OdometrySample odometry;
     odometry.header = {at(seconds), "kurt3d/odom"};
     odometry.childFrame = "kurt3d/base_link";
     odometry.baseInOdom = poseFrom({x, 0, 0}, 0, 0, 0);
     odometry.linear.x() = 0.1;
     say(seconds, "/kurt3d/odom", odometry);
+}
+
+void WrittenMission::sayPlace(double seconds, double x) {
+    sayOdometry(seconds, x);
     CloudSample wall;  // 2 m ahead and to both sides
     wall.header = {at(seconds), "kurt3d/laser"};
     wall.rows = Headings;

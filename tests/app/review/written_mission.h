@@ -22,6 +22,7 @@ public:
     void say(double seconds, const std::string& topic, const Sample& sample);
     /// The robot at x = @p x [m], looking ahead, and a slice of its scanner.
     void sayPlace(double seconds, double x);
+    void sayOdometry(double seconds, double x);  ///< the robot only
     /// A picture of the left camera, all of it as bright as @p grey.
     void sayPicture(double seconds, int grey);
     /// Key scan @p id of a small cloud, taken at x = @p x, matched to the one before.

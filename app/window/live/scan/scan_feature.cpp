@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include <QMainWindow>
@@ -13,6 +14,8 @@
 
 namespace leitstand {
 namespace {
+
+constexpr FreshnessLimits BetweenKeyScans{.stale = 5.0, .lost = 12.0};
 
 /// Since the newest scan of @p said came [s]; infinite: never.
 double scanAge(const RobotState& said, Time now) {
@@ -47,7 +50,11 @@ void ScanFeature::setPointing(bool pointing) {
 void ScanFeature::show(const LiveMoment& moment) {
     const std::string name = m_context.selection.name().toStdString();
     const RobotView& view = moment.view(name);
-    m_pane->show(view.around, view.drive.velocity, scanAge(moment.said(name), moment.now));
+    double age = scanAge(moment.said(name), moment.now);
+    const bool keyScans = !std::isfinite(age) && view.around;  // a log that has nothing else
+    if (keyScans) age = view.around->youngest();
+    m_pane->setLimits(keyScans ? BetweenKeyScans : FreshnessLimits());
+    m_pane->show(view.around, view.drive.velocity, age);
 }
 
 }  // namespace leitstand
