@@ -109,8 +109,7 @@ void MapPane::setTools(const QList<QAction*>& tools) {
 void MapPane::setSummary(const MapSummary& summary) {
     m_title->setText(summary.title);
     m_result->setText(summary.result);
-    m_result->setToolTip(summary.result + QLatin1Char('\n') +
-                         tr("Time of all registrations, and the lowest overlap of all scans"));
+    m_result->setToolTip(summary.result + QLatin1Char('\n') + summary.hint);
     setTone(*m_result, summary.tone);
 }
 

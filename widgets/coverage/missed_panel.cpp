@@ -1,15 +1,15 @@
 #include "widgets/coverage/missed_panel.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/models/coverage/sensor_text.h"
+#include "widgets/tables/button_flow.h"
 #include "widgets/tables/column_fitter.h"
+#include "widgets/tables/command_buttons.h"
 #include "widgets/tables/table_dress.h"
 
 namespace leitstand {
@@ -20,7 +20,7 @@ MissedPanel::MissedPanel(QWidget* parent)
       m_title(new QLabel(this)),
       m_calm(new QLabel(this)),
       m_table(new QTableView(this)),
-      m_buttons(new QHBoxLayout) {
+      m_buttons(new ButtonFlow) {
     setAccessibleName(tr("What was missed"));
     setFocusProxy(m_table);
     for (const SearchSensor sensor : SearchSensors)
@@ -48,7 +48,7 @@ MissedPanel::MissedPanel(QWidget* parent)
     head->addWidget(m_title, 1);
     head->addWidget(m_sensor);
     m_buttons->setContentsMargins(8, 2, 8, 6);
-    m_buttons->setSpacing(6);
+    m_buttons->setSpacing(2);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
@@ -90,15 +90,7 @@ void MissedPanel::setSensor(SearchSensor sensor) {
 }
 
 void MissedPanel::setCommands(const std::vector<QAction*>& commands) {
-    for (QAction* command : commands) {
-        auto* button = new QToolButton(this);
-        button->setDefaultAction(command);
-        button->setText(command->iconText());
-        button->setProperty("quiet", true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_buttons->addWidget(button);
-    }
-    m_buttons->addStretch(1);
+    addCommandButtons(*m_buttons, commands, *this);
 }
 
 std::optional<MissedRow> MissedPanel::chosen() const {

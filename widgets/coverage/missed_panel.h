@@ -7,7 +7,7 @@
 #include "widgets/models/coverage/missed_model.h"
 
 class QComboBox;
-class QHBoxLayout;
+class QLayout;
 class QLabel;
 class QTableView;
 class QAction;
@@ -45,7 +45,7 @@ private:
     QComboBox* m_sensor;
     QLabel *m_title, *m_calm;
     QTableView* m_table;
-    QHBoxLayout* m_buttons;
+    QLayout* m_buttons;
 };
 
 }  // namespace leitstand

@@ -42,7 +42,10 @@ QString verdictOver(const Map& map, Tone& tone) {
 }  // namespace
 
 MapSummary summaryOf(const Map& map) {
-    MapSummary summary{titleOf(map), {}, Tone::Normal};
+    MapSummary summary{titleOf(map),
+                       {},
+                       Tone::Normal,
+                       SummaryTexts::tr("Time of all registrations, and the lowest overlap of all scans")};
     double seconds = 0.0, overlap = 1.0;
     bool any = false;
     for (const MapScan& scan : map.scans) {

@@ -12,6 +12,7 @@ struct MapSummary {
     QString title;   ///< "3D map · 3 scans · 0.24 M points"
     QString result;  ///< "registered in 0.4 s · overlap 83 % · certain"; empty before the second scan
     Tone tone = Tone::Normal;  ///< of the result: Attention when a scan is not certain
+    QString hint = {};         ///< what the result means
 };
 
 /// Sums @p map up; overlap is the lowest of all scans, time the sum.

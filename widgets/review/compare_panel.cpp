@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QRadioButton>
@@ -23,7 +24,12 @@ ComparePanel::ComparePanel(QWidget* parent)
       m_schedule(RegistrationSettings().maxDistances),
       m_begin(new QToolButton(this)),
       m_progress(new QProgressBar(this)),
-      m_maps(new QButtonGroup(this)) {
+      m_maps(new QButtonGroup(this)),
+      m_note(new QLabel(
+          tr("Registers the mission's key scans once more, with these settings, and puts both maps "
+             "beside each other: how well scans meet, how far they moved, how long it took. "
+             "Nothing of the mission is changed. The newest result is kept with it."),
+          this)) {
     setAccessibleName(tr("Registered again and compared"));
     auto* fields = new QWidget(this);
     auto* form = new QFormLayout(fields);
@@ -33,7 +39,6 @@ ComparePanel::ComparePanel(QWidget* parent)
     m_begin->setObjectName(QStringLiteral("beginComparison"));
     connect(m_begin, &QToolButton::clicked, this, [this] {
         if (m_comparing) return emit cancelled();
-        setComparing(true);
         emit wanted(settings());
     });
     m_progress->setObjectName(QStringLiteral("comparisonProgress"));
@@ -44,6 +49,11 @@ ComparePanel::ComparePanel(QWidget* parent)
     row->addWidget(m_begin);
     row->addWidget(m_progress, 1);
     row->addStretch(0);
+    m_note->setObjectName(QStringLiteral("comparisonNote"));
+    m_note->setProperty("muted", true);
+    m_note->setWordWrap(true);
+    m_note->setAlignment(Qt::AlignTop);
+    m_note->setMargin(8);
     m_choice = mapChoice();
     m_tables = tables();
     auto* rows = new QVBoxLayout(this);
@@ -53,20 +63,21 @@ ComparePanel::ComparePanel(QWidget* parent)
     rows->addLayout(row);
     rows->addWidget(m_choice);
     rows->addWidget(m_tables, 1);
-    rows->addStretch(0);
-    m_choice->setEnabled(false);
+    rows->addWidget(m_note, 1);
+    m_choice->setVisible(false);
+    m_tables->setVisible(false);
     setComparing(false);
 }
 
 void ComparePanel::addSettings(QFormLayout& form) {
     m_minimizer = choiceBox(minimizerChoices(), this);
     m_minimizer->setObjectName(QStringLiteral("compareMinimizer"));
-    choose(*m_minimizer, RegistrationSettings().minimizer);
+    ::leitstand::choose(*m_minimizer, RegistrationSettings().minimizer);
     addField(form, tr("M&inimise"), m_minimizer);
     m_reference = choiceBox(referenceChoices(), this);
     m_reference->setObjectName(QStringLiteral("compareReference"));
-    choose(*m_reference, RegistrationSettings().reference);
-    addField(form, tr("&Against"), m_reference);
+    ::leitstand::choose(*m_reference, RegistrationSettings().reference);
+    addField(form, tr("A&gainst"), m_reference);
     m_distances = new QLineEdit(scheduleText(m_schedule), this);
     m_distances->setObjectName(QStringLiteral("compareDistances"));
     addField(form, tr("Maximum &distance m"), m_distances,
@@ -120,6 +131,7 @@ QWidget* ComparePanel::tables() {
         dressTable(*table);
         table->setFrameShape(QFrame::NoFrame);
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        table->horizontalHeader()->setStretchLastSection(true);
         tabs->addTab(table, title);
     };
     add(m_figures, "comparisonFigures", tr("Figures"));
@@ -134,6 +146,13 @@ RegistrationSettings ComparePanel::settings() const {
     settings.reduce = m_reduce->value();
     settings.maxDistances = m_schedule;
     return settings;
+}
+
+void ComparePanel::setSettings(const RegistrationSettings& settings) {
+    ::leitstand::choose(*m_minimizer, settings.minimizer);
+    ::leitstand::choose(*m_reference, settings.reference);
+    m_distances->setText(scheduleText(settings.maxDistances));
+    m_reduce->setValue(settings.reduce);
 }
 
 void ComparePanel::setComparing(bool on) {
@@ -152,13 +171,16 @@ void ComparePanel::showProgress(double fraction) {
     if (m_comparing) m_progress->setValue(static_cast<int>(100.0 * fraction));
 }
 
-void ComparePanel::showResult(const MapComparisonPtr& comparison) {
-    setComparing(false);
-    if (!comparison) return;
-    m_figures.setTable(figuresOf(*comparison));
-    m_scans.setTable(scansOf(*comparison));
-    m_choice->setEnabled(true);
-    emit mapChosen(static_cast<ComparedMap>(m_maps->checkedId()));
+void ComparePanel::showResult(const MapComparison& comparison) {
+    m_figures.setTable(figuresOf(comparison));
+    m_scans.setTable(scansOf(comparison));
+    m_note->setVisible(false);
+    m_choice->setVisible(true);
+    m_tables->setVisible(true);
+}
+
+void ComparePanel::choose(ComparedMap which) {
+    m_maps->button(static_cast<int>(which))->setChecked(true);
 }
 
 }  // namespace leitstand

@@ -26,10 +26,12 @@ public:
 
     /// What is set; where the distances cannot be read, their last readable value.
     [[nodiscard]] RegistrationSettings settings() const;
+    void setSettings(const RegistrationSettings& settings);
+    void setComparing(bool on);
     /// How far it is, 0 to 1.
     void showProgress(double fraction);
-    /// Null: cancelled or failed; what was shown before stays.
-    void showResult(const MapComparisonPtr& comparison);
+    void showResult(const MapComparison& comparison);
+    void choose(ComparedMap which);  ///< which map is said to be shown
     [[nodiscard]] bool comparing() const { return m_comparing; }
 
     [[nodiscard]] QSize sizeHint() const override { return {420, 420}; }
@@ -37,13 +39,12 @@ public:
 signals:
     void wanted(const leitstand::RegistrationSettings& settings);
     void cancelled();
-    void mapChosen(leitstand::ComparedMap which);  ///< of the newest result
+    void mapChosen(leitstand::ComparedMap which);  ///< of the newest result, by the operator
 
 private:
     void addSettings(QFormLayout& form);
     QWidget* mapChoice();
     QWidget* tables();
-    void setComparing(bool on);
 
     TextTableModel m_figures, m_scans;
     bool m_comparing = false;
@@ -54,6 +55,7 @@ private:
     QToolButton* m_begin;
     QProgressBar* m_progress;
     QButtonGroup* m_maps;
+    QLabel* m_note;
     QWidget *m_choice, *m_tables;
 };
 

@@ -19,6 +19,7 @@ ColumnFitter::ColumnFitter(QTableView& table, std::vector<int> givingWay, int st
     connect(model, &QAbstractItemModel::dataChanged, this, &ColumnFitter::fit);
     connect(model, &QAbstractItemModel::rowsInserted, this, &ColumnFitter::fit);
     connect(model, &QAbstractItemModel::rowsRemoved, this, &ColumnFitter::fit);
+    connect(model, &QAbstractItemModel::modelReset, this, &ColumnFitter::fit);
     fit();
 }
 

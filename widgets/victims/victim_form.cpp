@@ -58,6 +58,7 @@ VictimForm::VictimForm(QWidget* parent)
     rows->setContentsMargins(0, 4, 0, 0);
     rows->setSpacing(4);
     m_title->setContentsMargins(8, 0, 8, 0);
+    m_title->setWordWrap(true);
     rows->addWidget(m_title);
     rows->addWidget(area, 1);
     auto* grid = new QGridLayout(fields);

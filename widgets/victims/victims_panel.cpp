@@ -1,39 +1,55 @@
 #include "widgets/victims/victims_panel.h"
 
-#include <QAction>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/tables/button_flow.h"
 #include "widgets/tables/column_fitter.h"
+#include "widgets/tables/command_buttons.h"
 #include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 
-VictimsPanel::VictimsPanel(QWidget* parent)
+namespace {
+
+using Column = VictimListModel::Column;
+
+std::vector<Column> columnsFor(VictimsPanel::Use use) {
+    const bool live = use == VictimsPanel::Use::Live;
+    return {Column::Name, Column::State, live ? Column::Where : Column::Found, Column::Signs};
+}
+
+}  // namespace
+
+VictimsPanel::VictimsPanel(QWidget* parent, Use use)
     : QWidget(parent),
+      m_model(columnsFor(use)),
       m_title(new QLabel(this)),
-      m_calm(new QLabel(tr("Nothing found yet. F files what the robot sees."), this)),
+      m_calm(new QLabel(this)),
       m_table(new QTableView(this)),
-      m_buttons(new QHBoxLayout) {
+      m_buttons(new ButtonFlow) {
     setAccessibleName(tr("Victims and other finds"));
     m_title->setObjectName(QStringLiteral("victimsTitle"));
+    const bool live = use == Use::Live;
+    m_calm->setText(live ? tr("Nothing found yet. F files what the robot sees.")
+                         : tr("Nothing was found yet"));
     m_calm->setProperty("muted", true);
     m_calm->setAlignment(Qt::AlignCenter);
     m_calm->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("finds"));
-    m_table->setAccessibleName(tr("Victims, other finds and candidates"));
+    m_table->setAccessibleName(live ? tr("Victims, other finds and candidates")
+                                    : tr("Finds; Return goes to the moment when the chosen one was found"));
     m_table->setModel(&m_model);
     dressTable(*m_table);
     m_table->setFrameShape(QFrame::NoFrame);
-    new ColumnFitter(*m_table, {VictimListModel::Signs, VictimListModel::State}, VictimListModel::Signs);
+    const int state = m_model.placeOf(Column::State), signs = m_model.placeOf(Column::Signs);
+    new ColumnFitter(*m_table, {signs, state}, signs);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &VictimsPanel::chosenChanged);
     connect(m_table, &QTableView::activated, this, &VictimsPanel::activated);
     m_buttons->setContentsMargins(8, 2, 8, 6);
-    m_buttons->setSpacing(6);
+    m_buttons->setSpacing(2);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
@@ -58,15 +74,7 @@ void VictimsPanel::show(const std::vector<VictimRow>& rows) {
 }
 
 void VictimsPanel::setCommands(const std::vector<QAction*>& commands) {
-    for (QAction* command : commands) {
-        auto* button = new QToolButton(this);
-        button->setDefaultAction(command);
-        button->setText(command->iconText());
-        button->setProperty("quiet", true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_buttons->addWidget(button);
-    }
-    m_buttons->addStretch(1);
+    addCommandButtons(*m_buttons, commands, *this);
 }
 
 std::optional<VictimRow> VictimsPanel::chosen() const {

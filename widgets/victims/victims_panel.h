@@ -8,17 +8,20 @@
 #include "widgets/models/victims/victim_list_model.h"
 
 class QAction;
-class QHBoxLayout;
+class QLayout;
 class QLabel;
 class QTableView;
 
 namespace leitstand {
 
-/// Victims, other finds and candidates: what is known of each, and how far and where from the robot.
+/// Victims, other finds and candidates, with the commands that a window offers for them: where robots drive,
+/// what is known of each, how far and where from the robot; in a review, when they were found, and what was
+/// discarded.
 class VictimsPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit VictimsPanel(QWidget* parent = nullptr);
+    enum class Use { Live, Review };
+    explicit VictimsPanel(QWidget* parent = nullptr, Use use = Use::Live);
 
     void show(const std::vector<VictimRow>& rows);
     using QWidget::show;
@@ -39,7 +42,7 @@ private:
     VictimListModel m_model;
     QLabel *m_title, *m_calm;
     QTableView* m_table;
-    QHBoxLayout* m_buttons;
+    QLayout* m_buttons;
 };
 
 }  // namespace leitstand

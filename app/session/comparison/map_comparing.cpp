@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <map>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "app/session/job_queue.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/io/settings/comparison_file.h"
 
 namespace leitstand {
 namespace {
@@ -107,20 +109,74 @@ Result<MapComparisonPtr> compareMaps(const std::filesystem::path& folder, const 
     return std::make_shared<const MapComparison>(std::move(*made));
 }
 
+std::filesystem::path comparisonFileOf(const std::filesystem::path& folder) {
+    return folder / "comparison.yaml";
+}
+
+Result<MapComparisonPtr> keptComparison(const std::filesystem::path& folder, const ReviewIndex& index) {
+    const std::filesystem::path file = comparisonFileOf(folder);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return MapComparisonPtr();
+    auto kept = readComparison(file);
+    if (!kept) return kept.error();
+    MapComparison whole = std::move(kept).value();
+    int rejected = 0;
+    std::map<std::uint64_t, ComparedScan> known;
+    for (ComparedScan& one : scansOf(index, rejected)) known.emplace(one.id, std::move(one));
+    for (ComparedScan& one : whole.scans) {
+        const auto found = known.find(one.id);
+        if (found == known.end() || known.size() != whole.scans.size())
+            return Error{fmt::format("{}: is of other key scans than the mission has now; register again",
+                                     file.string())};
+        one.scan = found->second.scan;
+        one.robot = found->second.robot;
+        one.end = found->second.end;
+        one.sensorInBase = found->second.sensorInBase;
+    }
+    sumUp(whole);  // paths are of each robot
+    return std::make_shared<const MapComparison>(std::move(whole));
+}
+
 struct MapComparing::State {
     Listener listener;
     JobQueue queue;
     std::jthread thread;  ///< last: joined first
 
+    static Result<ComparedMapsPtr> shown(const Result<MapComparisonPtr>& made, bool remembered) {
+        if (!made) return made.error();
+        if (!*made) return ComparedMapsPtr();
+        ComparedMaps maps{*made, mapOf(**made, ComparedMap::Again), mapOf(**made, ComparedMap::Both),
+                          remembered};
+        return std::make_shared<const ComparedMaps>(std::move(maps));
+    }
+    void tell(const std::string& text) const {
+        if (listener.onMessage) listener.onMessage(text);
+    }
+
     void compare(const std::filesystem::path& folder, const ReviewIndex& index,
                  const RegistrationSettings& settings, const std::stop_token& cancelled) {
-        Result<MapComparisonPtr> result = MapComparisonPtr();
+        Result<ComparedMapsPtr> result = ComparedMapsPtr();
         try {
-            result = compareMaps(folder, index, settings, {listener.onProgress, cancelled});
+            const auto made = compareMaps(folder, index, settings, {listener.onProgress, cancelled});
+            if (made && *made) {
+                if (const auto kept = saveComparison(**made, comparisonFileOf(folder)); !kept)
+                    tell(kept.error().text);
+            }
+            result = shown(made, false);
         } catch (const std::exception& broken) {
             result = Error{broken.what()};
         }
         if (listener.onFinished) listener.onFinished(result);
+    }
+
+    void recall(const std::filesystem::path& folder, const ReviewIndex& index) {
+        try {
+            const auto result = shown(keptComparison(folder, index), true);
+            if (!result) return tell(result.error().text);
+            if (*result && listener.onFinished) listener.onFinished(result);
+        } catch (const std::exception& broken) {
+            tell(broken.what());
+        }
     }
 };
 
@@ -140,6 +196,11 @@ void MapComparing::begin(std::filesystem::path folder, ReviewIndexPtr index, Reg
                            settings = std::move(settings)](const std::stop_token& cancelled) {
         state->compare(folder, *index, settings, cancelled);
     });
+}
+
+void MapComparing::recall(std::filesystem::path folder, ReviewIndexPtr index) {
+    m_state->queue.submit([state = m_state.get(), folder = std::move(folder), index = std::move(index)](
+                              const std::stop_token&) { state->recall(folder, *index); });
 }
 
 void MapComparing::cancel() {

@@ -1,66 +1,78 @@
 #include "app/window/review/compare_feature.h"
 
-#include <utility>
-
 #include <QAction>
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/review/review_bridge.h"
-#include "widgets/models/review/comparison_rows.h"
+#include "app/window/review/review_comparison.h"
+#include "widgets/models/map/live_summary.h"
+#include "widgets/models/review/compared_summary.h"
 #include "widgets/review/compare_panel.h"
 
 namespace leitstand {
 
-CompareFeature::CompareFeature(const ViewContext& context, ReviewBridge& bridge)
-    : QObject(&context.window),
-      m_context(context),
-      m_bridge(bridge),
-      m_panel(new ComparePanel(&context.window)) {
+CompareFeature::CompareFeature(const ViewContext& context, ReviewBridge& bridge, MapFeature& map)
+    : QObject(&context.window), m_bridge(bridge), m_map(map), m_panel(new ComparePanel(&context.window)) {
     m_panel->setObjectName(QStringLiteral("comparePane"));
     context.panes.add(QStringLiteral("compare"), tr("Compare"), *m_panel);
-    QAction& show = context.commands.add(
+    QAction& open = context.commands.add(
         {.id = QStringLiteral("review.compare"),
          .menu = CommandMenu::Mission,
          .text = tr("&Compare registrations"),
          .hint = tr("Registers the key scans with other settings and shows both maps and their figures")});
-    connect(&show, &QAction::triggered, this, &CompareFeature::wanted);
-    MapComparing::Listener listener;
-    listener.onProgress = [this, told = 0.0](double fraction) mutable {
-        if (fraction >= told && fraction < told + 0.01) return;  // not a call for every point
-        told = fraction;
-        hop([this, fraction] { m_panel->showProgress(fraction); });
-    };
-    listener.onFinished = [this](const Result<MapComparisonPtr>& result) {
-        hop([this, result] { finish(result); });
-    };
-    m_comparing = std::make_unique<MapComparing>(std::move(listener));
+    connect(&open, &QAction::triggered, this, &CompareFeature::wanted);
     connect(m_panel, &ComparePanel::wanted, this, &CompareFeature::begin);
-    connect(m_panel, &ComparePanel::cancelled, this, [this] { m_comparing->cancel(); });
-    connect(m_panel, &ComparePanel::mapChosen, this, &CompareFeature::showMap);
+    connect(m_panel, &ComparePanel::cancelled, this, [this] { comparison().cancel(); });
+    connect(m_panel, &ComparePanel::mapChosen, this, &CompareFeature::choose);
+    connect(&comparison(), &ReviewComparison::progressed, m_panel, &ComparePanel::showProgress);
+    connect(&comparison(), &ReviewComparison::changed, this, &CompareFeature::show);
+    connect(&comparison(), &ReviewComparison::told, this, &CompareFeature::told);
+    show();
 }
 
-CompareFeature::~CompareFeature() = default;
+ReviewComparison& CompareFeature::comparison() const {
+    return m_bridge.comparison();
+}
 
 void CompareFeature::begin(const RegistrationSettings& settings) {
-    if (!m_bridge.index()) {
-        m_panel->showResult(nullptr);
-        return emit told(tr("The mission is still read through"));
+    if (m_bridge.index()) return comparison().begin(m_bridge.index(), settings);
+    m_panel->setComparing(false);
+    emit told(tr("The mission is still read through"));
+}
+
+void CompareFeature::show() {
+    m_panel->setComparing(comparison().comparing());
+    m_panel->showProgress(comparison().progress());
+    if (comparison().comparing() || comparison().result()) m_panel->setSettings(comparison().settings());
+    if (!comparison().result()) return;
+    m_panel->showResult(*comparison().result()->comparison);
+    m_panel->choose(comparison().shown());
+    showMap();
+}
+
+void CompareFeature::choose(ComparedMap which) {
+    comparison().show(which);
+    showMap();
+}
+
+void CompareFeature::showMap() {
+    const ComparedMapsPtr maps = comparison().result();
+    if (!maps) return;
+    const ComparedMap which = comparison().shown();
+    if (which == ComparedMap::Recorded) {
+        m_bridge.showInstead(nullptr);
+        m_map.describe([](const LiveMoment& moment) {
+            return liveSummaryOf(*moment.scans, {}, moment.now, comparedMapText(ComparedMap::Recorded));
+        });
+    } else {
+        m_bridge.showInstead(which == ComparedMap::Again ? maps->again : maps->both);
+        m_map.describe(
+            [summary = comparedSummaryOf(*maps->comparison, which)](const LiveMoment&) { return summary; });
     }
-    m_comparing->begin(m_bridge.player().folder(), m_bridge.index(), settings);
-}
-
-void CompareFeature::finish(const Result<MapComparisonPtr>& result) {
-    if (result && *result) m_result = *result;
-    m_panel->showResult(result ? *result : nullptr);
-    if (!result) return emit told(QString::fromStdString(result.error().text));
-    emit told(*result ? comparedText(**result) : tr("Registering again was cancelled"));
-}
-
-void CompareFeature::showMap(ComparedMap which) {
-    const bool own = which == ComparedMap::Recorded || !m_result;
-    m_bridge.showInstead(own ? nullptr : mapOf(*m_result, which));
 }
 
 }  // namespace leitstand

@@ -1,26 +1,24 @@
 #pragma once
 
-#include <memory>
-
 #include <QObject>
 
-#include "app/session/comparison/map_comparing.h"
 #include "app/window/live/live_context.h"
+#include "core/mapping/comparison/map_comparison.h"
 
 namespace leitstand {
 
 class ComparePanel;
+class MapFeature;
 class ReviewBridge;
+class ReviewComparison;
 
 /// The mission's map beside that which other settings make of its scans ("compare"). Nothing recorded is
 /// changed.
 class CompareFeature final : public QObject {
     Q_OBJECT
 public:
-    CompareFeature(const ViewContext& context, ReviewBridge& bridge);
-    ~CompareFeature() override;
-
-    [[nodiscard]] const MapComparisonPtr& result() const { return m_result; }  ///< null: none yet
+    /// @p map: whose title says which map is shown.
+    CompareFeature(const ViewContext& context, ReviewBridge& bridge, MapFeature& map);
 
 signals:
     void told(const QString& text);
@@ -28,18 +26,14 @@ signals:
 
 private:
     void begin(const RegistrationSettings& settings);
-    void finish(const Result<MapComparisonPtr>& result);
-    void showMap(ComparedMap which);
-    template <class Call>
-    void hop(Call call) {
-        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-    }
+    void show();  ///< what is known of the comparison
+    void choose(ComparedMap which);
+    void showMap();
+    [[nodiscard]] ReviewComparison& comparison() const;
 
-    ViewContext m_context;
     ReviewBridge& m_bridge;
+    MapFeature& m_map;
     ComparePanel* m_panel;
-    MapComparisonPtr m_result;
-    std::unique_ptr<MapComparing> m_comparing;  ///< last: its thread ends first
 };
 
 }  // namespace leitstand

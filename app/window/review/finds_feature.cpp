@@ -1,6 +1,5 @@
 #include "app/window/review/finds_feature.h"
 
-#include <map>
 #include <utility>
 
 #include <QAction>
@@ -13,52 +12,88 @@
 #include "app/window/live/selection.h"
 #include "app/window/review/review_bridge.h"
 #include "widgets/models/timeline/timeline_words.h"
-#include "widgets/review/finds_panel.h"
+#include "widgets/models/victims/victim_rows.h"
 #include "widgets/victims/victim_form.h"
+#include "widgets/victims/victims_panel.h"
 
 namespace leitstand {
+namespace {
+
+/// The find of @p shown as @p pen wrote it: what was written since, and is not shown yet, stays. As @p shown
+/// where nothing was.
+VictimSample asWritten(const ReviewPen& pen, const VictimSample& shown) {
+    const MissionStatePtr written = pen.state();
+    if (!written) return shown;
+    const auto found = written->victims->find({shown.kind, shown.number});
+    return found == written->victims->end() ? shown : found->second.victim;
+}
+
+}  // namespace
 
 FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
     : QObject(&context.window),
       m_context(context),
       m_bridge(bridge),
-      m_panel(new FindsPanel(&context.window)),
+      m_panel(new VictimsPanel(&context.window, VictimsPanel::Use::Review)),
       m_form(new VictimForm(&context.window)) {
+    m_panel->setObjectName(QStringLiteral("findsPane"));
     context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
     m_form->setObjectName(QStringLiteral("formPane"));
     context.panes.add(QStringLiteral("form"), tr("Form"), *m_form);
     addCommands();
     connect(m_form, &VictimForm::edited, this, &FindsFeature::correct);
-    connect(m_panel, &FindsPanel::sought, this, [this](Time at) { m_bridge.player().seek(at); });
-    connect(m_panel, &FindsPanel::confirmed, this,
-            [this](const FindKey& find) { judge(find, VictimSample::Status::Confirmed); });
-    connect(m_panel, &FindsPanel::discarded, this,
-            [this](const FindKey& find) { judge(find, VictimSample::Status::Discarded); });
-    connect(m_panel, &FindsPanel::formWanted, this, &FindsFeature::openForm);
-    connect(m_panel, &FindsPanel::noteWanted, this, &FindsFeature::askForNote);
-    connect(m_panel, &FindsPanel::undone, this, [this] { undo(); });
+    connect(m_panel, &VictimsPanel::chosenChanged, this, &FindsFeature::show);
+    connect(m_panel, &VictimsPanel::activated, this, [this] {
+        if (const auto row = m_panel->chosen()) m_bridge.player().seek(row->found);
+    });
+    connect(&bridge, &ReviewBridge::wrote, this, &FindsFeature::tellWritten);
     connect(&bridge, &MomentSource::ticked, this, &FindsFeature::show);
+    enable();
 }
 
 FindsFeature::~FindsFeature() = default;
 
+QAction& FindsFeature::add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                           const QKeySequence& keys) {
+    QAction& action = m_context.commands.add({.id = QString::fromLatin1(id),
+                                              .menu = CommandMenu::Mission,
+                                              .text = text,
+                                              .hint = hint,
+                                              .keys = keys});
+    action.setIconText(brief);
+    return action;
+}
+
 void FindsFeature::addCommands() {
-    QAction& note = m_context.commands.add({.id = QStringLiteral("review.note"),
-                                            .menu = CommandMenu::Mission,
-                                            .text = tr("Write a n&ote…"),
-                                            .hint = tr("About the moment that is shown"),
-                                            .keys = QKeySequence(Qt::CTRL | Qt::Key_N)});
+    using Status = VictimSample::Status;
+    const auto ofChosen = [this](QAction& action, auto call) {
+        connect(&action, &QAction::triggered, this, [this, call] {
+            if (const auto find = chosen()) call(*find);
+        });
+        return &action;
+    };
+    m_ofChosen = {
+        ofChosen(add("review.confirm", tr("Con&firm the find"), tr("Confirm"), tr("The chosen find is one")),
+                 [this](const FindKey& find) { judge(find, Status::Confirmed); }),
+        ofChosen(add("review.discard", tr("&Discard the find"), tr("Discard"), tr("The chosen find is none")),
+                 [this](const FindKey& find) { judge(find, Status::Discarded); }),
+        ofChosen(add("review.form", tr("Form of the f&ind…"), tr("Form…"),
+                     tr("The chosen find's form: what is known of it")),
+                 [this](const FindKey& find) { openForm(find); })};
+    QAction& note = add("review.note", tr("Write a n&ote…"), tr("Note…"),
+                        tr("About the moment that is shown"), QKeySequence(Qt::CTRL | Qt::Key_N));
     connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
-    QAction& undo = m_context.commands.add({.id = QStringLiteral("review.undo"),
-                                            .menu = CommandMenu::Mission,
-                                            .text = tr("&Undo what was written"),
-                                            .hint = tr("Takes back what was written last in this review"),
-                                            .keys = QKeySequence::Undo});
-    connect(&undo, &QAction::triggered, this, &FindsFeature::undo);
+    m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
+                  tr("Takes back what was written last in this review"), QKeySequence::Undo);
+    connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
+    std::vector<QAction*> buttons = m_ofChosen;
+    buttons.insert(buttons.end(), {m_undo, &note});
+    m_panel->setCommands(buttons);
 }
 
 std::optional<FindKey> FindsFeature::chosen() const {
-    return m_panel->chosen();
+    const auto row = m_panel->chosen();
+    return row ? std::optional(row->find) : std::nullopt;
 }
 
 const MissionState& FindsFeature::state() const {
@@ -76,26 +111,30 @@ const VictimSample* FindsFeature::newest(const FindKey& find) const {
     return found == now.victims->end() ? nullptr : &found->second.victim;
 }
 
+void FindsFeature::enable() {
+    m_undo->setEnabled(m_bridge.pen().canUndo());
+    for (QAction* action : m_ofChosen) action->setEnabled(chosen().has_value());
+}
+
 void FindsFeature::show() {
     if (!m_bridge.reviewed()) return;
-    m_panel->show(findRowsOf(state()));
-    m_panel->setUndoable(m_bridge.pen().canUndo());
-    const auto chosen = m_panel->chosen();
-    const VictimSample* const known = chosen ? newest(*chosen) : nullptr;
+    m_panel->show(filedRows(state()));
+    enable();
+    const auto find = chosen();
+    const VictimSample* const known = find ? newest(*find) : nullptr;
     m_form->show(known == nullptr ? std::nullopt : std::optional(*known));
 }
 
-void FindsFeature::write(std::function<Result<void>(ReviewPen&)> what, const QString& done) {
-    m_bridge.write(*this, std::move(what), [this, done](const Result<void>& result) {
-        if (!result) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
-        emit told(result ? done : QString::fromStdString(result.error().text));
-        if (result) emit marksChanged(m_bridge.pen().marks());
-        show();
-    });
+void FindsFeature::tellWritten(const QString& done, const QString& problem) {
+    const bool failed = !problem.isEmpty();
+    if (failed) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
+    emit told(failed ? problem : done);
+    if (!failed) emit marksChanged(m_bridge.pen().marks());
+    show();
 }
 
 void FindsFeature::undo() {
-    write([](ReviewPen& pen) { return pen.undo(); }, tr("Taken back"));
+    m_bridge.write([](ReviewPen& pen) { return pen.undo(); }, tr("Taken back"));
 }
 
 void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
@@ -105,14 +144,9 @@ void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
     judged.status = status;
     if (status != VictimSample::Status::Discarded) judged.mergedInto = 0;
     const QString name = QString::fromStdString(nameOf(judged.kind, judged.number));
-    write(
+    m_bridge.write(
         [judged](ReviewPen& pen) {
-            // What was written since, and is not shown yet, stays.
-            VictimSample whole = judged;
-            const MissionStatePtr written = pen.state();
-            const auto found = written ? written->victims->find({judged.kind, judged.number})
-                                       : std::map<FindKey, VictimState>::const_iterator();
-            if (written && found != written->victims->end()) whole = found->second.victim;
+            VictimSample whole = asWritten(pen, judged);
             whole.status = judged.status;
             whole.mergedInto = judged.mergedInto;
             return pen.correct(whole);
@@ -131,17 +165,12 @@ void FindsFeature::openForm(const FindKey& find) {
 
 void FindsFeature::correct(const VictimSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
-    write(
+    m_bridge.write(
         [corrected](ReviewPen& pen) {
-            // What was judged since, and is not shown yet, stays.
+            const VictimSample written = asWritten(pen, corrected);
             VictimSample whole = corrected;
-            const MissionStatePtr written = pen.state();
-            const auto found = written ? written->victims->find({corrected.kind, corrected.number})
-                                       : std::map<FindKey, VictimState>::const_iterator();
-            if (written && found != written->victims->end()) {
-                whole.status = found->second.victim.status;
-                whole.mergedInto = found->second.victim.mergedInto;
-            }
+            whole.status = written.status;
+            whole.mergedInto = written.mergedInto;
             return pen.correct(whole);
         },
         tr("%1 corrected (as finished)").arg(name));
@@ -162,8 +191,9 @@ void FindsFeature::askForNote() {
 void FindsFeature::note(Time at, const QString& text) {
     if (text.isEmpty()) return;
     const std::string robot = m_context.selection.name().toStdString();
-    write([at, robot, words = text.toStdString()](ReviewPen& pen) { return pen.note(at, robot, words); },
-          tr("Noted at %1").arg(wallText(at)));
+    m_bridge.write(
+        [at, robot, words = text.toStdString()](ReviewPen& pen) { return pen.note(at, robot, words); },
+        tr("Noted at %1").arg(wallText(at)));
 }
 
 }  // namespace leitstand

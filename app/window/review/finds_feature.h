@@ -1,19 +1,21 @@
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <vector>
 
+#include <QKeySequence>
 #include <QObject>
 
 #include "app/session/review/review_pen.h"
 #include "app/window/live/live_context.h"
-#include "core/base/result.h"
+
+class QAction;
 
 namespace leitstand {
 
-class FindsPanel;
 class ReviewBridge;
 class VictimForm;
+class VictimsPanel;
 
 /// What was found ("finds"), as then or as the mission has it now: corrections and notes of the review.
 class FindsFeature final : public QObject {
@@ -33,21 +35,25 @@ signals:
     void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< of what the pen wrote
 
 private:
+    QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                 const QKeySequence& keys = {});
     void addCommands();
+    void enable();  ///< commands that mean something now
     void show();
     void judge(const FindKey& find, VictimSample::Status status);
     void openForm(const FindKey& find);
     void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
-    /// Off this thread: the first entry opens the mission. @p done: what is told then.
-    void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
+    void tellWritten(const QString& done, const QString& problem);
     void undo();
     [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
 
     ViewContext m_context;
     ReviewBridge& m_bridge;
-    FindsPanel* m_panel;
+    VictimsPanel* m_panel;
     VictimForm* m_form;
+    std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
+    QAction* m_undo = nullptr;
 };
 
 }  // namespace leitstand

@@ -1,13 +1,14 @@
 #include "app/window/review/review_bridge.h"
 
-#include <QPointer>
-#include <QSysInfo>
 #include <algorithm>
 #include <chrono>
 #include <future>
 #include <utility>
 
+#include <QSysInfo>
+
 #include "app/session/review/reviewed_robot.h"
+#include "app/window/review/review_comparison.h"
 
 namespace leitstand {
 namespace {
@@ -44,6 +45,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     listener.onIndex = [raw](const ReviewIndexPtr& index) {
         raw->hop([raw, index] {
             raw->m_index = index;
+            raw->m_comparison->recall(index);
             emit raw->opened(index);
         });
     };
@@ -51,6 +53,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     auto player = ReviewPlayer::open(mission, std::move(listener));
     if (!player) return player.error();
     bridge->m_player = std::move(player).value();
+    bridge->m_comparison = std::make_unique<ReviewComparison>(bridge->m_player->folder());
     bridge->m_pen =
         std::make_unique<ReviewPen>(bridge->m_player->folder(), bridge->robots(),
                                     "review-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
@@ -67,14 +70,12 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     return bridge;
 }
 
-void ReviewBridge::write(QObject& context, std::function<Result<void>(ReviewPen&)> what,
-                         std::function<void(const Result<void>&)> done) {
+void ReviewBridge::write(std::function<Result<void>(ReviewPen&)> what, const QString& done) {
     m_writing.submit(
-        [this, there = QPointer<QObject>(&context), what = std::move(what),
-         done = std::move(done)](const std::stop_token&) {
+        [this, what = std::move(what), done](const std::stop_token&) {
             const Result<void> result = what(*m_pen);
-            hop([there, done, result] {
-                if (there) done(result);
+            hop([this, done, problem = result ? QString() : QString::fromStdString(result.error().text)] {
+                emit wrote(done, problem);
             });
         },
         false);
@@ -88,8 +89,8 @@ void ReviewBridge::showInstead(MapPtr map) {
 
 void ReviewBridge::showAgain() {
     m_shown.reset();
-    m_instead.reset();
     m_fed.clear();
+    if (m_instead) emit mapChanged(m_instead);
     if (m_index) emit opened(m_index);
     tick();
 }

@@ -18,6 +18,8 @@
 
 namespace leitstand {
 
+class ReviewComparison;
+
 /// A mission's log as the GUI thread sees it: its moments arrive here as signals.
 class ReviewBridge final : public MomentSource {
     Q_OBJECT
@@ -29,10 +31,9 @@ public:
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
     /// What is written in this review, whatever window it is written in.
     [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
-    /// Writes on a thread of its own, in order: @p what there, then @p done with what came of it here, unless
-    /// @p context is gone by then.
-    void write(QObject& context, std::function<Result<void>(ReviewPen&)> what,
-               std::function<void(const Result<void>&)> done);
+    /// Writes on a thread of its own, in order: @p what there, then wrote() with @p done here.
+    void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
+    [[nodiscard]] ReviewComparison& comparison() const { return *m_comparison; }
     /// Panes see @p map in place of that of the moment; null: the moment's again.
     void showInstead(MapPtr map);
     /// Tells a new window everything that was told before.
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
 
 signals:
+    /// Something was written, in whatever window it was asked for: @p done, or what is wrong in @p problem.
+    void wrote(const QString& done, const QString& problem);
     void opening(double fraction);                        ///< how far the mission is read through
     void opened(const leitstand::ReviewIndexPtr& index);  ///< it is
 
@@ -67,6 +70,7 @@ private:
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<ReviewPen> m_pen;
+    std::unique_ptr<ReviewComparison> m_comparison;
     std::unique_ptr<ReviewPlayer> m_player;  ///< its thread ends before what it tells
     JobQueue m_writing;
     std::jthread m_writer;  ///< last: ends first, when all is written

@@ -55,7 +55,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_map = new MapFeature(context, view);
     addCoverage(context);
     new ScanFeature(context);
-    auto* compare = new CompareFeature(context, bridge);
+    auto* compare = new CompareFeature(context, bridge, *m_map);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
     connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });

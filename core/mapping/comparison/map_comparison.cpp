@@ -89,29 +89,6 @@ struct Sum {
     }
 };
 
-void sumUp(MapComparison& whole) {
-    Sum recorded, again;
-    std::map<std::string, const ComparedScan*> before;
-    for (const ComparedScan& one : whole.scans) {
-        recorded.add(one.fitRecorded);
-        again.add(one.fitAgain);
-        whole.recorded.uncertain += one.uncertainRecorded ? 1 : 0;
-        whole.again.uncertain += one.uncertainAgain ? 1 : 0;
-        const double moved = distanceBetween(one.recorded, one.again);
-        const double turned = angleBetween(one.recorded, one.again);
-        whole.meanMoved += moved / static_cast<double>(whole.scans.size());
-        whole.meanTurned += turned / static_cast<double>(whole.scans.size());
-        whole.mostMoved = std::max(whole.mostMoved, moved);
-        whole.mostTurned = std::max(whole.mostTurned, turned);
-        if (const ComparedScan* last = std::exchange(before[one.robot], &one)) {
-            whole.recorded.path += distanceBetween(last->recorded, one.recorded);
-            whole.again.path += distanceBetween(last->again, one.again);
-        }
-    }
-    recorded.into(whole.recorded);
-    again.into(whole.again);
-}
-
 /// Grey, and what would hide the rest left out.
 ScanPtr greyed(const Scan& scan) {
     auto grey = std::make_shared<Scan>(scan);
@@ -149,6 +126,32 @@ std::optional<MapComparison> registeredAgain(std::vector<ComparedScan> scans,
     sumUp(whole);
     progress.done(1.0);
     return whole;
+}
+
+void sumUp(MapComparison& whole) {
+    Sum recorded, again;
+    whole.recorded.uncertain = whole.again.uncertain = 0;
+    whole.recorded.path = whole.again.path = 0.0;
+    whole.meanMoved = whole.mostMoved = whole.meanTurned = whole.mostTurned = 0.0;
+    std::map<std::string, const ComparedScan*> before;
+    for (const ComparedScan& one : whole.scans) {
+        recorded.add(one.fitRecorded);
+        again.add(one.fitAgain);
+        whole.recorded.uncertain += one.uncertainRecorded ? 1 : 0;
+        whole.again.uncertain += one.uncertainAgain ? 1 : 0;
+        const double moved = distanceBetween(one.recorded, one.again);
+        const double turned = angleBetween(one.recorded, one.again);
+        whole.meanMoved += moved / static_cast<double>(whole.scans.size());
+        whole.meanTurned += turned / static_cast<double>(whole.scans.size());
+        whole.mostMoved = std::max(whole.mostMoved, moved);
+        whole.mostTurned = std::max(whole.mostTurned, turned);
+        if (const ComparedScan* last = std::exchange(before[one.robot], &one)) {
+            whole.recorded.path += distanceBetween(last->recorded, one.recorded);
+            whole.again.path += distanceBetween(last->again, one.again);
+        }
+    }
+    recorded.into(whole.recorded);
+    again.into(whole.again);
 }
 
 MapPtr mapOf(const MapComparison& comparison, ComparedMap which) {

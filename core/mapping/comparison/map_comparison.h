@@ -67,6 +67,9 @@ using MapComparisonPtr = std::shared_ptr<const MapComparison>;
                                                            const RegistrationSettings& settings,
                                                            const Progress& progress = {});
 
+/// Fills in what @p whole's scans sum up to: scans that are uncertain, means, ways, and how far scans moved.
+void sumUp(MapComparison& whole);
+
 /// Which map of a comparison is shown.
 enum class ComparedMap : std::uint8_t {
     Recorded,

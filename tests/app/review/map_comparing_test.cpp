@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/review/review_log.h"
+#include "core/io/settings/comparison_file.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 
@@ -99,15 +100,63 @@ TEST_F(MapComparingTest, WithoutTruthThereIsNoError) {
     EXPECT_FALSE(made->recorded.truth || made->again.truth || made->recorded.finds || made->again.finds);
 }
 
+TEST_F(MapComparingTest, TheNewestIsKeptWithTheMissionAndComesBack) {
+    write(true, 0.5);
+    const auto none = keptComparison(m_mission, *m_index);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(*none, nullptr);
+    std::promise<ComparedMapsPtr> done, remembered;
+    const auto soon = [](auto& promise) {
+        auto result = promise.get_future();
+        EXPECT_EQ(result.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+        return result.get();
+    };
+    RegistrationSettings settings = oneThread();
+    settings.maxDistances = {1.0, 0.25};
+    settings.minimizer = Minimizer::Plane;
+    MapComparing first({.onFinished = [&](const auto& result) { done.set_value(*result); }});
+    first.begin(m_mission, m_index, settings);
+    const MapComparisonPtr made = soon(done)->comparison;
+    MapComparing second({.onFinished = [&](const auto& result) { remembered.set_value(*result); }});
+    second.recall(m_mission, m_index);
+    const ComparedMapsPtr maps = soon(remembered);
+    EXPECT_TRUE(maps->remembered);
+    const MapComparison& kept = *maps->comparison;
+    EXPECT_EQ(kept.settings.minimizer, Minimizer::Plane);
+    EXPECT_EQ(kept.settings.maxDistances, settings.maxDistances);
+    ASSERT_EQ(kept.scans.size(), made->scans.size());
+    for (std::size_t i = 0; i < kept.scans.size(); ++i) {
+        EXPECT_EQ(kept.scans[i].scan, made->scans[i].scan) << "points are the mission's own";
+        EXPECT_TRUE(kept.scans[i].again.isApprox(made->scans[i].again, 1e-7));
+        EXPECT_EQ(kept.scans[i].fitAgain.has_value(), made->scans[i].fitAgain.has_value());
+    }
+    EXPECT_NEAR(kept.again.rms, made->again.rms, 1e-7);
+    EXPECT_NEAR(kept.again.path, made->again.path, 1e-6);
+    EXPECT_NEAR(kept.mostMoved, made->mostMoved, 1e-6);
+    EXPECT_NEAR(kept.recorded.truth.value().position, made->recorded.truth.value().position, 1e-7);
+    ASSERT_TRUE(kept.recorded.finds);
+    // Of other scans than those that the mission has, nothing is shown.
+    MapComparison other = kept;
+    other.scans.back().id = 77;
+    ASSERT_TRUE(saveComparison(other, comparisonFileOf(m_mission)));
+    const auto wrong = keptComparison(m_mission, *m_index);
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().text, testing::HasSubstr("other key scans"));
+}
+
 TEST_F(MapComparingTest, RunsOnAThreadOfItsOwnAndIsCancelled) {
     write(false);
-    std::promise<MapComparisonPtr> done, cancelled;
+    std::promise<ComparedMapsPtr> done, cancelled;
     {
         MapComparing comparing({.onFinished = [&](const auto& result) { done.set_value(*result); }});
         comparing.begin(m_mission, m_index, oneThread());
         auto result = done.get_future();
         ASSERT_EQ(result.wait_for(std::chrono::seconds(60)), std::future_status::ready);
-        EXPECT_NE(result.get(), nullptr);
+        const ComparedMapsPtr maps = result.get();
+        ASSERT_NE(maps, nullptr);
+        EXPECT_FALSE(maps->remembered);
+        EXPECT_EQ(maps->again->scans.size(), 5U);
+        EXPECT_EQ(maps->both->scans.size(), 10U);
     }
     auto begun = std::make_shared<std::promise<void>>();
     auto first = std::make_shared<std::once_flag>();

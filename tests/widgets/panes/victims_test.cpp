@@ -81,6 +81,22 @@ TEST(VictimsPanel, AChoiceStaysWhileRowsComeAndGo) {
     EXPECT_EQ(panel.chosen()->name, QStringLiteral("V2"));
 }
 
+TEST(VictimsPanel, AReviewTellsWhenAndWhatWasDiscarded) {
+    VictimsPanel panel(nullptr, VictimsPanel::Use::Review);
+    auto all = rows();
+    all.pop_back();
+    all[1].discarded = true;
+    all[1].tone = Tone::Muted;
+    all[1].since = QStringLiteral("12:04:31");
+    panel.show(all);
+    const auto* model = panel.findChild<QTableView*>()->model();
+    EXPECT_EQ(model->headerData(2, Qt::Horizontal).toString(), QStringLiteral("Found"));
+    EXPECT_EQ(model->index(1, 2).data().toString(), QStringLiteral("12:04:31"));
+    for (int column = 0; column < model->columnCount(); ++column)
+        EXPECT_EQ(model->index(1, column).data(ToneRole).toInt(), static_cast<int>(Tone::Muted));
+    (void)pictureOf(panel, {420, 200}, QStringLiteral("victims_review"));
+}
+
 TEST(VictimForm, ToldAtOnceWhatIsChangedAndNothingElse) {
     VictimForm form;
     form.show(victim());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <QLocale>
 
+#include "widgets/models/review/compared_summary.h"
 #include "widgets/models/review/text_table_model.h"
 
 namespace leitstand {
@@ -52,6 +53,14 @@ TEST(ComparisonRows, BothMapsStandSideBySide) {
         EXPECT_EQ(row.cells.size(), table.header.size());
         EXPECT_FALSE(row.hint.isEmpty()) << row.cells.front().toStdString();
     }
+}
+
+TEST(ComparisonRows, TheMapsTitleSaysWhichMapIsShown) {
+    const MapSummary again = comparedSummaryOf(comparison(), ComparedMap::Again);
+    EXPECT_EQ(again.title.toStdString(), "3D map · registered again · 3 key scans");
+    EXPECT_EQ(again.result.toStdString(), "moved 20.0 mm at most");
+    EXPECT_FALSE(again.hint.isEmpty());
+    EXPECT_NE(comparedSummaryOf(comparison(), ComparedMap::Both).title, again.title);
 }
 
 TEST(ComparisonRows, ErrorsAgainstTheTruthStandWhereItIsKnown) {

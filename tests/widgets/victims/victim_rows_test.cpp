@@ -78,6 +78,24 @@ TEST(VictimRows, CandidatesComeAfterFindsTheSurestFirstUntilTheyAreFiledOrDismis
     EXPECT_EQ(victimsTitle(rows).toStdString(), "1 victim · 2 candidates");
 }
 
+TEST(VictimRows, AReviewListsAllThatWasFiled) {
+    MissionState state;
+    file(state, Kind::Victim, 1, 0.0, Status::Confirmed);
+    file(state, Kind::Victim, 2, 3.0, Status::Discarded);
+    state.victims.edit().at({Kind::Victim, 2}).victim.mergedInto = 1;
+    file(state, Kind::Hazard, 1, 9.0, Status::Discarded);
+    state.victims.edit().at({Kind::Hazard, 1}).victim.text = "behind the door";
+    believe(state, 1, 6.0, 0.9);
+    const auto rows = filedRows(state);
+    ASSERT_THAT(rows, SizeIs(3));
+    EXPECT_EQ(rows[1].state.toStdString(), "part of V1");
+    EXPECT_EQ(rows[2].state.toStdString(), "discarded");
+    EXPECT_EQ(rows[2].tone, Tone::Muted);
+    EXPECT_EQ(rows[2].signs.toStdString(), "behind the door");
+    EXPECT_FALSE(rows[0].since.isEmpty() || rows[0].place.isEmpty());
+    EXPECT_EQ(victimsTitle(rows).toStdString(), "1 victim · 2 discarded");
+}
+
 TEST(VictimRows, TheListKeepsItsRowsWhileNumbersChange) {
     MissionState state;
     file(state, Kind::Victim, 1, 4.0, Status::Hypothesis);

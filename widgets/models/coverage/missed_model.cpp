@@ -1,7 +1,5 @@
 #include "widgets/models/coverage/missed_model.h"
 
-#include <algorithm>
-
 #include "widgets/models/coverage/sensor_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
@@ -42,15 +40,7 @@ QString searchedText(const SearchedFloor& searched, SearchSensor sensor) {
 }
 
 void MissedModel::setRows(const std::vector<MissedRow>& rows) {
-    if (rows == m_rows) return;
-    if (rows.size() == m_rows.size()) {
-        m_rows = rows;
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-        return;
-    }
-    beginResetModel();
-    m_rows = rows;
-    endResetModel();
+    replace(m_rows, rows, [](const MissedRow&, const MissedRow&) { return true; });
 }
 
 const MissedRow* MissedModel::row(int row) const {
@@ -68,50 +58,18 @@ int MissedModel::rowAt(const Eigen::Vector3d& place, double reach) const {
     return nearest;
 }
 
-int MissedModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+QString MissedModel::hint(int row) const {
+    const MissedRow& shown = m_rows[static_cast<std::size_t>(row)];
+    return QStringLiteral("%1 · %2 · %3 · %4").arg(shown.number).arg(shown.area, shown.where, shown.place);
 }
 
-int MissedModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+QString MissedModel::cell(int row, int column) const {
+    const MissedRow& shown = m_rows[static_cast<std::size_t>(row)];
+    return QStringList{QString::number(shown.number), shown.area, shown.where, shown.place}.value(column);
 }
 
-QVariant MissedModel::data(const QModelIndex& index, int role) const {
-    const MissedRow* const shown = row(index.row());
-    if (shown == nullptr) return {};
-    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-        return QStringLiteral("%1 · %2 · %3 · %4")
-            .arg(shown->number)
-            .arg(shown->area, shown->where, shown->place);
-    if (role != Qt::DisplayRole) return {};
-    switch (index.column()) {
-        case Number:
-            return shown->number;
-        case Area:
-            return shown->area;
-        case Where:
-            return shown->where;
-        case Place:
-            return shown->place;
-        default:
-            return {};
-    }
-}
-
-QVariant MissedModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    switch (section) {
-        case Number:
-            return tr("No.");
-        case Area:
-            return tr("Missed");
-        case Where:
-            return tr("Where");
-        case Place:
-            return tr("In the map");
-        default:
-            return {};
-    }
+QStringList MissedModel::headers() const {
+    return {tr("No."), tr("Missed"), tr("Where"), tr("In the map")};
 }
 
 }  // namespace leitstand

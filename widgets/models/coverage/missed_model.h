@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include <QAbstractTableModel>
 #include <QString>
 
 #include "core/base/pose.h"
 #include "core/mission/searched/searched_floor.h"
+#include "widgets/models/text_rows_model.h"
 
 namespace leitstand {
 
@@ -31,22 +31,23 @@ struct MissedRow {
 [[nodiscard]] QString searchedText(const SearchedFloor& searched, SearchSensor sensor);
 
 /// Pieces of floor that were missed, as a table. A choice is kept while its place is about the same.
-class MissedModel final : public QAbstractTableModel {
+class MissedModel final : public TextRowsModel {
     Q_OBJECT
 public:
-    enum Column { Number, Area, Where, Place, ColumnCount };
+    enum Column { Number, Area, Where, Place };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using TextRowsModel::TextRowsModel;
 
     void setRows(const std::vector<MissedRow>& rows);
     [[nodiscard]] const MissedRow* row(int row) const;  ///< null when there is none
     /// The row whose place is within @p reach [m] of @p place, the nearest; -1: there is none.
     [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    [[nodiscard]] int rowsInAll() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] QStringList headers() const override;
+    [[nodiscard]] QString cell(int row, int column) const override;
+    [[nodiscard]] QString hint(int row) const override;
 
 private:
     std::vector<MissedRow> m_rows;

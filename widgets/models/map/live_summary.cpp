@@ -26,7 +26,7 @@ QString agoText(double seconds) {
 
 }  // namespace
 
-MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now) {
+MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now, const QString& kind) {
     std::size_t scans = 0, points = 0;
     for (const LiveKeyScan& scan : map.scans) {
         if (scan.pose.trust == ScanTrust::SetAside) continue;
@@ -35,6 +35,7 @@ MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now) 
     }
     MapSummary summary;
     QStringList title = {Say::tr("3D map")};
+    if (!kind.isEmpty()) title += kind;
     if (scans > 0) {
         title += scans == 1 ? Say::tr("1 key scan") : Say::tr("%1 key scans").arg(countText(scans));
         title += Say::tr("%1 points").arg(shortCountText(points));
@@ -42,6 +43,8 @@ MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now) 
     if (!followed.isEmpty()) title += Say::tr("follows %1").arg(followed);
     summary.title = title.join(QStringLiteral(" · "));
     if (map.scans.empty()) return summary;
+    summary.hint =
+        Say::tr("The newest key scan: its age, how much of it meets the map, and whether it is certain");
     const LiveKeyScan& newest = map.scans.back();
     // The verdict first: where there is little room, the age is what is cut.
     QStringList result = {trustText(newest.pose.trust)};

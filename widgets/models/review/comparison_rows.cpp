@@ -110,6 +110,10 @@ TextTable scansOf(const MapComparison& whole) {
     return table;
 }
 
+QString movedText(const MapComparison& whole) {
+    return Say::tr("moved %1 at most").arg(millimetres(whole.mostMoved));
+}
+
 QString comparedText(const MapComparison& whole) {
     return Say::tr("%1 key scans registered again: moved %2 at most")
         .arg(countText(whole.scans.size()), millimetres(whole.mostMoved));

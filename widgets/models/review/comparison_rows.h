@@ -26,6 +26,8 @@ struct TextTable {
 /// A row for each key scan: how well it meets the one before it in both maps, and how far it moved.
 [[nodiscard]] TextTable scansOf(const MapComparison& comparison);
 
+/// "moved 12.3 mm at most".
+[[nodiscard]] QString movedText(const MapComparison& comparison);
 /// "13 key scans · moved 12.3 mm at most": for who hears that the comparison is done.
 [[nodiscard]] QString comparedText(const MapComparison& comparison);
 

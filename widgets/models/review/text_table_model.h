@@ -1,23 +1,23 @@
 #pragma once
 
-#include <QAbstractTableModel>
-
 #include "widgets/models/review/comparison_rows.h"
+#include "widgets/models/text_rows_model.h"
 
 namespace leitstand {
 
 /// Texts in rows and columns; every cell says what its row means.
-class TextTableModel final : public QAbstractTableModel {
+class TextTableModel final : public TextRowsModel {
     Q_OBJECT
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    using TextRowsModel::TextRowsModel;
 
     void setTable(TextTable table);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    [[nodiscard]] int rowsInAll() const override { return static_cast<int>(m_table.rows.size()); }
+    [[nodiscard]] QStringList headers() const override { return m_table.header; }
+    [[nodiscard]] QString cell(int row, int column) const override;
+    [[nodiscard]] QString hint(int row) const override;
 
 private:
     TextTable m_table;

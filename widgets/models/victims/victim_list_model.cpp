@@ -1,22 +1,16 @@
 #include "widgets/models/victims/victim_list_model.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace leitstand {
 
+VictimListModel::VictimListModel(std::vector<Column> columns, QObject* parent)
+    : TextRowsModel(parent), m_columns(std::move(columns)) {}
+
 void VictimListModel::setRows(const std::vector<VictimRow>& rows) {
-    if (rows == m_rows) return;
-    const bool same = std::equal(
-        rows.begin(), rows.end(), m_rows.begin(), m_rows.end(),
-        [](const auto& a, const auto& b) { return a.find == b.find && a.candidate == b.candidate; });
-    if (same) {
-        m_rows = rows;
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-        return;
-    }
-    beginResetModel();
-    m_rows = rows;
-    endResetModel();
+    replace(m_rows, rows,
+            [](const auto& a, const auto& b) { return a.find == b.find && a.candidate == b.candidate; });
 }
 
 const VictimRow* VictimListModel::row(int row) const {
@@ -29,53 +23,67 @@ int VictimListModel::rowOf(const FindKey& find) const {
     return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
-int VictimListModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+int VictimListModel::placeOf(Column column) const {
+    const auto found = std::find(m_columns.begin(), m_columns.end(), column);
+    return found == m_columns.end() ? -1 : static_cast<int>(found - m_columns.begin());
 }
 
-int VictimListModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+QString VictimListModel::hint(int row) const {
+    const VictimRow& shown = m_rows[static_cast<std::size_t>(row)];
+    QStringList parts = {shown.name,  shown.what,  shown.state, shown.where,
+                         shown.since, shown.place, shown.signs};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
 }
 
-QVariant VictimListModel::data(const QModelIndex& index, int role) const {
-    const VictimRow* const shown = row(index.row());
-    if (shown == nullptr) return {};
-    if (role == ToneRole) return static_cast<int>(index.column() == State ? shown->tone : Tone::Normal);
-    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
-        return QStringLiteral("%1 · %2 · %3 · %4 · %5")
-            .arg(shown->name, shown->what, shown->state, shown->where, shown->signs);
-    }
-    if (role != Qt::DisplayRole) return {};
-    switch (index.column()) {
+Tone VictimListModel::tone(int row, int column) const {
+    const VictimRow& shown = m_rows[static_cast<std::size_t>(row)];
+    // What does not count stands back as a whole; else the state tells what is open.
+    const bool whole = shown.discarded || m_columns[static_cast<std::size_t>(column)] == State;
+    return whole ? shown.tone : Tone::Normal;
+}
+
+QString VictimListModel::cell(int row, int column) const {
+    const VictimRow& shown = m_rows[static_cast<std::size_t>(row)];
+    switch (m_columns[static_cast<std::size_t>(column)]) {
         case Name:
-            return shown->name;
+            return shown.name;
         case State:
-            return shown->find.first == VictimSample::Kind::Victim
-                       ? shown->state
-                       : tr("%1, %2", "hazard, confirmed").arg(shown->what, shown->state);
+            return shown.find.first == VictimSample::Kind::Victim
+                       ? shown.state
+                       : tr("%1, %2", "hazard, confirmed").arg(shown.what, shown.state);
         case Where:
-            return shown->where;
+            return shown.where;
+        case Found:
+            return shown.since;
         case Signs:
-            return shown->signs;
-        default:
-            return {};
+            return shown.signs;
     }
+    return {};
 }
 
-QVariant VictimListModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    switch (section) {
-        case Name:
-            return tr("Find");
-        case State:
-            return tr("State");
-        case Where:
-            return tr("Where");
-        case Signs:
-            return tr("Signs");
-        default:
-            return {};
+QStringList VictimListModel::headers() const {
+    QStringList all;
+    for (const Column column : m_columns) {
+        switch (column) {
+            case Name:
+                all += tr("Find");
+                break;
+            case State:
+                all += tr("State");
+                break;
+            case Where:
+                all += tr("Where");
+                break;
+            case Found:
+                all += tr("Found", "when");
+                break;
+            case Signs:
+                all += tr("Signs");
+                break;
+        }
     }
+    return all;
 }
 
 }  // namespace leitstand

@@ -2,32 +2,38 @@
 
 #include <vector>
 
-#include <QAbstractTableModel>
-
+#include "widgets/models/text_rows_model.h"
 #include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {
 
 /// Victims, other finds and candidates as a table. A choice is kept while numbers change.
-class VictimListModel final : public QAbstractTableModel {
+class VictimListModel final : public TextRowsModel {
     Q_OBJECT
 public:
-    enum Column { Name, State, Where, Signs, ColumnCount };
+    enum Column { Name, State, Where, Found, Signs };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    /// Has @p columns, from left to right.
+    explicit VictimListModel(std::vector<Column> columns = {Name, State, Where, Signs},
+                             QObject* parent = nullptr);
 
     void setRows(const std::vector<VictimRow>& rows);
     [[nodiscard]] const VictimRow* row(int row) const;  ///< null when there is none
     [[nodiscard]] const std::vector<VictimRow>& rows() const { return m_rows; }
     /// The row of @p find; -1: it is not there.
     [[nodiscard]] int rowOf(const FindKey& find) const;
+    /// Where @p column stands; -1: nowhere.
+    [[nodiscard]] int placeOf(Column column) const;
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    [[nodiscard]] int rowsInAll() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] QStringList headers() const override;
+    [[nodiscard]] QString cell(int row, int column) const override;
+    [[nodiscard]] QString hint(int row) const override;
+    [[nodiscard]] Tone tone(int row, int column) const override;
 
 private:
+    std::vector<Column> m_columns;
     std::vector<VictimRow> m_rows;
 };
 

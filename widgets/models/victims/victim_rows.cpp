@@ -10,6 +10,7 @@
 #include "core/mission/finds/find_book.h"
 #include "core/mission/timeline/timeline_marks.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/timeline/timeline_words.h"
 
 namespace leitstand {
 namespace {
@@ -19,6 +20,10 @@ using Status = VictimSample::Status;
 
 struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::VictimRows)
+};
+
+struct SayOfFinds {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::FindRow)
 };
 
 void addSign(QStringList& to, const QString& name, const VictimSign& sign, const QString& unit,
@@ -55,10 +60,14 @@ VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimSta
     row.name = QString::fromStdString(nameOf(key.first, key.second));
     row.what = kindText(key.first);
     row.confirmed = whole.status == Status::Confirmed;
-    row.state = row.confirmed ? Say::tr("confirmed") : Say::tr("unconfirmed");
-    row.tone = row.confirmed ? Tone::Normal : Tone::Attention;
+    row.discarded = whole.status == Status::Discarded;
+    row.state = statusText(whole);
+    row.tone = row.confirmed ? Tone::Normal : row.discarded ? Tone::Muted : Tone::Attention;
+    row.found = whole.found;
+    row.since = wallText(whole.found);
     row.inMap = positionInMap(mission, entry.victim);
     row.deviation = whole.deviation;
+    row.place = positionText(row.inMap);
     if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
     row.signs = signsText(whole);
     return row;
@@ -121,9 +130,10 @@ QString signsText(const VictimSample& find) {
         addSign(signs, Say::tr("heat"), find.heat, Say::tr(" °C"), 0);
         addSign(signs, Say::tr("sound"), find.sound, {}, 0);
         addSign(signs, Say::tr("CO₂"), find.co2, Say::tr(" ppm"), 0);
-        if (!find.situation.empty()) signs += QString::fromStdString(find.situation);
+        if (!find.situation.empty()) signs += situationText(find.situation);
     }
     if (!find.tag.empty()) signs += QString::fromStdString(find.tag);
+    if (!find.text.empty()) signs += QString::fromStdString(find.text);
     return signs.join(QStringLiteral(" · "));
 }
 
@@ -144,10 +154,40 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
     return rows;
 }
 
+std::vector<VictimRow> filedRows(const MissionState& mission) {
+    std::vector<VictimRow> rows;
+    for (const auto& [key, entry] : *mission.victims)
+        rows.push_back(rowOf(mission, key, entry, std::nullopt));
+    return rows;
+}
+
+QString statusText(const VictimSample& find) {
+    switch (find.status) {
+        case Status::Hypothesis:
+            return Say::tr("unconfirmed");
+        case Status::Confirmed:
+            return Say::tr("confirmed");
+        case Status::Discarded:
+            break;
+    }
+    if (find.mergedInto == 0) return SayOfFinds::tr("discarded");
+    return SayOfFinds::tr("part of %1").arg(QString::fromStdString(nameOf(find.kind, find.mergedInto)));
+}
+
+QString situationText(const std::string& situation) {
+    if (situation == "surface") return SayOfFinds::tr("surface");
+    if (situation == "trapped") return SayOfFinds::tr("trapped");
+    if (situation == "void") return SayOfFinds::tr("void");
+    if (situation == "entombed") return SayOfFinds::tr("entombed");
+    return QString::fromStdString(situation);
+}
+
 QString victimsTitle(const std::vector<VictimRow>& rows) {
-    int victims = 0, open = 0, others = 0, candidates = 0;
+    int victims = 0, open = 0, others = 0, candidates = 0, discarded = 0;
     for (const VictimRow& row : rows) {
-        if (!row.filed()) {
+        if (row.discarded) {
+            ++discarded;
+        } else if (!row.filed()) {
             ++candidates;
         } else if (row.find.first == Kind::Victim) {
             ++victims;
@@ -160,6 +200,7 @@ QString victimsTitle(const std::vector<VictimRow>& rows) {
     if (open > 0) title += Say::tr(", %1 not confirmed").arg(open);
     if (others > 0) title += Say::tr(" · %1 others").arg(others);
     if (candidates > 0) title += Say::tr(" · %1 candidates").arg(candidates);
+    if (discarded > 0) title += Say::tr(" · %1 discarded").arg(discarded);
     return title;
 }
 

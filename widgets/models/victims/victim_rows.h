@@ -21,13 +21,17 @@ struct VictimRow {
     std::uint32_t candidate = 0;                  ///< CandidateSample::id of one
     QString name;                                 ///< "V1"; of candidates "?"
     QString what;                                 ///< "victim", "hazard", "QR code", "object"
-    QString state;                                ///< "confirmed", "unconfirmed", "candidate 82 %"
+    QString state;                                ///< as statusText(), or "candidate 82 %"
     QString where;                                ///< from the robot: "3.2 m, 40° left"
     QString signs;                                ///< "heat 33 °C · motion"
     bool confirmed = false;
     Tone tone = Tone::Normal;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     double deviation = Unknown;                       ///< [m]
+    Time found{};                                     ///< station's clock
+    QString since = {};                               ///< "12:04:31"
+    QString place = {};                               ///< x y z in the map [m]
+    bool discarded = false;
 
     [[nodiscard]] bool filed() const { return candidate == 0; }
     friend bool operator==(const VictimRow&, const VictimRow&) = default;
@@ -37,14 +41,21 @@ struct VictimRow {
 /// dismissed, the surest first. @p robotInMap: of the selected robot; empty: nobody knows.
 [[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
                                                 const std::optional<Pose>& robotInMap);
+/// All that was ever filed, also what was discarded since, by kind and number.
+[[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission);
+
+/// "confirmed", "unconfirmed", "discarded", "part of V2".
+[[nodiscard]] QString statusText(const VictimSample& find);
+/// "surface", "trapped", "void", "entombed" in words, as the log has it when it is none of them.
+[[nodiscard]] QString situationText(const std::string& situation);
 
 /// "3.2 m, 40° left": of @p place as seen from a robot.
 [[nodiscard]] QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place);
-/// What is known of @p find in short: "heat 33 °C · motion · trapped · R-17".
+/// What is known of @p find in short, remarks last: "heat 33 °C · motion · trapped · R-17".
 [[nodiscard]] QString signsText(const VictimSample& find);
 /// "victim", "hazard", "QR code", "object".
 [[nodiscard]] QString kindText(VictimSample::Kind kind);
-/// "2 victims, 1 not confirmed · 3 candidates"; for the list's title.
+/// "2 victims, 1 not confirmed · 3 candidates · 1 discarded"; for the list's title.
 [[nodiscard]] QString victimsTitle(const std::vector<VictimRow>& rows);
 
 }  // namespace leitstand

@@ -1,5 +1,7 @@
 #include "app/window/live/map/map_feature.h"
 
+#include <utility>
+
 #include <QAction>
 #include <QApplication>
 #include <QMainWindow>
@@ -42,9 +44,15 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
 }
 
 void MapFeature::showSummary(const LiveMoment& moment) {
+    if (m_describe) return m_pane->setSummary(m_describe(moment));
     const bool follows = m_view.settings().follow != MapFollow::Free;
     m_pane->setSummary(
         liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now));
+}
+
+void MapFeature::describe(std::function<MapSummary(const LiveMoment&)> how) {
+    m_describe = std::move(how);
+    if (m_context.source.moment().scans) showSummary(m_context.source.moment());
 }
 
 MapView& MapFeature::view() const {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
+
 #include <QObject>
 #include <QStringList>
 
 #include "app/window/live/live_context.h"
 #include "app/window/view_state.h"
+#include "widgets/models/map_summary.h"
 
 namespace leitstand {
 
@@ -24,6 +27,9 @@ public:
     [[nodiscard]] MapGestures& gestures() const { return *m_gestures; }
     [[nodiscard]] RobotsOnMap& robots() const { return *m_robots; }
     [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
+    /// The title is what @p how says at a moment, for a map that is shown in place of the source's own;
+    /// empty: it is of that again.
+    void describe(std::function<MapSummary(const LiveMoment&)> how);
     /// What is not to be seen of the map yet.
     [[nodiscard]] QStringList missing() const;
 
@@ -36,6 +42,7 @@ private:
     MapPane* m_pane;
     MapGestures* m_gestures;
     RobotsOnMap* m_robots;
+    std::function<MapSummary(const LiveMoment&)> m_describe;
     bool m_seen = false;
 };
 

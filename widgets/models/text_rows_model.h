@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QStringList>
+
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// Rows that are read, not edited: texts in columns with headers, each row with one hint for all of its
+/// cells.
+class TextRowsModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    int rowCount(const QModelIndex& parent = {}) const final;
+    int columnCount(const QModelIndex& parent = {}) const final;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const final;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
+
+protected:
+    [[nodiscard]] virtual int rowsInAll() const = 0;
+    [[nodiscard]] virtual QStringList headers() const = 0;
+    [[nodiscard]] virtual QString cell(int row, int column) const = 0;  ///< both are within bounds
+    [[nodiscard]] virtual QString hint(int row) const = 0;  ///< also for who hears the row; may be empty
+    [[nodiscard]] virtual Tone tone(int row, int column) const;
+
+    /// @p mine become @p rows: where each of them is @p same as before, only their texts change and a choice
+    /// stays.
+    template <class Row, class Same>
+    void replace(std::vector<Row>& mine, const std::vector<Row>& rows, Same same) {
+        if (rows == mine) return;
+        if (std::equal(rows.begin(), rows.end(), mine.begin(), mine.end(), same)) {
+            mine = rows;
+            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+            return;
+        }
+        beginResetModel();
+        mine = rows;
+        endResetModel();
+    }
+};
+
+}  // namespace leitstand

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <QLayout>
+
+namespace leitstand {
+
+/// Widgets side by side, each as wide as it wants to be; what does not fit goes on in the next line.
+class ButtonFlow final : public QLayout {
+public:
+    ButtonFlow();
+    ~ButtonFlow() override;
+
+    void addItem(QLayoutItem* item) override;  ///< takes @p item
+    [[nodiscard]] int count() const override { return static_cast<int>(m_items.size()); }
+    [[nodiscard]] QLayoutItem* itemAt(int index) const override;
+    QLayoutItem* takeAt(int index) override;
+    [[nodiscard]] Qt::Orientations expandingDirections() const override { return {}; }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override;
+    [[nodiscard]] QSize sizeHint() const override { return minimumSize(); }
+    [[nodiscard]] QSize minimumSize() const override;  ///< of the widest item
+    void setGeometry(const QRect& area) override;
+
+private:
+    /// The height that lines within @p area need; places the items when @p place.
+    int lay(const QRect& area, bool place) const;
+
+    std::vector<QLayoutItem*> m_items;
+};
+
+}  // namespace leitstand
