@@ -1,0 +1,90 @@
+#include "tests/app/cut_texts.h"
+
+#include <algorithm>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTextDocument>
+#include <QToolButton>
+
+#include "widgets/elided_label.h"
+
+namespace leitstand::test {
+namespace {
+
+QString shownText(const QString& text) {
+    if (!Qt::mightBeRichText(text)) return QString(text).remove(QLatin1Char('&'));
+    QTextDocument document;
+    document.setHtml(text);
+    return document.toPlainText();
+}
+
+int widest(const QFontMetrics& metrics, const QString& text) {
+    int most = 0;
+    for (const QString& line : text.split(QLatin1Char('\n')))
+        most = std::max(most, metrics.horizontalAdvance(line));
+    return most;
+}
+
+bool isCut(const QLabel& label) {
+    const QString text = shownText(label.text());
+    if (text.trimmed().isEmpty() || !label.pixmap().isNull()) return false;
+    const QSize room = label.contentsRect().size();
+    if (label.wordWrap()) return label.heightForWidth(label.width()) > label.height() + 2;
+    return widest(label.fontMetrics(), text) > room.width() + 1;
+}
+
+bool isCut(const QAbstractButton& button) {
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    if (button.text().isEmpty() || (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly))
+        return false;
+    // What dresses a button needs room too.
+    if (tool != nullptr || qobject_cast<const QPushButton*>(&button) != nullptr)
+        return button.sizeHint().width() > button.width();
+    return widest(button.fontMetrics(), shownText(button.text())) > button.width();
+}
+
+bool isCut(const QComboBox& box) {
+    constexpr int Arrow = 18;
+    return widest(box.fontMetrics(), box.currentText()) > box.width() - Arrow;
+}
+
+}  // namespace
+
+QStringList cutTexts(const QWidget& window) {
+    QStringList cut;
+    const auto name = [](const QWidget& widget) {
+        const QString own = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();
+        return QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + own;
+    };
+    const auto seen = [](const QWidget& widget) {
+        // What can be scrolled into sight is not cut.
+        return widget.isVisible() && !widget.visibleRegion().isEmpty();
+    };
+    for (const QLabel* label : window.findChildren<QLabel*>()) {
+        const bool elides = label->objectName() == QStringLiteral("word") ||  // the whole is its tooltip
+                            qobject_cast<const ElidedLabel*>(label) != nullptr;
+        if (seen(*label) && !elides && isCut(*label)) cut += name(*label) + ": " + label->text();
+    }
+    for (const QAbstractButton* button : window.findChildren<QAbstractButton*>())
+        if (seen(*button) && isCut(*button)) cut += name(*button) + ": " + button->text();
+    for (const QComboBox* box : window.findChildren<QComboBox*>())
+        if (seen(*box) && isCut(*box)) cut += name(*box) + ": " + box->currentText();
+    for (const QHeaderView* header : window.findChildren<QHeaderView*>()) {
+        if (!seen(*header) || header->orientation() != Qt::Horizontal || header->model() == nullptr) continue;
+        for (int i = 0; i < header->count(); ++i) {
+            const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
+            if (!header->isSectionHidden(i) && widest(header->fontMetrics(), text) > header->sectionSize(i))
+                cut += name(*header) + ": " + text;
+        }
+    }
+    if (const auto* more = window.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"));
+        more != nullptr && more->isVisible())
+        cut += QStringLiteral("menus");
+    return cut;
+}
+
+}  // namespace leitstand::test
