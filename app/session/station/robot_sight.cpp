@@ -12,6 +12,7 @@ namespace {
 
 /// Odometry older than this is not asked for any more: scans come late after a radio gap.
 constexpr std::chrono::seconds Kept(90);
+constexpr double SmearedBy = 0.3;                                           ///< in a turn, driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
 constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);          ///< of a clock, backwards
 
@@ -91,7 +92,13 @@ void RobotSight::take(const KeyScanSample& sample, SteadyTime now) {
     const Scan& scan = *sample.scan;
     // The motion is taken out of its points: all are as seen from where the robot was at the end.
     const Pose baseThen = scan.sensorInOdom * sample.sensorInBase.inverse();
-    const CloudSample cloud = cloudOf(scan, scan.end == Time{} ? sample.stamp : scan.end);
+    CloudSample cloud = cloudOf(scan, scan.end == Time{} ? sample.stamp : scan.end);
+    // Which smears the robot's own edges: what is so near cannot be told from them.
+    const BodyBox edges = m_body.grown(SmearedBy);
+    for (Eigen::Vector3f& point : cloud.points) {
+        const Eigen::Vector3d inBase = sample.sensorInBase * point.cast<double>();
+        if (edges.contains(inBase.head<2>())) point.setConstant(std::numeric_limits<float>::quiet_NaN());
+    }
     const std::lock_guard lock(m_mutex);
     m_scanned = now;
     m_scan.add(cloud, sample.sensorInBase, [&baseThen](Time) { return std::optional(baseThen); });

@@ -165,6 +165,7 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_TRUE(m_window->panes().isPaneVisible(QStringLiteral("form")));
     auto& tag = find<QLineEdit>("tag");
     ASSERT_TRUE(soon([&] { return tag.isEnabled(); }));
+    tag.setFocus();
     QTest::keyClicks(&tag, QStringLiteral("Anna"));
     lookAt("form");
     emit tag.editingFinished();
