@@ -8,6 +8,7 @@
 
 #include "app/session/coverage/searched_scans.h"
 #include "app/session/coverage/view_search.h"
+#include "core/base/words.h"
 #include "core/mission/coverage/search_book.h"
 
 namespace leitstand {
@@ -58,9 +59,9 @@ struct CoverageWatch::Work {
         for (const SearchView& view : search.found()) changed = book.add(view) || changed;
         if (book.leftOut() == 0 || told || !setup.tell) return;
         told = true;
-        setup.tell(
-            "Cameras looked from more places than can be kept: what they look at from now on may not count "
-            "as searched");
+        setup.tell(translate("leitstand::Station",
+                             "Cameras looked from more places than can be kept: what they look at from now "
+                             "on may not count as searched"));
     }
 
     void followRobots() {
@@ -92,11 +93,16 @@ struct CoverageWatch::Work {
             next = begin + Every;
             return nullptr;
         }
+        const std::vector<Eigen::Vector3d> trail = trailsOf(places ? *places : RobotsInMap());
+        if (trail.empty()) {  // what can be reached is not known before
+            next = begin + Every;
+            return nullptr;
+        }
         poses = std::move(now);
         book.follow(poses);
         search.follow(poses);
-        const std::vector<Eigen::Vector3d> trail = trailsOf(places ? *places : RobotsInMap());
-        if (trail.empty()) return nullptr;  // what can be reached is not known before
+        places.reset();  // where robots are is newer than their key scans
+        followRobots();
         SearchedFloorPtr made = searchedFloorOf(book.coverage(trail));
         changed = false;
         const auto took = Clock::now() - begin;
@@ -157,8 +163,9 @@ void CoverageWatch::take(const Event& event) {
         if (std::exchange(m_toldOfPictures, true)) return;
     }
     if (m_setup.tell) {
-        m_setup.tell(
-            "This computer is too slow for all that cameras look at: some of it does not count as searched");
+        m_setup.tell(translate(
+            "leitstand::Station",
+            "This computer is too slow for all that cameras look at: some of it does not count as searched"));
     }
 }
 
