@@ -897,10 +897,6 @@ Die blaue Linie ist der Horizont.</translation>
         <source>The mission is still read through</source>
         <translation>Die Mission wird noch durchgelesen</translation>
     </message>
-    <message>
-        <source>Registering again was cancelled</source>
-        <translation>Die erneute Registrierung wurde abgebrochen</translation>
-    </message>
 </context>
 <context>
     <name>leitstand::ComparePanel</name>
@@ -915,10 +911,6 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>M&amp;inimise</source>
         <translation>M&amp;inimieren</translation>
-    </message>
-    <message>
-        <source>&amp;Against</source>
-        <translation>Geg&amp;en</translation>
     </message>
     <message>
         <source>Maximum &amp;distance m</source>
@@ -991,6 +983,41 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
         <translation>Registriert die Schlüsselscans der Mission mit diesen Einstellungen und vergleicht; die Mission bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Registers the mission's key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
+        <translation>Registriert die Schlüsselscans der Mission noch einmal mit diesen Einstellungen und stellt beide Karten nebeneinander: wie gut Scans zueinander passen, wie weit sie sich bewegten, wie lange es dauerte. An der Mission wird nichts geändert. Das neueste Ergebnis bleibt bei ihr.</translation>
+    </message>
+    <message>
+        <source>A&amp;gainst</source>
+        <translation>&amp;Gegen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ComparedSummary</name>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>registered again</source>
+        <translation>neu registriert</translation>
+    </message>
+    <message>
+        <source>recorded (grey) and registered again</source>
+        <translation>aufgezeichnet (grau) und neu registriert</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>%1 Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>How far key scans are from where they were recorded</source>
+        <translation>Wie weit Schlüsselscans von ihrem aufgezeichneten Ort entfernt sind</translation>
     </message>
 </context>
 <context>
@@ -1149,6 +1176,10 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>%1 key scans registered again: moved %2 at most</source>
         <translation>%1 Schlüsselscans neu registriert: höchstens %2 verschoben</translation>
+    </message>
+    <message>
+        <source>moved %1 at most</source>
+        <translation>höchstens %1 verschoben</translation>
     </message>
 </context>
 <context>
@@ -1471,7 +1502,7 @@ Die blaue Linie ist der Horizont.</translation>
     </message>
     <message>
         <source>wide search, 1.5 m</source>
-        <translation>weite Suche, 1.5 m</translation>
+        <translation>weite Suche, 1,5 m</translation>
     </message>
     <message>
         <source>widest search, 3 m</source>
@@ -1821,28 +1852,12 @@ Funk: %4 %5</translation>
 <context>
     <name>leitstand::FindRow</name>
     <message>
-        <source>“%1”</source>
-        <translation>„%1“</translation>
-    </message>
-    <message>
-        <source>hypothesis</source>
-        <translation>Hypothese</translation>
-    </message>
-    <message>
-        <source>confirmed</source>
-        <translation>bestätigt</translation>
-    </message>
-    <message>
         <source>part of %1</source>
         <translation>Teil von %1</translation>
     </message>
     <message>
         <source>discarded</source>
         <translation>verworfen</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>surface</source>
@@ -1859,18 +1874,6 @@ Funk: %4 %5</translation>
     <message>
         <source>entombed</source>
         <translation>verschüttet</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>gelb</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>orange</translation>
-    </message>
-    <message>
-        <source>red</source>
-        <translation>rot</translation>
     </message>
 </context>
 <context>
@@ -1927,60 +1930,9 @@ Funk: %4 %5</translation>
         <source>Noted at %1</source>
         <translation>Notiert zu %1</translation>
     </message>
-</context>
-<context>
-    <name>leitstand::FindsPanel</name>
     <message>
-        <source>Nothing was found yet</source>
-        <translation>Noch nichts gefunden</translation>
-    </message>
-    <message>
-        <source>Victims and other finds</source>
-        <translation>Opfer und andere Funde</translation>
-    </message>
-    <message>
-        <source>Finds; Return goes to the moment when the chosen one was found</source>
-        <translation>Funde; Eingabetaste geht zum Zeitpunkt, an dem der gewählte gefunden wurde</translation>
-    </message>
-    <message>
-        <source>Find</source>
-        <translation>Fund</translation>
-    </message>
-    <message>
-        <source>Status</source>
-        <translation>Status</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Gefunden</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
-        <source>Note…</source>
-        <translation>Notiz…</translation>
-    </message>
-    <message>
-        <source>Writes a note about this moment</source>
-        <translation>Schreibt eine Notiz zu diesem Zeitpunkt</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Takes back what was written last in this review</source>
-        <translation>Nimmt zurück, was in dieser Auswertung zuletzt geschrieben wurde</translation>
-    </message>
-    <message>
-        <source>Form…</source>
-        <translation>Formular…</translation>
-    </message>
-    <message>
-        <source>The chosen find's form: what is known of it</source>
-        <translation>Das Formular des gewählten Fundes: was von ihm bekannt ist</translation>
+        <source>Con&amp;firm the find</source>
+        <translation>Fund &amp;bestätigen</translation>
     </message>
     <message>
         <source>Confirm</source>
@@ -1991,6 +1943,10 @@ Funk: %4 %5</translation>
         <translation>Der gewählte Fund ist einer</translation>
     </message>
     <message>
+        <source>&amp;Discard the find</source>
+        <translation>Fund &amp;verwerfen</translation>
+    </message>
+    <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
@@ -1999,16 +1955,24 @@ Funk: %4 %5</translation>
         <translation>Der gewählte Fund ist keiner</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
+        <source>Form of the f&amp;ind…</source>
+        <translation>Formular des F&amp;undes…</translation>
     </message>
     <message>
-        <source>Finds</source>
-        <translation>Funde</translation>
+        <source>Form…</source>
+        <translation>Formular…</translation>
     </message>
     <message>
-        <source>Finds · %1</source>
-        <translation>Funde · %1</translation>
+        <source>The chosen find's form: what is known of it</source>
+        <translation>Das Formular des gewählten Fundes: was man von ihm weiß</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
     </message>
 </context>
 <context>
@@ -2542,6 +2506,31 @@ Apache License 2.0</translation>
         <source>STOP</source>
         <translation>STOP</translation>
     </message>
+    <message>
+        <source>left</source>
+        <comment>a camera</comment>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>a camera</comment>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>panorama</source>
+        <comment>a camera</comment>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>infrared</source>
+        <comment>a camera</comment>
+        <translation>Infrarot</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a camera and what it sends: left pictures</comment>
+        <translation>%2 %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LiveSummary</name>
@@ -2576,6 +2565,10 @@ Apache License 2.0</translation>
     <message>
         <source>overlap %1</source>
         <translation>Überlappung %1</translation>
+    </message>
+    <message>
+        <source>The newest key scan: its age, how much of it meets the map, and whether it is certain</source>
+        <translation>Der neueste Schlüsselscan: sein Alter, wie viel von ihm die Karte trifft und ob er sicher ist</translation>
     </message>
 </context>
 <context>
@@ -2697,10 +2690,6 @@ Apache License 2.0</translation>
         <translation>3D-Karte</translation>
     </message>
     <message>
-        <source>Time of all registrations, and the lowest overlap of all scans</source>
-        <translation>Zeit aller Registrierungen und die geringste Überlappung aller Scans</translation>
-    </message>
-    <message>
         <source>Drop scans, a folder of scans or a mission here,
 or choose File ▸ Open scans (Ctrl+O) or Open folder (Ctrl+Shift+O)
 
@@ -2770,6 +2759,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>registered in %1 s · overlap %2 · %3</source>
         <translation>registriert in %1 s · Überlappung %2 · %3</translation>
+    </message>
+    <message>
+        <source>Time of all registrations, and the lowest overlap of all scans</source>
+        <translation>Zeit aller Registrierungen und die geringste Überlappung aller Scans</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4324,32 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ReportText</name>
+    <message>
+        <source>, 15 to 40 °C, hottest {:.1f} °C</source>
+        <translation>, 15 bis 40 °C, am wärmsten {:.1f} °C</translation>
+    </message>
+    <message>
+        <source>CO₂ {:.0f} ppm at {} ({})</source>
+        <translation>CO₂ {:.0f} ppm um {} ({})</translation>
+    </message>
+    <message>
+        <source>seen in scan {} of {} at {}</source>
+        <translation>gesehen in Scan {} von {} um {}</translation>
+    </message>
+    <message>
+        <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
+        <translation>{} stand bei {:.2f} {:.2f} {:.2f} m seiner Odometrie um {}</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewComparison</name>
+    <message>
+        <source>Registering again was cancelled</source>
+        <translation>Die erneute Registrierung wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::ReviewPanes</name>
     <message>
         <source>Robot</source>
@@ -4406,6 +4425,257 @@ F1 listet alle Tasten</translation>
     <message>
         <source>%1 is not in the map yet · %2 places it</source>
         <translation>%1 ist noch nicht in der Karte · %2 setzt ihn hinein</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotSays</name>
+    <message>
+        <source>started</source>
+        <translation>gestartet</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>angefordert</translation>
+    </message>
+    <message>
+        <source>{} cannot be asked for</source>
+        <translation>{} lässt sich nicht anfordern</translation>
+    </message>
+    <message>
+        <source>expected a mode, found "{}"</source>
+        <translation>Modus erwartet, „{}“ erhalten</translation>
+    </message>
+    <message>
+        <source>the stop stands: release it first</source>
+        <translation>der STOP steht: erst freigeben</translation>
+    </message>
+    <message>
+        <source>the radio remote is in use</source>
+        <translation>die Fernbedienung ist in Gebrauch</translation>
+    </message>
+    <message>
+        <source>the radio remote was let go of</source>
+        <translation>die Fernbedienung wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>no body heat in sight</source>
+        <translation>keine Körperwärme in Sicht</translation>
+    </message>
+    <message>
+        <source>body heat in sight</source>
+        <translation>Körperwärme in Sicht</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>stopped by {}</source>
+        <translation>angehalten von {}</translation>
+    </message>
+    <message>
+        <source>its own button</source>
+        <translation>sein eigener Knopf</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>the link is back</source>
+        <translation>Funk ist wieder da</translation>
+    </message>
+    <message>
+        <source>the link is back: goes on</source>
+        <translation>Funk ist wieder da: macht weiter</translation>
+    </message>
+    <message>
+        <source>the link is back: waits to be asked again</source>
+        <translation>Funk ist wieder da: wartet auf neuen Auftrag</translation>
+    </message>
+    <message>
+        <source>link lost: stands</source>
+        <translation>Funk verloren: steht</translation>
+    </message>
+    <message>
+        <source>link lost: finishes what it does, then waits</source>
+        <translation>Funk verloren: beendet, was es tut, wartet dann</translation>
+    </message>
+    <message>
+        <source>link lost: returns to where it was good</source>
+        <translation>Funk verloren: fährt zurück, wo er gut war</translation>
+    </message>
+    <message>
+        <source>link lost: finished, waits</source>
+        <translation>Funk verloren: fertig, wartet</translation>
+    </message>
+    <message>
+        <source>link lost: waits</source>
+        <translation>Funk verloren: wartet</translation>
+    </message>
+    <message>
+        <source>link lost: is back where it was good, waits</source>
+        <translation>Funk verloren: ist zurück, wo er gut war, wartet</translation>
+    </message>
+    <message>
+        <source>link lost: finds no way back, waits</source>
+        <translation>Funk verloren: findet nicht zurück, wartet</translation>
+    </message>
+    <message>
+        <source>back where the link was good</source>
+        <translation>zurück, wo der Funk gut war</translation>
+    </message>
+    <message>
+        <source>the scanner is silent: stands</source>
+        <translation>der Scanner schweigt: steht</translation>
+    </message>
+    <message>
+        <source>looks around first</source>
+        <translation>sieht sich erst um</translation>
+    </message>
+    <message>
+        <source>at the goal</source>
+        <translation>am Ziel</translation>
+    </message>
+    <message>
+        <source>finds no way: looks again</source>
+        <translation>findet keinen Weg: sieht noch einmal hin</translation>
+    </message>
+    <message>
+        <source>finds no way to the goal</source>
+        <translation>findet keinen Weg zum Ziel</translation>
+    </message>
+    <message>
+        <source>nothing is left to explore</source>
+        <translation>nichts mehr zu erkunden</translation>
+    </message>
+    <message>
+        <source>stuck: makes room</source>
+        <translation>festgefahren: schafft Platz</translation>
+    </message>
+    <message>
+        <source>looks for a way</source>
+        <translation>sucht einen Weg</translation>
+    </message>
+    <message>
+        <source>ran against something: backs out</source>
+        <translation>angestoßen: setzt zurück</translation>
+    </message>
+    <message>
+        <source>leans too much: backs out</source>
+        <translation>zu schräg: setzt zurück</translation>
+    </message>
+    <message>
+        <source>finds no way off what it ran into</source>
+        <translation>kommt von dem Hindernis nicht weg</translation>
+    </message>
+    <message>
+        <source>rolled over: stands</source>
+        <translation>umgekippt: steht</translation>
+    </message>
+    <message>
+        <source>no rule applies: stands</source>
+        <translation>keine Regel greift: steht</translation>
+    </message>
+    <message>
+        <source>no heat to drive to</source>
+        <translation>keine Wärme, zu der es fahren könnte</translation>
+    </message>
+    <message>
+        <source>the heat was lost</source>
+        <translation>die Wärme ging verloren</translation>
+    </message>
+    <message>
+        <source>the heat cannot be reached</source>
+        <translation>die Wärme ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>that victim is known</source>
+        <translation>dieses Opfer ist bekannt</translation>
+    </message>
+    <message>
+        <source>gave the approach up</source>
+        <translation>Anfahrt aufgegeben</translation>
+    </message>
+    <message>
+        <source>turns to the heat</source>
+        <translation>dreht sich zur Wärme</translation>
+    </message>
+    <message>
+        <source>drives towards the heat</source>
+        <translation>fährt zur Wärme</translation>
+    </message>
+    <message>
+        <source>drives around what stands before the heat</source>
+        <translation>umfährt, was vor der Wärme steht</translation>
+    </message>
+    <message>
+        <source>measures again</source>
+        <translation>misst noch einmal</translation>
+    </message>
+    <message>
+        <source>heat {} m ahead</source>
+        <translation>Wärme {} m voraus</translation>
+    </message>
+    <message>
+        <source>stands in front of a victim</source>
+        <translation>steht vor einem Opfer</translation>
+    </message>
+    <message>
+        <source>stands {} m in front of a victim</source>
+        <translation>steht {} m vor einem Opfer</translation>
+    </message>
+    <message>
+        <source>the wish is no number</source>
+        <translation>der Befehl ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>obstacle in {} m</source>
+        <translation>Hindernis in {} m</translation>
+    </message>
+    <message>
+        <source>the scan there is {} s old</source>
+        <translation>der Scan dort ist {} s alt</translation>
+    </message>
+    <message>
+        <source>not seen there yet</source>
+        <translation>dort noch nichts gesehen</translation>
+    </message>
+    <message>
+        <source>roll-over</source>
+        <translation>Überschlag</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>aufrecht</translation>
+    </message>
+    <message>
+        <source>about to roll over</source>
+        <translation>droht umzukippen</translation>
+    </message>
+    <message>
+        <source>rolled over</source>
+        <translation>umgekippt</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>body heat, {} degrees C</source>
+        <translation>Körperwärme, {} °C</translation>
     </message>
 </context>
 <context>
@@ -4949,6 +5219,114 @@ F1 listet alle Tasten</translation>
     <message>
         <source>there is no map yet to put a robot into</source>
         <translation>es gibt noch keine Karte, in die ein Roboter gesetzt werden könnte</translation>
+    </message>
+    <message>
+        <source>{}: there are no key scans that could be registered again</source>
+        <translation>{}: keine Schlüsselscans, die neu registriert werden könnten</translation>
+    </message>
+    <message>
+        <source>Cameras looked from more places than can be kept: what they look at from now on may not count as searched</source>
+        <translation>Kameras sahen von mehr Orten aus, als behalten werden können: was sie von nun an sehen, zählt womöglich nicht als abgesucht</translation>
+    </message>
+    <message>
+        <source>This computer is too slow for all that cameras look at: some of it does not count as searched</source>
+        <translation>Dieser Rechner ist zu langsam für alles, was Kameras sehen: manches davon zählt nicht als abgesucht</translation>
+    </message>
+    <message>
+        <source>{}: the mission has no such find to change so</source>
+        <translation>{}: die Mission hat keinen solchen Fund</translation>
+    </message>
+    <message>
+        <source>the mission has no such candidate</source>
+        <translation>die Mission hat keinen solchen Kandidaten</translation>
+    </message>
+    <message>
+        <source>a note without words is none</source>
+        <translation>eine Notiz ohne Worte ist keine</translation>
+    </message>
+    <message>
+        <source>{}: the mission has no {}</source>
+        <translation>{}: die Mission hat kein {}</translation>
+    </message>
+    <message>
+        <source>nothing was written in this review that could be taken back</source>
+        <translation>in dieser Auswertung wurde nichts geschrieben, das sich zurücknehmen ließe</translation>
+    </message>
+    <message>
+        <source>its laser sees too little: {} points</source>
+        <translation>sein Laser sieht zu wenig: {} Punkte</translation>
+    </message>
+    <message>
+        <source>its laser sees too little</source>
+        <translation>sein Laser sieht zu wenig</translation>
+    </message>
+    <message>
+        <source>too little of what it sees is in the map</source>
+        <translation>zu wenig von dem, was er sieht, ist in der Karte</translation>
+    </message>
+    <message>
+        <source>only {} % of what it sees is in the map</source>
+        <translation>nur {} % von dem, was er sieht, ist in der Karte</translation>
+    </message>
+    <message>
+        <source>{} % of what it sees is in the map</source>
+        <translation>{} % von dem, was er sieht, ist in der Karte</translation>
+    </message>
+    <message>
+        <source>{} % of what its laser sees is in the map</source>
+        <translation>{} % von dem, was sein Laser sieht, ist in der Karte</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>{} % of what it sees is in the map, {} cm and {} degrees from the guess</source>
+        <translation>{} % von dem, was er sieht, ist in der Karte, {} cm und {} Grad neben der Schätzung</translation>
+    </message>
+    <message>
+        <source>the walls leave a direction open</source>
+        <translation>die Wände lassen eine Richtung offen</translation>
+    </message>
+    <message>
+        <source>it could as well stand elsewhere</source>
+        <translation>er könnte ebenso gut anderswo stehen</translation>
+    </message>
+    <message>
+        <source>its laser fits {} cm from where its tracks say</source>
+        <translation>sein Laser passt {} cm neben dem, was die Ketten sagen</translation>
+    </message>
+    <message>
+        <source>found again: {}</source>
+        <translation>wiedergefunden: {}</translation>
+    </message>
+    <message>
+        <source>{} sees it: {} % of what its laser sees there is in the map</source>
+        <translation>{} sieht ihn: {} % von dem, was sein Laser dort sieht, ist in der Karte</translation>
+    </message>
+    <message>
+        <source>it would see things where the map has none</source>
+        <translation>er sähe Dinge, wo die Karte keine hat</translation>
+    </message>
+    <message>
+        <source>put there by the operator; its laser says nothing</source>
+        <translation>vom Operator dorthin gesetzt; sein Laser sagt nichts</translation>
+    </message>
+    <message>
+        <source>put there by the operator, but {}</source>
+        <translation>vom Operator dorthin gesetzt, aber {}</translation>
+    </message>
+    <message>
+        <source>where it was when the station was left: {}</source>
+        <translation>wo er war, als die Station verlassen wurde: {}</translation>
+    </message>
+    <message>
+        <source>where it was when the station was left</source>
+        <translation>wo er war, als die Station verlassen wurde</translation>
+    </message>
+    <message>
+        <source>its odometry began anew</source>
+        <translation>seine Odometrie begann neu</translation>
     </message>
 </context>
 <context>
@@ -5604,6 +5982,11 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>Signs</source>
         <translation>Zeichen</translation>
     </message>
+    <message>
+        <source>Found</source>
+        <comment>when</comment>
+        <translation>Gefunden</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimRows</name>
@@ -5719,6 +6102,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source> · %1 candidates</source>
         <translation> · %1 Kandidaten</translation>
+    </message>
+    <message>
+        <source> · %1 discarded</source>
+        <translation> · %1 verworfen</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +6296,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Victims, other finds and candidates</source>
         <translation>Opfer, andere Funde und Kandidaten</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet</source>
+        <translation>Noch nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Finds; Return goes to the moment when the chosen one was found</source>
+        <translation>Funde; Eingabe geht zu dem Augenblick, in dem der gewählte gefunden wurde</translation>
     </message>
 </context>
 <context>

@@ -897,10 +897,6 @@ The blue line is the horizon.</source>
         <source>The mission is still read through</source>
         <translation>ミッションを読み込み中</translation>
     </message>
-    <message>
-        <source>Registering again was cancelled</source>
-        <translation>再レジストレーションを中止</translation>
-    </message>
 </context>
 <context>
     <name>leitstand::ComparePanel</name>
@@ -915,10 +911,6 @@ The blue line is the horizon.</source>
     <message>
         <source>M&amp;inimise</source>
         <translation>最小化(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Against</source>
-        <translation>対象(&amp;A)</translation>
     </message>
     <message>
         <source>Maximum &amp;distance m</source>
@@ -991,6 +983,41 @@ The blue line is the horizon.</source>
     <message>
         <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
         <translation>この設定でミッションのキースキャンを再レジストレーションして比較。ミッションは変更しない</translation>
+    </message>
+    <message>
+        <source>Registers the mission's key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
+        <translation>ミッションのキースキャンをこの設定でもう一度登録し、両方の地図を比べる: スキャンの合い方、移動量、所要時間。ミッションは変更しない。最新の結果はミッションと共に保存される。</translation>
+    </message>
+    <message>
+        <source>A&amp;gainst</source>
+        <translation>対象(&amp;G)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ComparedSummary</name>
+    <message>
+        <source>recorded</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>registered again</source>
+        <translation>再登録</translation>
+    </message>
+    <message>
+        <source>recorded (grey) and registered again</source>
+        <translation>記録（灰）と再登録</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>%1 key scans</source>
+        <translation>キースキャン %1 件</translation>
+    </message>
+    <message>
+        <source>How far key scans are from where they were recorded</source>
+        <translation>キースキャンが記録時の位置からどれだけ離れているか</translation>
     </message>
 </context>
 <context>
@@ -1149,6 +1176,10 @@ The blue line is the horizon.</source>
     <message>
         <source>%1 key scans registered again: moved %2 at most</source>
         <translation>キースキャン %1 件を再レジストレーション: 最大移動 %2</translation>
+    </message>
+    <message>
+        <source>moved %1 at most</source>
+        <translation>移動は最大 %1</translation>
     </message>
 </context>
 <context>
@@ -1821,28 +1852,12 @@ Link: %4 %5</source>
 <context>
     <name>leitstand::FindRow</name>
     <message>
-        <source>“%1”</source>
-        <translation>「%1」</translation>
-    </message>
-    <message>
-        <source>hypothesis</source>
-        <translation>仮説</translation>
-    </message>
-    <message>
-        <source>confirmed</source>
-        <translation>確定</translation>
-    </message>
-    <message>
         <source>part of %1</source>
         <translation>%1 の一部</translation>
     </message>
     <message>
         <source>discarded</source>
         <translation>破棄</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>不明</translation>
     </message>
     <message>
         <source>surface</source>
@@ -1859,18 +1874,6 @@ Link: %4 %5</source>
     <message>
         <source>entombed</source>
         <translation>埋没</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>黄</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>橙</translation>
-    </message>
-    <message>
-        <source>red</source>
-        <translation>赤</translation>
     </message>
 </context>
 <context>
@@ -1927,60 +1930,9 @@ Link: %4 %5</source>
         <source>Noted at %1</source>
         <translation>%1 にメモ</translation>
     </message>
-</context>
-<context>
-    <name>leitstand::FindsPanel</name>
     <message>
-        <source>Nothing was found yet</source>
-        <translation>発見はまだない</translation>
-    </message>
-    <message>
-        <source>Victims and other finds</source>
-        <translation>被災者とその他の発見</translation>
-    </message>
-    <message>
-        <source>Finds; Return goes to the moment when the chosen one was found</source>
-        <translation>発見一覧。Return で選択した発見の時点へ移動</translation>
-    </message>
-    <message>
-        <source>Find</source>
-        <translation>発見</translation>
-    </message>
-    <message>
-        <source>Status</source>
-        <translation>状態</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>発見時刻</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>詳細</translation>
-    </message>
-    <message>
-        <source>Note…</source>
-        <translation>メモ…</translation>
-    </message>
-    <message>
-        <source>Writes a note about this moment</source>
-        <translation>この時点についてメモを書く</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>取り消し</translation>
-    </message>
-    <message>
-        <source>Takes back what was written last in this review</source>
-        <translation>このレビューで最後に書いた内容を取り消す</translation>
-    </message>
-    <message>
-        <source>Form…</source>
-        <translation>フォーム…</translation>
-    </message>
-    <message>
-        <source>The chosen find's form: what is known of it</source>
-        <translation>選択した発見のフォーム: 判明していること</translation>
+        <source>Con&amp;firm the find</source>
+        <translation>発見を確定(&amp;F)</translation>
     </message>
     <message>
         <source>Confirm</source>
@@ -1988,7 +1940,11 @@ Link: %4 %5</source>
     </message>
     <message>
         <source>The chosen find is one</source>
-        <translation>選択した発見を確定する</translation>
+        <translation>選んだ発見は本物</translation>
+    </message>
+    <message>
+        <source>&amp;Discard the find</source>
+        <translation>発見を破棄(&amp;D)</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -1996,19 +1952,27 @@ Link: %4 %5</source>
     </message>
     <message>
         <source>The chosen find is none</source>
-        <translation>選択した発見を誤りとして破棄する</translation>
+        <translation>選んだ発見は誤り</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <translation>%1（%2）</translation>
+        <source>Form of the f&amp;ind…</source>
+        <translation>発見の用紙(&amp;I)…</translation>
     </message>
     <message>
-        <source>Finds</source>
-        <translation>発見</translation>
+        <source>Form…</source>
+        <translation>用紙…</translation>
     </message>
     <message>
-        <source>Finds · %1</source>
-        <translation>発見 · %1</translation>
+        <source>The chosen find's form: what is known of it</source>
+        <translation>選んだ発見の用紙: 分かっていること</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>メモ…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
     </message>
 </context>
 <context>
@@ -2542,6 +2506,31 @@ Apache License 2.0</translation>
         <source>STOP</source>
         <translation>STOP</translation>
     </message>
+    <message>
+        <source>left</source>
+        <comment>a camera</comment>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>a camera</comment>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>panorama</source>
+        <comment>a camera</comment>
+        <translation>パノラマ</translation>
+    </message>
+    <message>
+        <source>infrared</source>
+        <comment>a camera</comment>
+        <translation>赤外線</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a camera and what it sends: left pictures</comment>
+        <translation>%1%2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LiveSummary</name>
@@ -2576,6 +2565,10 @@ Apache License 2.0</translation>
     <message>
         <source>overlap %1</source>
         <translation>重なり %1</translation>
+    </message>
+    <message>
+        <source>The newest key scan: its age, how much of it meets the map, and whether it is certain</source>
+        <translation>最新のキースキャン: 経過時間、地図との重なり、確実かどうか</translation>
     </message>
 </context>
 <context>
@@ -2697,10 +2690,6 @@ Apache License 2.0</translation>
         <translation>3D 地図</translation>
     </message>
     <message>
-        <source>Time of all registrations, and the lowest overlap of all scans</source>
-        <translation>全位置合わせの時間と、全スキャン中の最小の重なり</translation>
-    </message>
-    <message>
         <source>Drop scans, a folder of scans or a mission here,
 or choose File ▸ Open scans (Ctrl+O) or Open folder (Ctrl+Shift+O)
 
@@ -2770,6 +2759,10 @@ F1 でキー一覧</translation>
     <message>
         <source>registered in %1 s · overlap %2 · %3</source>
         <translation>位置合わせ %1 s · 重なり %2 · %3</translation>
+    </message>
+    <message>
+        <source>Time of all registrations, and the lowest overlap of all scans</source>
+        <translation>全登録の所要時間と、全スキャン中の最小の重なり</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4324,32 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ReportText</name>
+    <message>
+        <source>, 15 to 40 °C, hottest {:.1f} °C</source>
+        <translation>、15～40 °C、最高 {:.1f} °C</translation>
+    </message>
+    <message>
+        <source>CO₂ {:.0f} ppm at {} ({})</source>
+        <translation>CO₂ {:.0f} ppm、{}（{}）</translation>
+    </message>
+    <message>
+        <source>seen in scan {} of {} at {}</source>
+        <translation>スキャン {}（{}、{}）で観測</translation>
+    </message>
+    <message>
+        <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
+        <translation>{} の位置（オドメトリ）{:.2f} {:.2f} {:.2f} m、{}</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewComparison</name>
+    <message>
+        <source>Registering again was cancelled</source>
+        <translation>再レジストレーションを中止</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::ReviewPanes</name>
     <message>
         <source>Robot</source>
@@ -4406,6 +4425,257 @@ F1 でキー一覧</translation>
     <message>
         <source>%1 is not in the map yet · %2 places it</source>
         <translation>%1 はまだ地図にない · %2 で配置</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotSays</name>
+    <message>
+        <source>started</source>
+        <translation>起動した</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>要求による</translation>
+    </message>
+    <message>
+        <source>{} cannot be asked for</source>
+        <translation>{} は要求できない</translation>
+    </message>
+    <message>
+        <source>expected a mode, found "{}"</source>
+        <translation>モードではない: "{}"</translation>
+    </message>
+    <message>
+        <source>the stop stands: release it first</source>
+        <translation>停止中: 先に解除する</translation>
+    </message>
+    <message>
+        <source>the radio remote is in use</source>
+        <translation>無線リモコン使用中</translation>
+    </message>
+    <message>
+        <source>the radio remote was let go of</source>
+        <translation>無線リモコンを放した</translation>
+    </message>
+    <message>
+        <source>no body heat in sight</source>
+        <translation>体温が見えない</translation>
+    </message>
+    <message>
+        <source>body heat in sight</source>
+        <translation>体温を発見</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>stopped by {}</source>
+        <translation>{} が停止させた</translation>
+    </message>
+    <message>
+        <source>its own button</source>
+        <translation>本体のボタン</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>解除された</translation>
+    </message>
+    <message>
+        <source>the link is back</source>
+        <translation>通信回復</translation>
+    </message>
+    <message>
+        <source>the link is back: goes on</source>
+        <translation>通信回復: 続行</translation>
+    </message>
+    <message>
+        <source>the link is back: waits to be asked again</source>
+        <translation>通信回復: 再指示待ち</translation>
+    </message>
+    <message>
+        <source>link lost: stands</source>
+        <translation>通信途絶: 停止</translation>
+    </message>
+    <message>
+        <source>link lost: finishes what it does, then waits</source>
+        <translation>通信途絶: 作業を終えて待機</translation>
+    </message>
+    <message>
+        <source>link lost: returns to where it was good</source>
+        <translation>通信途絶: 良好だった場所へ戻る</translation>
+    </message>
+    <message>
+        <source>link lost: finished, waits</source>
+        <translation>通信途絶: 完了、待機</translation>
+    </message>
+    <message>
+        <source>link lost: waits</source>
+        <translation>通信途絶: 待機</translation>
+    </message>
+    <message>
+        <source>link lost: is back where it was good, waits</source>
+        <translation>通信途絶: 良好だった場所に戻り待機</translation>
+    </message>
+    <message>
+        <source>link lost: finds no way back, waits</source>
+        <translation>通信途絶: 戻り道なし、待機</translation>
+    </message>
+    <message>
+        <source>back where the link was good</source>
+        <translation>通信が良好だった場所に戻った</translation>
+    </message>
+    <message>
+        <source>the scanner is silent: stands</source>
+        <translation>スキャナ無応答: 停止</translation>
+    </message>
+    <message>
+        <source>looks around first</source>
+        <translation>まず周囲を確認</translation>
+    </message>
+    <message>
+        <source>at the goal</source>
+        <translation>目標に到着</translation>
+    </message>
+    <message>
+        <source>finds no way: looks again</source>
+        <translation>経路なし: 再確認</translation>
+    </message>
+    <message>
+        <source>finds no way to the goal</source>
+        <translation>目標への経路なし</translation>
+    </message>
+    <message>
+        <source>nothing is left to explore</source>
+        <translation>探索完了</translation>
+    </message>
+    <message>
+        <source>stuck: makes room</source>
+        <translation>立ち往生: 後退して余裕を作る</translation>
+    </message>
+    <message>
+        <source>looks for a way</source>
+        <translation>経路を探索</translation>
+    </message>
+    <message>
+        <source>ran against something: backs out</source>
+        <translation>接触: 後退する</translation>
+    </message>
+    <message>
+        <source>leans too much: backs out</source>
+        <translation>傾きすぎ: 後退する</translation>
+    </message>
+    <message>
+        <source>finds no way off what it ran into</source>
+        <translation>障害物から離れられない</translation>
+    </message>
+    <message>
+        <source>rolled over: stands</source>
+        <translation>転倒: 停止</translation>
+    </message>
+    <message>
+        <source>no rule applies: stands</source>
+        <translation>該当規則なし: 停止</translation>
+    </message>
+    <message>
+        <source>no heat to drive to</source>
+        <translation>向かう熱源なし</translation>
+    </message>
+    <message>
+        <source>the heat was lost</source>
+        <translation>熱源を見失った</translation>
+    </message>
+    <message>
+        <source>the heat cannot be reached</source>
+        <translation>熱源に到達できない</translation>
+    </message>
+    <message>
+        <source>that victim is known</source>
+        <translation>既知の被災者</translation>
+    </message>
+    <message>
+        <source>gave the approach up</source>
+        <translation>接近を断念</translation>
+    </message>
+    <message>
+        <source>turns to the heat</source>
+        <translation>熱源に向きを変える</translation>
+    </message>
+    <message>
+        <source>drives towards the heat</source>
+        <translation>熱源へ走行</translation>
+    </message>
+    <message>
+        <source>drives around what stands before the heat</source>
+        <translation>熱源手前の障害物を迂回</translation>
+    </message>
+    <message>
+        <source>measures again</source>
+        <translation>再計測</translation>
+    </message>
+    <message>
+        <source>heat {} m ahead</source>
+        <translation>前方 {} m に熱源</translation>
+    </message>
+    <message>
+        <source>stands in front of a victim</source>
+        <translation>被災者の前で停止</translation>
+    </message>
+    <message>
+        <source>stands {} m in front of a victim</source>
+        <translation>被災者の {} m 手前で停止</translation>
+    </message>
+    <message>
+        <source>the wish is no number</source>
+        <translation>指令が数値でない</translation>
+    </message>
+    <message>
+        <source>obstacle in {} m</source>
+        <translation>{} m 先に障害物</translation>
+    </message>
+    <message>
+        <source>the scan there is {} s old</source>
+        <translation>その方向のスキャンは {} 秒前</translation>
+    </message>
+    <message>
+        <source>not seen there yet</source>
+        <translation>その方向は未観測</translation>
+    </message>
+    <message>
+        <source>roll-over</source>
+        <translation>転倒</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>正立</translation>
+    </message>
+    <message>
+        <source>about to roll over</source>
+        <translation>転倒の恐れ</translation>
+    </message>
+    <message>
+        <source>rolled over</source>
+        <translation>転倒した</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>後</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>body heat, {} degrees C</source>
+        <translation>体温 {} °C</translation>
     </message>
 </context>
 <context>
@@ -4949,6 +5219,114 @@ F1 でキー一覧</translation>
     <message>
         <source>there is no map yet to put a robot into</source>
         <translation>ロボットを置く地図がまだない</translation>
+    </message>
+    <message>
+        <source>{}: there are no key scans that could be registered again</source>
+        <translation>{}: 再登録できるキースキャンがない</translation>
+    </message>
+    <message>
+        <source>Cameras looked from more places than can be kept: what they look at from now on may not count as searched</source>
+        <translation>カメラの視点が保存できる数を超えた: 今後見る場所は探索済みに数えられないことがある</translation>
+    </message>
+    <message>
+        <source>This computer is too slow for all that cameras look at: some of it does not count as searched</source>
+        <translation>この計算機はカメラが見る全てには遅すぎる: 一部は探索済みに数えられない</translation>
+    </message>
+    <message>
+        <source>{}: the mission has no such find to change so</source>
+        <translation>{}: ミッションに該当する発見がない</translation>
+    </message>
+    <message>
+        <source>the mission has no such candidate</source>
+        <translation>ミッションに該当する候補がない</translation>
+    </message>
+    <message>
+        <source>a note without words is none</source>
+        <translation>空のメモは記録できない</translation>
+    </message>
+    <message>
+        <source>{}: the mission has no {}</source>
+        <translation>{}: ミッションに {} がない</translation>
+    </message>
+    <message>
+        <source>nothing was written in this review that could be taken back</source>
+        <translation>この検証で取り消せる記録がない</translation>
+    </message>
+    <message>
+        <source>its laser sees too little: {} points</source>
+        <translation>レーザの点が少なすぎる: {} 点</translation>
+    </message>
+    <message>
+        <source>its laser sees too little</source>
+        <translation>レーザの点が少なすぎる</translation>
+    </message>
+    <message>
+        <source>too little of what it sees is in the map</source>
+        <translation>観測の大部分が地図にない</translation>
+    </message>
+    <message>
+        <source>only {} % of what it sees is in the map</source>
+        <translation>観測の {} % しか地図にない</translation>
+    </message>
+    <message>
+        <source>{} % of what it sees is in the map</source>
+        <translation>観測の {} % が地図と一致</translation>
+    </message>
+    <message>
+        <source>{} % of what its laser sees is in the map</source>
+        <translation>レーザ観測の {} % が地図と一致</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>{} % of what it sees is in the map, {} cm and {} degrees from the guess</source>
+        <translation>観測の {} % が地図と一致、推定との差 {} cm・{} 度</translation>
+    </message>
+    <message>
+        <source>the walls leave a direction open</source>
+        <translation>壁では一方向が定まらない</translation>
+    </message>
+    <message>
+        <source>it could as well stand elsewhere</source>
+        <translation>別の場所の可能性もある</translation>
+    </message>
+    <message>
+        <source>its laser fits {} cm from where its tracks say</source>
+        <translation>レーザの位置が履帯の推定から {} cm ずれている</translation>
+    </message>
+    <message>
+        <source>found again: {}</source>
+        <translation>再発見: {}</translation>
+    </message>
+    <message>
+        <source>{} sees it: {} % of what its laser sees there is in the map</source>
+        <translation>{} から見える: レーザ観測の {} % が地図と一致</translation>
+    </message>
+    <message>
+        <source>it would see things where the map has none</source>
+        <translation>地図にない物が見えることになる</translation>
+    </message>
+    <message>
+        <source>put there by the operator; its laser says nothing</source>
+        <translation>オペレータが配置、レーザでは確認できない</translation>
+    </message>
+    <message>
+        <source>put there by the operator, but {}</source>
+        <translation>オペレータが配置したが {}</translation>
+    </message>
+    <message>
+        <source>where it was when the station was left: {}</source>
+        <translation>ステーション終了時の位置: {}</translation>
+    </message>
+    <message>
+        <source>where it was when the station was left</source>
+        <translation>ステーション終了時の位置</translation>
+    </message>
+    <message>
+        <source>its odometry began anew</source>
+        <translation>オドメトリが初期化された</translation>
     </message>
 </context>
 <context>
@@ -5604,6 +5982,11 @@ A function of this program, no certified emergency stop.</source>
         <source>Signs</source>
         <translation>兆候</translation>
     </message>
+    <message>
+        <source>Found</source>
+        <comment>when</comment>
+        <translation>発見時刻</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimRows</name>
@@ -5719,6 +6102,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source> · %1 candidates</source>
         <translation> · 候補 %1</translation>
+    </message>
+    <message>
+        <source> · %1 discarded</source>
+        <translation>・破棄 %1</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +6296,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Victims, other finds and candidates</source>
         <translation>被災者、その他の発見、候補</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet</source>
+        <translation>発見はまだない</translation>
+    </message>
+    <message>
+        <source>Finds; Return goes to the moment when the chosen one was found</source>
+        <translation>発見一覧。Enter で選んだ発見の時刻へ移動</translation>
     </message>
 </context>
 <context>
