@@ -15,6 +15,7 @@
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
+#include "widgets/map_view/map_view.h"
 #include "widgets/timeline/timeline_bar.h"
 
 namespace leitstand::test {
