@@ -914,7 +914,7 @@ Die blaue Linie ist der Horizont.</translation>
     </message>
     <message>
         <source>Maximum &amp;distance m</source>
-        <translation>Größter &amp;Abstand m</translation>
+        <translation>Größter Ab&amp;stand m</translation>
     </message>
     <message>
         <source>Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at most the one before: 1.5, 0.5</source>

@@ -13,6 +13,7 @@
 
 #include "app/session/comparison/map_comparing.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/language.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/review/review_comparison.h"
 
@@ -94,21 +95,25 @@ TEST_F(ReviewCompareTest, TheNewestIsThereAgainWhenTheMissionIsReopened) {
     EXPECT_TRUE(m_bridge->comparison().result()->remembered);
 }
 
-TEST_F(ReviewCompareTest, EveryMnemonicMeansOneThing) {
-    open();
-    std::map<QChar, QStringList> meanings;
-    const auto add = [&](const QString& text) {
-        const QKeySequence keys = QKeySequence::mnemonic(text);
-        if (!keys.isEmpty()) meanings[keys.toString().back()] += text;
-    };
-    for (const QAction* menu : m_window->menuBar()->actions()) add(menu->text());
-    for (const QLabel* one : m_window->findChildren<QLabel*>())
-        if (one->buddy() != nullptr && one->isVisible()) add(one->text());
-    for (const QAbstractButton* one : m_window->findChildren<QAbstractButton*>())
-        if (one->isVisible()) add(one->text());
-    EXPECT_GE(meanings.size(), 10U);
-    for (const auto& [key, what] : meanings)
-        EXPECT_EQ(what.size(), 1) << what.join(QStringLiteral("; ")).toStdString();
+TEST_F(ReviewCompareTest, EveryMnemonicMeansOneThingInEveryLanguage) {
+    for (const char* language : {"de", "ja", "en"}) {
+        useLanguage(QLatin1String(language));
+        openWindow();
+        open();
+        std::map<QChar, QStringList> meanings;
+        const auto add = [&](const QString& text) {
+            const QKeySequence keys = QKeySequence::mnemonic(text);
+            if (!keys.isEmpty()) meanings[keys.toString().back()] += text;
+        };
+        for (const QAction* menu : m_window->menuBar()->actions()) add(menu->text());
+        for (const QLabel* one : m_window->findChildren<QLabel*>())
+            if (one->buddy() != nullptr && one->isVisible()) add(one->text());
+        for (const QAbstractButton* one : m_window->findChildren<QAbstractButton*>())
+            if (one->isVisible()) add(one->text());
+        EXPECT_GE(meanings.size(), 10U) << language;
+        for (const auto& [key, what] : meanings)
+            EXPECT_EQ(what.size(), 1) << language << ": " << what.join(QStringLiteral("; ")).toStdString();
+    }
 }
 
 }  // namespace
