@@ -123,6 +123,7 @@ void FindsFeature::show() {
     const auto find = chosen();
     const VictimSample* const known = find ? newest(*find) : nullptr;
     m_form->show(known == nullptr ? std::nullopt : std::optional(*known));
+    emit findsChanged();
 }
 
 void FindsFeature::tellWritten(const QString& done, const QString& problem) {

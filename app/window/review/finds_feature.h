@@ -32,6 +32,7 @@ public slots:
 
 signals:
     void told(const QString& text);
+    void findsChanged();                                                   ///< the list, or which is chosen
     void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< of what the pen wrote
 
 private:

@@ -69,7 +69,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     connect(m_finds, &FindsFeature::told, this, &ReviewWindow::tell);
     connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
     connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
-    connect(&bridge, &MomentSource::ticked, m_map, [this] {
+    connect(m_finds, &FindsFeature::findsChanged, m_map, [this] {
         m_map->view().setFinds(victimRows(m_finds->state(), std::nullopt), m_finds->chosen());
     });
     connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);

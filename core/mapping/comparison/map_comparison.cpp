@@ -51,17 +51,43 @@ bool measure(std::vector<ComparedScan*>& scans, const RegistrationSettings& sett
     return true;
 }
 
+/// The scans of one robot with odometry that leads from each to the next. Where it began anew between two,
+/// since the robot was restarted or carried, the recorded map tells the step.
+std::vector<ScanPtr> withWholeOdometry(const std::vector<ComparedScan*>& scans) {
+    constexpr double Jump = 1.0, Turn = degrees(45);  // between key scans no odometry errs so much [m], [rad]
+    std::vector<ScanPtr> whole;
+    Pose shift = Pose::Identity();  // of what odometry says now to what it said at first
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const Scan& scan = *scans[i]->scan;
+        if (i > 0 && scan.hasOdometry && whole.back()->hasOdometry) {
+            const Pose& before = whole.back()->sensorInOdom;
+            const Pose recorded = before * scans[i - 1]->recorded.inverse() * scans[i]->recorded;
+            const Pose told = shift * scan.sensorInOdom;
+            if (distanceBetween(told, recorded) > Jump || angleBetween(told, recorded) > Turn)
+                shift = recorded * scan.sensorInOdom.inverse();
+        }
+        if (!scan.hasOdometry || shift.isApprox(Pose::Identity())) {
+            whole.push_back(scans[i]->scan);
+            continue;
+        }
+        auto moved = std::make_shared<Scan>(scan);
+        moved->sensorInOdom = shift * scan.sensorInOdom;
+        whole.push_back(std::move(moved));
+    }
+    return whole;
+}
+
 /// Of one robot; false when cancelled.
 bool registerScans(std::vector<ComparedScan*>& scans, const RegistrationSettings& settings,
                    const Progress& progress, std::size_t done, std::size_t all) {
     Mapper mapper(settings);
-    for (const ComparedScan* one : scans) {
+    for (const ScanPtr& scan : withWholeOdometry(scans)) {
         const Progress step{[&](double fraction) {
                                 progress.done(RegisteringShare * (static_cast<double>(done) + fraction) /
                                               static_cast<double>(all));
                             },
                             progress.stop};
-        if (!mapper.add(one->scan, step)) return false;
+        if (!mapper.add(scan, step)) return false;
         ++done;
     }
     const MapPtr map = mapper.map();

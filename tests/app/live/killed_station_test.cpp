@@ -219,19 +219,22 @@ protected:
             EXPECT_LE(nearest, 0.3) << one.text;
         }
     }
-    void readByOthers(const std::string& files) const {
+    /// Returns what could not be asked, since it is not installed.
+    std::string readByOthers(const std::string& files) const {
+        std::string missing;
         const ProcessOutcome tiff = readByGdal(files + ".tif"), tree = readByOctomap(files + ".bt"),
                              points = readByPcl(files + ".ply", m_folder / "points.pcd"),
                              pages = readByPoppler(files + ".pdf");
         for (const ProcessOutcome* one : {&tiff, &tree, &points, &pages}) {
-            if (one->exitCode == NotInstalled) std::cout << "  SKIPPED: " << one->err << '\n';
+            if (one->exitCode == NotInstalled) missing += one->err;
             EXPECT_THAT(one->exitCode, testing::AnyOf(0, NotInstalled)) << one->out << one->err;
         }
         const fs::path thin = m_folder / "thin";
-        ASSERT_EQ(runProcess(LEITSTANDCTL, {"thin", mission().string(), "--out", thin.string()}).exitCode, 0);
+        EXPECT_EQ(runProcess(LEITSTANDCTL, {"thin", mission().string(), "--out", thin.string()}).exitCode, 0);
         const ProcessOutcome log = readByNpm(thin);
-        if (log.exitCode == NotInstalled) std::cout << "  SKIPPED: " << log.err << '\n';
+        if (log.exitCode == NotInstalled) missing += log.err;
         EXPECT_THAT(log.exitCode, testing::AnyOf(0, NotInstalled)) << log.out << log.err;
+        return missing;
     }
 
     simulation::Arena m_arena;
@@ -257,11 +260,12 @@ TEST_F(LongKill, WhatTheRobotsFindByThemselvesOutlastsTheKillAndIsTrue) {
     EXPECT_EQ(victims->finds.size(), end.victims);
     std::cout << "  in the end " << end << '\n';
     compare(*victims);
-    readByOthers(files.string());
+    const std::string missing = readByOthers(files.string());
     const ProcessOutcome review =
         runProcess(LEITSTAND, {mission().string(), "--screenshot", (m_folder / "review.png").string()});
     EXPECT_EQ(review.exitCode, 0) << review.err;
     EXPECT_GT(fs::file_size(m_folder / "review.png"), 10'000u);
+    if (!HasFailure() && !missing.empty()) GTEST_SKIP() << "SKIPPED: readers of the report: " << missing;
 }
 
 }  // namespace

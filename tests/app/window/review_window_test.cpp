@@ -176,8 +176,11 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_TRUE(soon([&] { return found(0, 3).find("trapped") != std::string::npos; }));
     find<QToolButton>("review.undo").click();
     EXPECT_TRUE(soon([&] { return found(0, 3).find("trapped") == std::string::npos; }));
+    ASSERT_TRUE(soon([&] { return m_window->mapView().settled(); }));
+    const QImage marked = m_window->mapView().picture();
     find<QToolButton>("review.discard").click();
     EXPECT_TRUE(soon([&] { return found(0, 1) == "discarded"; }));
+    EXPECT_NE(m_window->mapView().picture(), marked) << "its mark goes at once, though nothing is played";
     find<QToolButton>("review.undo").click();
     EXPECT_TRUE(soon([&] { return found(0, 1) == "confirmed"; }));
 }

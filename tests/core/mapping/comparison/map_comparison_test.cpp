@@ -65,6 +65,19 @@ TEST(MapComparison, FindsThatAScanWasRecordedWrong) {
     EXPECT_GE(made->again.seconds.value_or(-1.0), 0.0);
 }
 
+TEST(MapComparison, OdometryThatBeginsAnewBetweenTwoScansTearsNothing) {
+    auto scans = drive(0.0);
+    for (std::size_t i = 1; i < scans.size(); ++i) {  // the robot was restarted after its first scan
+        auto restarted = std::make_shared<Scan>(*scans[i].scan);
+        restarted->sensorInOdom = poseFrom({-2.3, -2.0, -1.0}, 0, 0, 2.0) * restarted->sensorInOdom;
+        scans[i].scan = restarted;
+    }
+    const auto made = registeredAgain(scans, oneThread());
+    ASSERT_TRUE(made);
+    EXPECT_LT(made->mostMoved, 0.02);
+    EXPECT_EQ(made->again.uncertain, 0);
+}
+
 TEST(MapComparison, ScansOfAnotherRobotAreRegisteredForThemselves) {
     auto scans = drive(0.0);
     scans[1].robot = "crawler";
