@@ -1,0 +1,65 @@
+// The hand-in of the shipped mission in each language of the window.
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/report/pdf_report.h"
+#include "app/session/report/report_writer.h"
+#include "app/window/language.h"
+#include "tests/support/others_tools.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Spoken {
+    const char* code;
+    std::vector<std::string> words;
+};
+
+class ReportLanguage : public testing::TestWithParam<Spoken> {
+protected:
+    ~ReportLanguage() override { useLanguage(QStringLiteral("en")); }
+};
+
+TEST_P(ReportLanguage, IsTheWindows) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(useLanguage(QLatin1String(GetParam().code)));
+    ReportOptions options;
+    options.pdf = &pdfOf;
+    const fs::path out = folder / "out", pages = out / "RoboCup2026-Leitstand-Sample.pdf";
+    const auto written =
+        writeReport(fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7", out, options);
+    ASSERT_TRUE(written) << written.error().text;
+    EXPECT_TRUE(written->whole());
+    const ProcessOutcome text = readByPoppler(pages);
+    if (text.exitCode == NotInstalled) GTEST_SKIP() << "SKIPPED: " << text.err;
+    for (const std::string& word : GetParam().words) EXPECT_THAT(text.out, HasSubstr(word));
+    if (GetParam().code != std::string("en")) {
+        for (const char* english : {"Searched", "confirmed", "Victim", "Infrared"})
+            EXPECT_THAT(text.out, Not(HasSubstr(english)));
+    }
+    if (const char* pictures = std::getenv("LEITSTAND_PICTURES")) {  // for people
+        const fs::path name = fs::path(pictures) / (std::string("report_") + GetParam().code);
+        EXPECT_EQ(
+            runProcess("/usr/bin/pdftoppm", {"-r", "70", "-png", pages.string(), name.string()}).exitCode, 0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, ReportLanguage,
+                         testing::Values(Spoken{"en", {"Victim", "confirmed", "Searched"}},
+                                         Spoken{"de", {"Opfer", "bestätigt", "Abgesucht"}},
+                                         Spoken{"ja", {"被災者", "探索"}}),
+                         [](const auto& one) { return std::string(one.param.code); });
+
+}  // namespace
+}  // namespace leitstand::test
