@@ -306,8 +306,8 @@
         <translation>Der Weg zu %1</translation>
     </message>
     <message>
-        <source>%1: map at %2</source>
-        <translation>%1: Karte bei %2</translation>
+        <source>%1: map at %2 to %3 m above the floor</source>
+        <translation>%1: Karte von %2 bis %3 m über dem Boden</translation>
     </message>
 </context>
 <context>

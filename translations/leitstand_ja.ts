@@ -306,8 +306,8 @@
         <translation>%1 への経路</translation>
     </message>
     <message>
-        <source>%1: map at %2</source>
-        <translation>%1: 地図（%2）</translation>
+        <source>%1: map at %2 to %3 m above the floor</source>
+        <translation>%1: 床上 %2～%3 m の地図</translation>
     </message>
 </context>
 <context>

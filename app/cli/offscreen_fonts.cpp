@@ -1,6 +1,7 @@
 #include "app/cli/offscreen_fonts.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 
 namespace leitstand::cli {
 
@@ -10,6 +11,7 @@ OffscreenFonts::OffscreenFonts() {
     static char name[] = "leitstandctl";
     static char* arguments[] = {name, nullptr};
     m_application = std::make_unique<QGuiApplication>(count, arguments);
+    QLocale::setDefault(QLocale::c());  // what this program writes is English on every computer
 }
 
 OffscreenFonts::~OffscreenFonts() = default;

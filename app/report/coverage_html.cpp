@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include "app/report/report_numbers.h"
+
 namespace leitstand {
 namespace {
 
@@ -26,17 +28,13 @@ QString titleOf(SearchSensor sensor) {
     return CoverageText::tr("Scanner");
 }
 
-QString number(double value, int digits) {
-    return QString::number(value, 'f', digits);
-}
-
 QString missedText(const std::vector<MissedRegion>& regions) {
     if (regions.empty()) return CoverageText::tr("nothing");
     QStringList texts;
     for (std::size_t i = 0; i < std::min(MostListed, regions.size()); ++i) {
         texts += CoverageText::tr("%1 m\u00B2 at x %2, y %3")
-                     .arg(number(regions[i].area, 1), number(regions[i].place.x(), 1),
-                          number(regions[i].place.y(), 1));
+                     .arg(reportNumber(regions[i].area, 1), reportNumber(regions[i].place.x(), 1),
+                          reportNumber(regions[i].place.y(), 1));
     }
     if (regions.size() > MostListed)
         texts += CoverageText::tr("and %1 more").arg(regions.size() - MostListed);
@@ -53,7 +51,7 @@ QString coverageHtml(const ReportContent& content) {
             .arg(CoverageText::tr("Searched"),
                  CoverageText::tr("Of %1 m\u00B2 of floor that the robots can reach. Seen is where a "
                                   "body on the floor would span enough pixels or points.")
-                     .arg(number(search.reachable, 1)));
+                     .arg(reportNumber(search.reachable, 1)));
     html += QStringLiteral(
                 "<table border='1' cellspacing='0' cellpadding='4' width='100%' "
                 "style='border-collapse:collapse; border-color:#999999'><tr><th align='left'>%1</th>"
@@ -64,7 +62,8 @@ QString coverageHtml(const ReportContent& content) {
         html += QStringLiteral("<tr><td>%1</td><td>%2</td><td>%3</td></tr>")
                     .arg(titleOf(one.sensor),
                          CoverageText::tr("%1 m\u00B2, %2 %")
-                             .arg(number(one.seen, 1), number(100.0 * one.seen / search.reachable, 0)),
+                             .arg(reportNumber(one.seen, 1),
+                                  reportNumber(100.0 * one.seen / search.reachable, 0)),
                          missedText(one.missed));
     }
     return html + QStringLiteral("</table>");

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QFont>
 #include <QGuiApplication>
 #include <QHashFunctions>
 #include <QImage>
 #include <QPainter>
+#include <QPalette>
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
@@ -132,7 +134,11 @@ private:
         m_painter.translate(0.0, m_below - top);
         const QRectF part(0.0, top, m_size.width(), height);
         m_painter.setClipRect(part);
-        document.drawContents(&m_painter, part);
+        // Black on paper, however dark the window is.
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.clip = part;
+        context.palette.setColor(QPalette::Text, Qt::black);
+        document.documentLayout()->draw(&m_painter, context);
         m_painter.restore();
         m_below += height;
     }

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "app/report/coverage_html.h"
+#include "app/report/report_numbers.h"
 #include "app/report/score_html.h"
 #include "app/session/report/report_words.h"
 
@@ -24,9 +25,6 @@ QString safe(const std::string& text) {
 }
 QString orDash(const std::string& text) {
     return text.empty() ? QStringLiteral("\u2013") : safe(text);
-}
-QString number(double value, int digits) {
-    return std::isfinite(value) ? QString::number(value, 'f', digits) : QStringLiteral("\u2013");
 }
 
 using Rows = std::vector<std::pair<QString, QString>>;
@@ -82,7 +80,8 @@ QString kindOf(VictimSample::Kind kind) {
 
 QString positionOf(const ReportFind& find) {
     return ReportText::tr("x %1, y %2, z %3 m")
-        .arg(number(find.position.x(), 2), number(find.position.y(), 2), number(find.position.z(), 2));
+        .arg(reportNumber(find.position.x(), 2), reportNumber(find.position.y(), 2),
+             reportNumber(find.position.z(), 2));
 }
 
 QString signOf(const VictimSign& sign, const char* unit, int digits) {
@@ -99,7 +98,7 @@ QString signOf(const VictimSign& sign, const char* unit, int digits) {
             break;
     }
     if (std::isfinite(sign.value))
-        text += QStringLiteral(", %1 %2").arg(number(sign.value, digits), QString::fromUtf8(unit));
+        text += QStringLiteral(", %1 %2").arg(reportNumber(sign.value, digits), QString::fromUtf8(unit));
     if (!sign.text.empty()) text += QStringLiteral(", ") + safe(sign.text);
     return text;
 }
@@ -128,7 +127,7 @@ QString missionRows(const ReportContent& content) {
           stations.isEmpty() ? QStringLiteral("\u2013") : stations.join(QStringLiteral(", "))},
          {ReportText::tr("Map"), ReportText::tr("%1 scans, %2 m\u00B2 explored")
                                      .arg(content.model.scans)
-                                     .arg(number(content.model.explored, 1))}});
+                                     .arg(reportNumber(content.model.explored, 1))}});
 }
 
 QString robotRows(const ReportModel& model) {
@@ -138,7 +137,7 @@ QString robotRows(const ReportModel& model) {
     for (const ReportRobot& robot : model.robots) {
         rows.push_back({safe(robot.name),
                         robot.path.poses.empty() ? ReportText::tr("not known")
-                                                 : ReportText::tr("%1 m").arg(number(robot.length, 1)),
+                                                 : ReportText::tr("%1 m").arg(reportNumber(robot.length, 1)),
                         QString::number(robot.scans), safe(spanText(robot.autonomous)),
                         safe(spanText(robot.teleoperated))});
     }
@@ -153,8 +152,9 @@ QString findRows(const ReportModel& model) {
     for (const ReportFind& find : model.finds) {
         rows.push_back({QStringLiteral("<b>%1</b>").arg(safe(find.name)), kindOf(find.sample.kind),
                         statusOf(find.sample), positionOf(find),
-                        find.way.points.empty() ? QStringLiteral("\u2013")
-                                                : ReportText::tr("%1 m").arg(number(find.way.length, 1)),
+                        find.way.points.empty()
+                            ? QStringLiteral("\u2013")
+                            : ReportText::tr("%1 m").arg(reportNumber(find.way.length, 1)),
                         safe(clockText(find.sample.found)),
                         QStringLiteral("%1, %2").arg(orDash(find.sample.robot), find.sample.autonomous
                                                                                     ? QStringLiteral("A")
@@ -175,7 +175,7 @@ QString whereComputed() {
 QString wayText(const ReportFind& find) {
     if (find.way.points.empty()) return ReportText::tr("No robot drove near it: there is no way to tell.");
     return ReportText::tr("%1 m from the start of %2 along the driven trail, the last %3 m straight on.")
-        .arg(number(find.way.length, 1), safe(find.way.robot), number(find.way.lastPiece, 1));
+        .arg(reportNumber(find.way.length, 1), safe(find.way.robot), reportNumber(find.way.lastPiece, 1));
 }
 
 QString picturesHtml(const FindPages& pages, std::size_t find) {
@@ -234,9 +234,10 @@ QString findHtml(const ReportContent& content, std::size_t index) {
     Rows rows = {
         {ReportText::tr("Place in the map"),
          positionOf(find) + (std::isfinite(sample.deviation)
-                                 ? ReportText::tr(", \u00B1 %1 m").arg(number(sample.deviation, 2))
+                                 ? ReportText::tr(", \u00B1 %1 m").arg(reportNumber(sample.deviation, 2))
                                  : QString())},
-        {ReportText::tr("Height"), ReportText::tr("%1 m above the floor").arg(number(find.aboveFloor, 2))},
+        {ReportText::tr("Height"),
+         ReportText::tr("%1 m above the floor").arg(reportNumber(find.aboveFloor, 2))},
         {ReportText::tr("Found"), ReportText::tr("%1, %2 after the mission's begin")
                                       .arg(safe(clockText(sample.found)), safe(spanText(find.missionTime)))},
         {ReportText::tr("By"), QStringLiteral("%1, %2").arg(orDash(sample.robot), modeOf(sample))},
@@ -264,8 +265,10 @@ QString findHtml(const ReportContent& content, std::size_t index) {
 }
 
 QString mapCaption(const ReportContent& content, std::size_t band) {
-    return ReportText::tr("%1: map at %2")
-        .arg(QString::fromStdString(content.name), QString::fromStdString(reportBands().at(band).name));
+    const HeightBand& heights = reportBands().at(band);
+    return ReportText::tr("%1: map at %2 to %3 m above the floor")
+        .arg(QString::fromStdString(content.name), reportNumber(heights.low, 2),
+             reportNumber(heights.high, 2));
 }
 
 }  // namespace leitstand

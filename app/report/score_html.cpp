@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/report/report_numbers.h"
+
 namespace leitstand {
 namespace {
 
@@ -15,7 +17,7 @@ QString safe(const std::string& text) {
     return QString::fromStdString(text).toHtmlEscaped();
 }
 QString number(double value) {
-    return QString::number(value, 'f', 2);
+    return reportNumber(value, 2);
 }
 
 QString autonomyOf(Autonomy autonomy) {

@@ -1,11 +1,15 @@
 // The hand-in of the shipped mission in each language of the window.
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <QApplication>
 
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_writer.h"
@@ -13,6 +17,7 @@
 #include "tests/support/others_tools.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {
@@ -26,6 +31,23 @@ struct Spoken {
     std::vector<std::string> words;
 };
 
+/// How many pixels of the first of @p pages are nearly black; 50 dots an inch.
+std::size_t blackPixelsOf(const fs::path& pages, const fs::path& picture) {
+    const ProcessOutcome drawn = runProcess(
+        "/usr/bin/pdftoppm",
+        {"-gray", "-r", "50", "-f", "1", "-l", "1", "-singlefile", pages.string(), picture.string()});
+    EXPECT_EQ(drawn.exitCode, 0) << drawn.err;
+    std::ifstream in(picture.string() + ".pgm", std::ios::binary);
+    std::string magic;
+    int width = 0, height = 0, most = 0;
+    EXPECT_TRUE(in >> magic >> width >> height >> most) << drawn.err;
+    in.get();
+    std::string pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), ' ');
+    in.read(pixels.data(), static_cast<std::streamsize>(pixels.size()));
+    return static_cast<std::size_t>(std::count_if(
+        pixels.begin(), pixels.end(), [](char pixel) { return static_cast<unsigned char>(pixel) < 96; }));
+}
+
 class ReportLanguage : public testing::TestWithParam<Spoken> {
 protected:
     ~ReportLanguage() override { useLanguage(QStringLiteral("en")); }
@@ -34,6 +56,7 @@ protected:
 TEST_P(ReportLanguage, IsTheWindows) {
     const TemporaryFolder folder;
     ASSERT_TRUE(useLanguage(QLatin1String(GetParam().code)));
+    applyTheme(*qApp, Theme::Dark);
     ReportOptions options;
     options.pdf = &pdfOf;
     const fs::path out = folder / "out", pages = out / "RoboCup2026-Leitstand-Sample.pdf";
@@ -44,8 +67,10 @@ TEST_P(ReportLanguage, IsTheWindows) {
     const ProcessOutcome text = readByPoppler(pages);
     if (text.exitCode == NotInstalled) GTEST_SKIP() << "SKIPPED: " << text.err;
     for (const std::string& word : GetParam().words) EXPECT_THAT(text.out, HasSubstr(word));
+    EXPECT_GT(blackPixelsOf(pages, folder / "first"), 2000U)
+        << "is read on white paper, in a dark window too";
     if (GetParam().code != std::string("en")) {
-        for (const char* english : {"Searched", "confirmed", "Victim", "Infrared"})
+        for (const char* english : {"Searched", "confirmed", "Victim", "Infrared", "above the floor"})
             EXPECT_THAT(text.out, Not(HasSubstr(english)));
     }
     if (const char* pictures = std::getenv("LEITSTAND_PICTURES")) {  // for people
@@ -57,7 +82,7 @@ TEST_P(ReportLanguage, IsTheWindows) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, ReportLanguage,
                          testing::Values(Spoken{"en", {"Victim", "confirmed", "Searched"}},
-                                         Spoken{"de", {"Opfer", "bestätigt", "Abgesucht"}},
+                                         Spoken{"de", {"Opfer", "bestätigt", "Abgesucht", "0,25 bis 0,35 m"}},
                                          Spoken{"ja", {"被災者", "探索"}}),
                          [](const auto& one) { return std::string(one.param.code); });
 

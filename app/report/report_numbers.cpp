@@ -1,0 +1,16 @@
+#include "app/report/report_numbers.h"
+
+#include <cmath>
+
+#include <QLocale>
+
+namespace leitstand {
+
+QString reportNumber(double value, int digits) {
+    if (!std::isfinite(value)) return QStringLiteral("\u2013");
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'f', digits);
+}
+
+}  // namespace leitstand
