@@ -17,7 +17,7 @@ namespace leitstand {
 namespace {
 
 constexpr auto OperatorLooks = std::chrono::seconds(10);
-constexpr auto EarlyFor = std::chrono::seconds(1);  ///< how long a wish waits for its sender's grant
+const auto EarlyFor = RobotRuleSettings().early;  ///< how long a wish waits for its sender's grant
 constexpr std::size_t MostEarly = 8;
 constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
 

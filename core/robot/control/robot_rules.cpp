@@ -15,10 +15,16 @@ void RobotRules::hear(const GrantSample& sample, const Sender& from, SteadyTime 
 }
 
 DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now) {
-    if (!m_grant.obeys(from, now)) return DriveVerdict::NotHolder;
+    if (!m_grant.obeys(from, now)) {
+        // Commands and grants are two topics: its grant may be on the way.
+        if (isZero(velocity)) m_earlyZero = {from, now};
+        return DriveVerdict::NotHolder;
+    }
     const bool number =
         std::isfinite(velocity.forward) && std::isfinite(velocity.left) && std::isfinite(velocity.turn);
-    const bool neutral = m_neutral && m_neutralIn == m_grant.changes();
+    const bool early =
+        m_earlyZero && m_earlyZero->first == from && now - m_earlyZero->second < m_settings.early;
+    const bool neutral = early || (m_neutral && m_neutralIn == m_grant.changes());
     m_velocity = {};
     m_driver = from;
     m_driven = now;
@@ -36,6 +42,7 @@ StopStateSample RobotRules::hear(const StopCommandSample& command, const Sender&
     static_cast<void>(m_latch.hear(command, from, fromHolder));
     if (m_latch.isStopped()) {
         m_neutral = false;
+        m_earlyZero.reset();
         m_velocity = {};
     }
     return stopState(now);
@@ -44,6 +51,7 @@ StopStateSample RobotRules::hear(const StopCommandSample& command, const Sender&
 void RobotRules::press() {
     m_latch.press();
     m_neutral = false;
+    m_earlyZero.reset();
     m_velocity = {};
 }
 

@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/control/grant_arbiter.h"
@@ -16,7 +18,8 @@ struct RobotRuleSettings {
     std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);  ///< without a command it stops
     GrantTiming grants = {};
     StandingRules standing = {};
-    std::uint64_t firstStop = 0;  ///< of StopLatch
+    std::uint64_t firstStop = 0;                               ///< of StopLatch
+    std::chrono::nanoseconds early = std::chrono::seconds(1);  ///< what overtook its grant counts so long
 };
 
 /// What became of a drive command.
@@ -59,6 +62,8 @@ private:
     SteadyTime m_driven = {};
     bool m_neutral = false;         ///< a zero came since the last stop or change of holder
     std::uint64_t m_neutralIn = 0;  ///< GrantArbiter::changes() of then
+    std::optional<std::pair<Sender, SteadyTime>>
+        m_earlyZero;  ///< newest of who was not obeyed, since the stop
 };
 
 }  // namespace leitstand

@@ -56,6 +56,46 @@ TEST_F(Rules, ANewHolderBeginsWithZero) {
     EXPECT_EQ(commanded(60), Forward);
 }
 
+TEST_F(Rules, AZeroThatOvertookItsGrantCountsForASecond) {
+    const auto change = [&](std::int64_t now) {
+        m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
+        hold("b", 2, now);
+    };
+    EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
+    EXPECT_EQ(drive(Forward, 15, 2), DriveVerdict::NotHolder);
+    EXPECT_EQ(drive(Zero, 16, 3), DriveVerdict::NotHolder) << "somebody else's";
+    change(20);
+    EXPECT_EQ(commanded(20), Zero);
+    EXPECT_EQ(drive(Forward, 30, 2), DriveVerdict::NotNeutral) << "the newest zero was another's";
+    EXPECT_EQ(drive(Zero, 40, 2), DriveVerdict::Taken);
+}
+
+TEST_F(Rules, SticksThatArePushedBeforeTheGrantIsHeardMoveTheRobotOnceItIs) {
+    EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
+    EXPECT_EQ(drive(Forward, 15, 2), DriveVerdict::NotHolder);
+    m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(20));
+    hold("b", 2, 20);
+    EXPECT_EQ(commanded(20), Zero) << "what was said before it had the grant moves nothing";
+    EXPECT_EQ(drive(Forward, 30, 2), DriveVerdict::Taken);
+    EXPECT_EQ(commanded(30), Forward);
+}
+
+TEST_F(Rules, AZeroOfLongAgoOrBeforeAStopCountsNoMore) {
+    const auto change = [&](std::int64_t now) {
+        m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
+        hold("b", 2, now);
+    };
+    EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
+    change(20);
+    EXPECT_EQ(drive(Forward, 1'010, 2), DriveVerdict::NotNeutral);
+    RobotRules stopped{"kurt3d", {.limits = {0.5, 1.0, false}}};
+    EXPECT_EQ(stopped.drive(Zero, sender(2), at(10)), DriveVerdict::NotHolder);
+    const auto state = stopped.hear({{}, "viewer", 1, true, 0}, sender(7), at(20));
+    stopped.hear(grantSaying("b", Action::Hold), sender(2), at(30));
+    EXPECT_FALSE(stopped.hear({{}, "b", 2, false, state.stops}, sender(2), at(40)).stopped);
+    EXPECT_EQ(stopped.drive(Forward, sender(2), at(50)), DriveVerdict::NotNeutral);
+}
+
 TEST_F(Rules, ASilentHolderMovesNothing) {
     static_cast<void>(drive(Zero, 2'900));
     static_cast<void>(drive(Forward, 2'950));
