@@ -309,6 +309,10 @@
         <source>%1: map at %2 to %3 m above the floor</source>
         <translation>%1: Karte von %2 bis %3 m über dem Boden</translation>
     </message>
+    <message>
+        <source>Finds</source>
+        <translation>Funde</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>

@@ -309,6 +309,10 @@
         <source>%1: map at %2 to %3 m above the floor</source>
         <translation>%1: 床上 %2～%3 m の地図</translation>
     </message>
+    <message>
+        <source>Finds</source>
+        <translation>発見</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>

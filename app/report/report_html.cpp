@@ -205,7 +205,7 @@ QString overviewHtml(const ReportContent& content) {
     html += QStringLiteral("<p>%1</p>").arg(safe(content.name));
     html += missionRows(content);
     html += heading(ReportText::tr("Robots")) + robotRows(content.model);
-    html += heading(ReportText::tr("Found")) + findRows(content.model);
+    html += heading(ReportText::tr("Finds")) + findRows(content.model);
     if (content.model.discarded > 0)
         html += QStringLiteral("<p>%1</p>")
                     .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
