@@ -101,8 +101,6 @@ struct CoverageWatch::Work {
         poses = std::move(now);
         book.follow(poses);
         search.follow(poses);
-        places.reset();  // where robots are is newer than their key scans
-        followRobots();
         SearchedFloorPtr made = searchedFloorOf(book.coverage(trail));
         changed = false;
         const auto took = Clock::now() - begin;

@@ -118,24 +118,29 @@ void StationBrakes::step(const std::string& robot, Entry& entry) {
         if (!step.silent) m_hands.push(robot, step.sticks);
         if (!entry.test.isRunning()) {
             over = entry.test.result();
+            over->when = stationTime();
+            // Who sees that it ended finds its result.
+            keep(entry, *over);
             entry.running = false;
         }
     }
     m_hands.refresh(robot);
     if (!over) return;
     m_hands.focus(robot, false);
-    finish(robot, entry, *over);
+    finish(robot, *over);
 }
 
-void StationBrakes::finish(const std::string& robot, Entry& entry, BrakeResult result) {
-    result.when = stationTime();
+void StationBrakes::keep(Entry& entry, const BrakeResult& result) {
+    // A test that proved nothing takes nothing back.
+    const bool proved = result.verdict != Verdict::Inconclusive;
+    if (proved || entry.last.verdict != Verdict::Failed) entry.last = result;
+    entry.refused = entry.last.verdict == Verdict::Failed;
+}
+
+void StationBrakes::finish(const std::string& robot, BrakeResult result) {
     std::map<std::string, BrakeResult> all;
     {
         const std::lock_guard lock(m_mutex);
-        // A test that proved nothing takes nothing back.
-        const bool proved = result.verdict != Verdict::Inconclusive;
-        if (proved || entry.last.verdict != Verdict::Failed) entry.last = result;
-        entry.refused = entry.last.verdict == Verdict::Failed;
         for (const auto& [name, one] : m_entries) all.emplace(name, one.last);
     }
     // Robots that the station does not drive today keep what they had.

@@ -66,7 +66,8 @@ private:
     [[nodiscard]] Entry* find(const std::string& robot);
     [[nodiscard]] const Entry* find(const std::string& robot) const;
     void step(const std::string& robot, Entry& entry);
-    void finish(const std::string& robot, Entry& entry, BrakeResult result);
+    static void keep(Entry& entry, const BrakeResult& result);  ///< locked
+    void finish(const std::string& robot, BrakeResult result);
 
     const std::filesystem::path m_file;
     const Hands m_hands;
