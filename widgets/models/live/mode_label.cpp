@@ -1,5 +1,7 @@
 #include "widgets/models/live/mode_label.h"
 
+#include <string_view>
+
 #include <QCoreApplication>
 
 #include "core/robot/robot_says.h"
@@ -27,7 +29,8 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
 
 /// @p value of a robot's words: figures as the window's language writes them, modes by their names.
 QString valueText(const robot_says::Part& part) {
-    if (part.words == robot_says::CannotBeAskedFor) return modeName(part.value);
+    // By its letters: equal texts of two files may stand at two places.
+    if (part.words == std::string_view(robot_says::CannotBeAskedFor)) return modeName(part.value);
     const QString value = QString::fromStdString(part.value);
     bool isNumber = false;
     const double number = value.toDouble(&isNumber);
