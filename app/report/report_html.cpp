@@ -196,9 +196,6 @@ QString picturesHtml(const FindPages& pages, std::size_t find) {
 QString evidenceName(std::size_t find, std::size_t picture) {
     return QStringLiteral("evidence-%1-%2").arg(find).arg(picture);
 }
-QString wayName(std::size_t find) {
-    return QStringLiteral("way-%1").arg(find);
-}
 
 QString overviewHtml(const ReportContent& content) {
     QString html = QStringLiteral("<h1>%1</h1>").arg(ReportText::tr("Report of a rescue mission"));

@@ -8,7 +8,6 @@ namespace leitstand {
 
 /// Names of the pictures within the pages' HTML.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
-[[nodiscard]] QString wayName(std::size_t find);
 
 /// The first page: the mission, its robots, what was found, what was computed where, what is missing.
 [[nodiscard]] QString overviewHtml(const ReportContent& content);
