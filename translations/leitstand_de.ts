@@ -2853,6 +2853,21 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::MessagesFeature</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Me&amp;ssages</source>
+        <translation>Mel&amp;dungen</translation>
+    </message>
+    <message>
+        <source>What was told so far, the newest last</source>
+        <translation>Was bisher gemeldet wurde, das Neueste zuletzt</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::MessagesPanel</name>
     <message>
         <source>Messages</source>
@@ -2873,6 +2888,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Takes the chosen message away</source>
+        <translation>Nimmt die gewählte Meldung weg</translation>
     </message>
 </context>
 <context>
@@ -4344,6 +4363,78 @@ F1 listet alle Tasten</translation>
     <message>
         <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
         <translation>{} stand bei {:.2f} {:.2f} {:.2f} m seiner Odometrie um {}</translation>
+    </message>
+    <message>
+        <source>{}: its {} is missing: {}</source>
+        <translation>{}: {} fehlt: {}</translation>
+    </message>
+    <message>
+        <source>{}: its {} cannot be shown: {}</source>
+        <translation>{}: {} kann nicht gezeigt werden: {}</translation>
+    </message>
+    <message>
+        <source>the mission holds no events</source>
+        <translation>der Einsatz enthält keine Ereignisse</translation>
+    </message>
+    <message>
+        <source>{} samples of {} make no sense, the last one: {}</source>
+        <translation>{} Nachrichten von {} ergeben keinen Sinn, die letzte: {}</translation>
+    </message>
+    <message>
+        <source>there is no map: all scans of the mission were set aside or taken back</source>
+        <translation>es gibt keine Karte: alle Scans des Einsatzes wurden beiseitegelegt oder zurückgenommen</translation>
+    </message>
+    <message>
+        <source>{} scans are not in the map, since they do not fit and nobody decided on them</source>
+        <translation>{} Scans sind nicht in der Karte, da sie nicht passen und niemand über sie entschied</translation>
+    </message>
+    <message>
+        <source>there is no map: {}</source>
+        <translation>es gibt keine Karte: {}</translation>
+    </message>
+    <message>
+        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone's check</source>
+        <translation>keine Station hat eine Karte dieses Einsatzes gemacht: {} seiner {} Scans wurden für diesen Bericht registriert, ohne dass jemand sie geprüft hat</translation>
+    </message>
+    <message>
+        <source>cameras looked from more places than are counted: {} views are missing in what was searched</source>
+        <translation>Kameras sahen von mehr Orten, als gezählt werden: {} Blicke fehlen im Abgesuchten</translation>
+    </message>
+    <message>
+        <source>the score's profile "{}" is not there: "{}" is used</source>
+        <translation>das Wertungsprofil „{}“ ist nicht da: „{}“ wird benutzt</translation>
+    </message>
+    <message>
+        <source>there is no map: no scan of the mission counts</source>
+        <translation>es gibt keine Karte: kein Scan des Einsatzes zählt</translation>
+    </message>
+    <message>
+        <source>not confirmed, so in the map but not in the lists: {}</source>
+        <translation>nicht bestätigt, also in der Karte, aber nicht in den Listen: {}</translation>
+    </message>
+    <message>
+        <source>competition or team are not told: the files are named for what is missing</source>
+        <translation>Wettbewerb oder Team sind nicht angegeben: die Dateien heißen nach dem, was fehlt</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>infrared picture</source>
+        <translation>Infrarotbild</translation>
+    </message>
+    <message>
+        <source>CO₂ value</source>
+        <translation>CO₂-Wert</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>robot's pose</source>
+        <translation>Pose des Roboters</translation>
     </message>
 </context>
 <context>

@@ -2853,6 +2853,21 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::MessagesFeature</name>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Me&amp;ssages</source>
+        <translation>メッセージ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>What was told so far, the newest last</source>
+        <translation>これまでの通知(新しいものが最後)</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::MessagesPanel</name>
     <message>
         <source>Messages</source>
@@ -2873,6 +2888,10 @@ F1 でキー一覧</translation>
     <message>
         <source>Copy</source>
         <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Takes the chosen message away</source>
+        <translation>選んだメッセージを消します</translation>
     </message>
 </context>
 <context>
@@ -4344,6 +4363,78 @@ F1 でキー一覧</translation>
     <message>
         <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
         <translation>{} の位置（オドメトリ）{:.2f} {:.2f} {:.2f} m、{}</translation>
+    </message>
+    <message>
+        <source>{}: its {} is missing: {}</source>
+        <translation>{}: {} がありません: {}</translation>
+    </message>
+    <message>
+        <source>{}: its {} cannot be shown: {}</source>
+        <translation>{}: {} を表示できません: {}</translation>
+    </message>
+    <message>
+        <source>the mission holds no events</source>
+        <translation>このミッションにはイベントがありません</translation>
+    </message>
+    <message>
+        <source>{} samples of {} make no sense, the last one: {}</source>
+        <translation>{} 件の {} のデータが不正です。最後のもの: {}</translation>
+    </message>
+    <message>
+        <source>there is no map: all scans of the mission were set aside or taken back</source>
+        <translation>地図がありません: ミッションの全スキャンが除外または取り消されました</translation>
+    </message>
+    <message>
+        <source>{} scans are not in the map, since they do not fit and nobody decided on them</source>
+        <translation>{} 個のスキャンは合わず、判断もされていないため地図に入っていません</translation>
+    </message>
+    <message>
+        <source>there is no map: {}</source>
+        <translation>地図がありません: {}</translation>
+    </message>
+    <message>
+        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone's check</source>
+        <translation>このミッションの地図を作ったステーションがありません: {} / {} スキャンをこの報告のために位置合わせしました(未確認)</translation>
+    </message>
+    <message>
+        <source>cameras looked from more places than are counted: {} views are missing in what was searched</source>
+        <translation>カメラの視点が数えられる数を超えました: 探索済みの集計に {} 視点が含まれていません</translation>
+    </message>
+    <message>
+        <source>the score's profile "{}" is not there: "{}" is used</source>
+        <translation>採点プロファイル「{}」がありません: 「{}」を使います</translation>
+    </message>
+    <message>
+        <source>there is no map: no scan of the mission counts</source>
+        <translation>地図がありません: 有効なスキャンがありません</translation>
+    </message>
+    <message>
+        <source>not confirmed, so in the map but not in the lists: {}</source>
+        <translation>未確認のため地図にはあるが一覧にはないもの: {}</translation>
+    </message>
+    <message>
+        <source>competition or team are not told: the files are named for what is missing</source>
+        <translation>大会名またはチーム名が未設定です: ファイル名は仮の名前になっています</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>infrared picture</source>
+        <translation>赤外線画像</translation>
+    </message>
+    <message>
+        <source>CO₂ value</source>
+        <translation>CO₂値</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>robot's pose</source>
+        <translation>ロボットの姿勢</translation>
     </message>
 </context>
 <context>

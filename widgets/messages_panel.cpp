@@ -23,7 +23,7 @@ QToolButton* quietButton(QAction* action, QWidget* parent) {
 
 }  // namespace
 
-MessagesPanel::MessagesPanel(MessageListModel& messages, QWidget* parent)
+MessagesPanel::MessagesPanel(MessageListModel& messages, QWidget* parent, Keys keys)
     : QWidget(parent), m_messages(messages), m_list(new QListView(this)) {
     m_list->setObjectName(QStringLiteral("messages"));
     m_list->setAccessibleName(tr("Messages"));
@@ -33,11 +33,16 @@ MessagesPanel::MessagesPanel(MessageListModel& messages, QWidget* parent)
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    setFocusProxy(m_list);
 
     auto* dismiss = new QAction(tr("Dismiss"), this);
-    dismiss->setShortcut(Qt::Key_Delete);
-    dismiss->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    dismiss->setToolTip(tr("Takes the chosen message away (Del)"));
+    if (keys == Keys::CopyAndDelete) {
+        dismiss->setShortcut(Qt::Key_Delete);
+        dismiss->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        dismiss->setToolTip(tr("Takes the chosen message away (Del)"));
+    } else {
+        dismiss->setToolTip(tr("Takes the chosen message away"));
+    }
     connect(dismiss, &QAction::triggered, this, [this] { m_messages.dismiss(m_list->currentIndex().row()); });
     auto* dismissAll = new QAction(tr("Dismiss all"), this);
     connect(dismissAll, &QAction::triggered, this, [this] { m_messages.clear(); });

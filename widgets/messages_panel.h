@@ -12,8 +12,12 @@ class MessageListModel;
 class MessagesPanel final : public QWidget {
     Q_OBJECT
 public:
+    /// Which keys it takes while it has the focus.
+    enum class Keys { CopyAndDelete, Copy };
+
     /// Shows @p messages, which must outlive it.
-    explicit MessagesPanel(MessageListModel& messages, QWidget* parent = nullptr);
+    explicit MessagesPanel(MessageListModel& messages, QWidget* parent = nullptr,
+                           Keys keys = Keys::CopyAndDelete);
 
 private:
     MessageListModel& m_messages;

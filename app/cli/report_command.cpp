@@ -12,6 +12,7 @@
 #include "app/cli/offscreen_fonts.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
+#include "app/language/language.h"
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_writer.h"
 
@@ -19,7 +20,7 @@ namespace leitstand::cli {
 namespace {
 
 struct ReportArguments {
-    std::string mission, out;
+    std::string mission, out, language = "en";
     bool json = false, pdf = true;
 };
 
@@ -49,6 +50,7 @@ int runReport(const ReportArguments& arguments) {
     ProgressLine line;
     const InterruptGuard interrupt;
     const OffscreenFonts fonts;
+    useLanguage(QString::fromStdString(arguments.language));
     ReportOptions options;
     options.version = LEITSTAND_VERSION;
     if (arguments.pdf) options.pdf = &pdfOf;
@@ -74,6 +76,13 @@ void addReport(CLI::App& app, int& exitCode) {
         ->required();
     command->add_option("--out", arguments->out, "Folder for GeoTIFF, lists, OctoMap, PLY, trajectories, PDF")
         ->required();
+    std::vector<std::string> codes;
+    for (const Language& language : languages()) codes.push_back(language.code.toStdString());
+    command
+        ->add_option("--language", arguments->language,
+                     "Language of the PDF and of what is doubtful: en, de or ja")
+        ->check(CLI::IsMember(codes))
+        ->capture_default_str();
     command->add_flag("!--no-pdf", arguments->pdf, "Leave the PDF out");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->final_callback([arguments, &exitCode] { exitCode = runReport(*arguments); });

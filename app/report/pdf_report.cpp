@@ -20,9 +20,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Dots = 96.0;    ///< of the pages' layout, an inch
-constexpr int Resolution = 300;  ///< of the file, an inch
-constexpr double Gap = 10.0;     ///< between text and pictures [dots]
+constexpr double Dots = 96.0;           ///< of the pages' layout, an inch
+constexpr int Resolution = 300;         ///< of the file, an inch
+constexpr double Gap = 10.0;            ///< between text and pictures [dots]
+constexpr double LeastPicture = 260.0;  ///< height of a picture's room [dots]
 
 struct PdfText {
     Q_DECLARE_TR_FUNCTIONS(PdfText)
@@ -79,8 +80,10 @@ public:
         begin();
     }
 
-    /// Text, over as many pages as it takes.
-    void text(const QString& html, const std::vector<std::pair<QString, QImage>>& pictures = {}) {
+    /// A section: on the next page where what is left of this one does not hold it with @p below more [dots];
+    /// over as many pages as it takes when no page does.
+    void text(const QString& html, const std::vector<std::pair<QString, QImage>>& pictures = {},
+              double below = 0.0) {
         QTextDocument document;
         document.setDefaultFont(m_font);
         document.setDocumentMargin(0.0);
@@ -91,6 +94,10 @@ public:
         document.setHtml(html);
         document.setTextWidth(m_size.width());
         const double height = document.size().height();
+        if (m_below > 0.0) {
+            m_below += Gap;
+            if (m_below + height + below > m_size.height()) nextPage();
+        }
         if (height <= m_size.height()) return draw(document, 0.0, height);
         document.setPageSize(m_size);
         for (int page = 0; page < document.pageCount(); ++page) {
@@ -103,8 +110,7 @@ public:
     /// A picture as large as there is room for; on the next page where that is little.
     void picture(const QImage& image, const QString& caption) {
         if (image.isNull()) return;
-        constexpr double Least = 260.0;
-        if (m_below > 0.0 && m_size.height() - m_below < Least) nextPage();
+        if (m_below > 0.0 && m_size.height() - m_below < LeastPicture) nextPage();
         const double line = caption.isEmpty() ? 0.0 : 18.0;
         const QSizeF room(m_size.width(), m_size.height() - m_below - Gap - line);
         const QSizeF size = QSizeF(image.size()).scaled(room, Qt::KeepAspectRatio);
@@ -153,7 +159,7 @@ private:
 };
 
 void layOut(Pages& pages, const ReportContent& content) {
-    pages.text(overviewHtml(content));
+    for (const QString& section : overviewHtml(content)) pages.text(section);
     for (std::size_t band = 0; band < content.maps.size(); ++band) {
         pages.nextPage();
         pages.text(QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, band).toHtmlEscaped()));
@@ -166,8 +172,9 @@ void layOut(Pages& pages, const ReportContent& content) {
         for (std::size_t i = 0; i < content.finds[find].pictures.size(); ++i)
             pictures.emplace_back(evidenceName(find, i), imageOf(content.finds[find].pictures[i].picture));
         pages.text(findHtml(content, find), pictures);
-        pages.picture(wayImage(content.finds[find]),
-                      PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
+        const QImage way = wayImage(content.finds[find]);
+        pages.text(wayHtml(content.model.finds[find]), {}, way.isNull() ? 0.0 : LeastPicture);
+        pages.picture(way, PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
     }
 }
 

@@ -197,29 +197,32 @@ QString evidenceName(std::size_t find, std::size_t picture) {
     return QStringLiteral("evidence-%1-%2").arg(find).arg(picture);
 }
 
-QString overviewHtml(const ReportContent& content) {
-    QString html = QStringLiteral("<h1>%1</h1>").arg(ReportText::tr("Report of a rescue mission"));
-    html += QStringLiteral("<p>%1</p>").arg(safe(content.name));
-    html += missionRows(content);
-    html += heading(ReportText::tr("Robots")) + robotRows(content.model);
-    html += heading(ReportText::tr("Finds")) + findRows(content.model);
+QStringList overviewHtml(const ReportContent& content) {
+    QStringList sections;
+    sections += QStringLiteral("<h1>%1</h1><p>%2</p>")
+                    .arg(ReportText::tr("Report of a rescue mission"), safe(content.name)) +
+                missionRows(content);
+    sections += heading(ReportText::tr("Robots")) + robotRows(content.model);
+    QString finds = heading(ReportText::tr("Finds")) + findRows(content.model);
     if (content.model.discarded > 0)
-        html += QStringLiteral("<p>%1</p>")
-                    .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
-    html += coverageHtml(content);
-    html += scoreHtml(content);
-    html += heading(ReportText::tr("What was computed where")) + whereComputed();
+        finds += QStringLiteral("<p>%1</p>")
+                     .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
+    sections += finds;
+    sections += coverageHtml(content);
+    sections += scoreHtml(content);
+    sections += heading(ReportText::tr("What was computed where")) + whereComputed();
     if (!content.warnings.empty()) {
-        html += heading(ReportText::tr("What is missing or doubtful")) + QStringLiteral("<ul>");
+        QString html = heading(ReportText::tr("What is missing or doubtful")) + QStringLiteral("<ul>");
         constexpr std::size_t Most = 20;
         for (std::size_t i = 0; i < std::min(Most, content.warnings.size()); ++i)
             html += QStringLiteral("<li>%1</li>").arg(safe(content.warnings[i]));
         if (content.warnings.size() > Most)
             html += QStringLiteral("<li>%1</li>")
                         .arg(ReportText::tr("and %1 more").arg(content.warnings.size() - Most));
-        html += QStringLiteral("</ul>");
+        sections += html + QStringLiteral("</ul>");
     }
-    return html;
+    sections.removeAll(QString());
+    return sections;
 }
 
 QString findHtml(const ReportContent& content, std::size_t index) {
@@ -256,9 +259,12 @@ QString findHtml(const ReportContent& content, std::size_t index) {
     if (!traces.isEmpty()) rows.emplace_back(ReportText::tr("Evidence"), traces.join(QStringLiteral("<br>")));
     html += pairs(rows);
     if (!pages.pictures.empty()) html += picturesHtml(pages, index);
-    html += heading(ReportText::tr("The way to %1").arg(safe(find.name)));
-    html += QStringLiteral("<p>%1</p>").arg(wayText(find));
     return html;
+}
+
+QString wayHtml(const ReportFind& find) {
+    return heading(ReportText::tr("The way to %1").arg(safe(find.name))) +
+           QStringLiteral("<p>%1</p>").arg(wayText(find));
 }
 
 QString mapCaption(const ReportContent& content, std::size_t band) {

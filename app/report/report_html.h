@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "app/session/report/report_content.h"
 
@@ -9,10 +10,13 @@ namespace leitstand {
 /// Names of the pictures within the pages' HTML.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
 
-/// The first page: the mission, its robots, what was found, what was computed where, what is missing.
-[[nodiscard]] QString overviewHtml(const ReportContent& content);
-/// A find: form, evidence and way.
+/// The first pages, a section each: the mission, its robots, what was found, what was searched, the score, what
+/// was computed where, what is missing.
+[[nodiscard]] QStringList overviewHtml(const ReportContent& content);
+/// A find: form and evidence.
 [[nodiscard]] QString findHtml(const ReportContent& content, std::size_t find);
+/// The way to it, in words.
+[[nodiscard]] QString wayHtml(const ReportFind& find);
 /// What stands over the map of a height.
 [[nodiscard]] QString mapCaption(const ReportContent& content, std::size_t band);
 

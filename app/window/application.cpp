@@ -4,7 +4,7 @@
 
 #include <QApplication>
 
-#include "app/window/language.h"
+#include "app/language/language.h"
 #include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"

@@ -41,11 +41,12 @@ const std::vector<Rule>& rules() {
         {"widgets", with(core, {"widgets"}), {"Eigen", "fmt", "Qt", "vtk", "EGL"}},
         {"app/session", with(core, {"core/io", "transport", "app/session"}), {"Eigen", "fmt"}},
         {"app/report", with(core, {"app/session/report", "app/report"}), {"Eigen", "fmt", "Qt"}},
+        {"app/language", {"core/base", "app/language"}, {"Qt"}},
         {"app/cli",
-         with(core, {"core/io", "transport", "app/session", "app/report", "app/cli"}),
+         with(core, {"core/io", "transport", "app/session", "app/report", "app/language", "app/cli"}),
          {"Eigen", "fmt", "CLI", "nlohmann", "Qt"}},
         {"app/window",
-         with(core, {"app/session", "app/report", "widgets", "app/window"}),
+         with(core, {"app/session", "app/report", "app/language", "widgets", "app/window"}),
          {"Eigen", "fmt", "CLI", "Qt", "SDL"}},
     };
     return all;

@@ -21,6 +21,13 @@ void MessageListModel::add(Severity severity, const QString& text) {
     endInsertRows();
 }
 
+void MessageListModel::tell(const QString& text) {
+    const auto known = std::find_if(m_messages.begin(), m_messages.end(),
+                                    [&text](const Message& message) { return message.text == text; });
+    if (known != m_messages.end()) dismiss(static_cast<int>(known - m_messages.begin()));
+    add(Severity::Warning, text);
+}
+
 void MessageListModel::dismiss(int row) {
     if (row < 0 || row >= rowCount()) return;
     beginRemoveRows({}, row, row);

@@ -18,6 +18,8 @@ public:
     /// Adds a message with the present time of day. The same text is not repeated while it stands in the
     /// list; beyond 500 the oldest go.
     void add(Severity severity, const QString& text);
+    /// Adds a warning; where the same text stands already, it goes to the end with the present time.
+    void tell(const QString& text);
     /// Takes the message of @p row away.
     void dismiss(int row);
     void clear();

@@ -83,6 +83,16 @@ MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
     return {middle - half, middle + half};
 }
 
+/// Of evidence, for people.
+std::string nameOf(const std::string& kind) {
+    if (kind == "picture") return translate("leitstand::ReportText", "picture");
+    if (kind == "thermal") return translate("leitstand::ReportText", "infrared picture");
+    if (kind == "gas") return translate("leitstand::ReportText", "CO₂ value");
+    if (kind == "scan") return translate("leitstand::ReportText", "scan");
+    if (kind == "odometry") return translate("leitstand::ReportText", "robot's pose");
+    return kind;
+}
+
 }  // namespace
 
 FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
@@ -91,8 +101,8 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
     for (const VictimEvidence& evidence : find.sample.evidence) {
         const auto event = source.event(evidence.sequence);
         if (!event) {
-            warnings.push_back(
-                fmt::format("{}: its {} is missing: {}", find.name, evidence.kind, event.error().text));
+            warnings.push_back(fill(translate("leitstand::ReportText", "{}: its {} is missing: {}"),
+                                    find.name, nameOf(evidence.kind), event.error().text));
             continue;
         }
         if (const auto* sample = std::get_if<PictureSample>(&event->sample)) {
@@ -101,8 +111,8 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
             if (picture) {
                 pages.pictures.push_back(std::move(picture).value());
             } else {
-                warnings.push_back(fmt::format("{}: its {} cannot be shown: {}", find.name, evidence.kind,
-                                               picture.error().text));
+                warnings.push_back(fill(translate("leitstand::ReportText", "{}: its {} cannot be shown: {}"),
+                                        find.name, nameOf(evidence.kind), picture.error().text));
             }
             continue;
         }

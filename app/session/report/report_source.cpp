@@ -13,6 +13,7 @@
 #include "app/session/log/mission_robots.h"
 #include "app/session/scans/mission_scans.h"
 #include "app/session/station/mission_map.h"
+#include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/mapper.h"
@@ -82,12 +83,14 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
         source.registerClouds(folder, part(progress, 0.1, 0.8));
     source.readWays(part(progress, 0.8, 0.9));
     source.readViews(part(progress, 0.9, 1.0));
-    if (source.m_bag->lastSequence() == 0) source.m_warnings.emplace_back("the mission holds no events");
+    if (source.m_bag->lastSequence() == 0)
+        source.m_warnings.push_back(translate("leitstand::ReportText", "the mission holds no events"));
     const auto& problems = source.m_bag->problems();
     source.m_warnings.insert(source.m_warnings.end(), problems.begin(), problems.end());
     for (const auto& [topic, errors] : source.m_decoder->errors()) {
-        source.m_warnings.push_back(fmt::format("{} samples of {} make no sense, the last one: {}",
-                                                errors.count, topic, errors.last));
+        source.m_warnings.push_back(
+            fill(translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
+                 errors.count, topic, errors.last));
     }
     return source;
 }
@@ -123,19 +126,26 @@ void ReportSource::readKeyScans(const Progress& progress) {
     }
     std::sort(m_input.scans.begin(), m_input.scans.end(),
               [](const ReportScan& a, const ReportScan& b) { return a.id < b.id; });
-    if (m_hasKeyScans && m_input.scans.empty() && m_input.uncertain == 0)
-        m_warnings.emplace_back("there is no map: all scans of the mission were set aside or taken back");
+    if (m_hasKeyScans && m_input.scans.empty() && m_input.uncertain == 0) {
+        m_warnings.push_back(
+            translate("leitstand::ReportText",
+                      "there is no map: all scans of the mission were set aside or taken back"));
+        m_toldOfMap = true;
+    }
     if (m_input.uncertain > 0) {
         m_warnings.push_back(
-            fmt::format("{} scans are not in the map, since they do not fit and nobody decided on them",
-                        m_input.uncertain));
+            fill(translate("leitstand::ReportText",
+                           "{} scans are not in the map, since they do not fit and nobody decided on them"),
+                 m_input.uncertain));
     }
 }
 
 void ReportSource::registerClouds(const fs::path& folder, const Progress& progress) {
     const auto read = readMissionScans(folder, part(progress, 0.0, 0.4));
     if (!read) {
-        m_warnings.push_back("there is no map: " + read.error().text);
+        m_warnings.push_back(
+            fill(translate("leitstand::ReportText", "there is no map: {}"), read.error().text));
+        m_toldOfMap = true;
         return;
     }
     const std::vector<std::size_t> scans = chosen(read->scans);
@@ -161,9 +171,10 @@ void ReportSource::registerClouds(const fs::path& folder, const Progress& progre
                                  .sensorInBase = read->sensorsInBase[scans[i]]});
     }
     m_warnings.push_back(
-        fmt::format("no station made a map of this mission: {} of its {} scans were registered for "
-                    "this report, without anyone's check",
-                    m_input.scans.size(), read->scans.size()));
+        fill(translate("leitstand::ReportText",
+                       "no station made a map of this mission: {} of its {} scans were registered for "
+                       "this report, without anyone's check"),
+             m_input.scans.size(), read->scans.size()));
     m_warnings.insert(m_warnings.end(), read->warnings.begin(), read->warnings.end());
 }
 
@@ -212,10 +223,11 @@ void ReportSource::readViews(const Progress& progress) {
     LoggedViews logged = loggedViews(*m_bag, *m_decoder, progress);
     m_input.views = std::move(logged.views);
     if (logged.leftOut > 0) {
-        m_warnings.push_back(
-            fmt::format("cameras looked from more places than are counted: {} views are missing in what was "
-                        "searched",
-                        logged.leftOut));
+        m_warnings.push_back(fill(
+            translate("leitstand::ReportText",
+                      "cameras looked from more places than are counted: {} views are missing in what was "
+                      "searched"),
+            logged.leftOut));
     }
 }
 

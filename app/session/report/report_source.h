@@ -30,6 +30,8 @@ public:
 
     [[nodiscard]] const ReportInput& input() const { return m_input; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+    /// Whether they say why there is no map.
+    [[nodiscard]] bool toldOfMap() const { return m_toldOfMap; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
 
     /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
@@ -47,6 +49,7 @@ private:
     std::unique_ptr<EventDecoder> m_decoder;
     ReportInput m_input;
     std::vector<std::string> m_warnings;
+    bool m_toldOfMap = false;
     bool m_hasKeyScans = false;  ///< some station mapped it, whatever became of its scans
 };
 

@@ -11,6 +11,7 @@
 #include "app/session/report/find_tables.h"
 #include "app/session/report/report_files.h"
 #include "app/session/report/report_source.h"
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/ply.h"
 #include "core/io/report/checksums.h"
@@ -125,8 +126,9 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
         content.profile = *profile;
         content.score = score(*profile, source.input().state);
         if (!model.facts.profile.empty() && profile->name != model.facts.profile) {
-            warnings.push_back(fmt::format("the score's profile \"{}\" is not there: \"{}\" is used",
-                                           model.facts.profile, profile->name));
+            warnings.push_back(fill(
+                translate("leitstand::ReportText", "the score's profile \"{}\" is not there: \"{}\" is used"),
+                model.facts.profile, profile->name));
         }
     }
     content.model = std::move(model);
@@ -134,20 +136,23 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     return content;
 }
 
-void tellWhatIsMissing(const ReportModel& model, std::vector<std::string>& warnings) {
+void tellWhatIsMissing(const ReportModel& model, bool toldOfMap, std::vector<std::string>& warnings) {
     std::string unconfirmed;
     for (const ReportFind& find : model.finds) {
         if (find.sample.status == VictimSample::Status::Confirmed) continue;
         unconfirmed += fmt::format("{}{}", unconfirmed.empty() ? "" : ", ", find.name);
     }
-    const bool told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
-        return text.starts_with("there is no map");
-    });
-    if (!model.hasMap() && !told) warnings.emplace_back("there is no map: no scan of the mission counts");
+    if (!model.hasMap() && !toldOfMap)
+        warnings.push_back(
+            translate("leitstand::ReportText", "there is no map: no scan of the mission counts"));
     if (!unconfirmed.empty())
-        warnings.push_back(fmt::format("not confirmed, so in the map but not in the lists: {}", unconfirmed));
+        warnings.push_back(
+            fill(translate("leitstand::ReportText", "not confirmed, so in the map but not in the lists: {}"),
+                 unconfirmed));
     if (model.facts.team.empty() || model.facts.competition.empty())
-        warnings.emplace_back("competition or team are not told: the files are named for what is missing");
+        warnings.push_back(
+            translate("leitstand::ReportText",
+                      "competition or team are not told: the files are named for what is missing"));
 }
 
 std::vector<ReportFile> checked(const Writing& writing, const Progress& progress) {
@@ -186,7 +191,7 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
 
     ReportOutcome outcome;
     outcome.warnings = source.warnings();
-    tellWhatIsMissing(model, outcome.warnings);
+    tellWhatIsMissing(model, source.toldOfMap(), outcome.warnings);
     outcome.name = handInName(model.facts);
     outcome.finds = model.finds.size();
     outcome.victims = listOf(model, FindList::Kind::Victims).finds.size();

@@ -14,9 +14,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "app/language/language.h"
 #include "app/session/station/choose_robots.h"
 #include "app/session/station/last_station.h"
-#include "app/window/language.h"
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"

@@ -6,7 +6,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
-#include "app/window/language.h"
+#include "app/window/commands/language_commands.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
@@ -17,6 +17,7 @@
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_actions.h"
 #include "app/window/live/map/map_feature.h"
+#include "app/window/live/messages/messages_feature.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/pad/pad_feature.h"
 #include "app/window/live/pane_docks.h"
@@ -71,6 +72,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_link = new LinkFeature(context);
     m_preflight = new PreflightFeature(context);
     m_alarms = new AlarmsFeature(context);
+    m_messages = new MessagesFeature(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
     (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
@@ -139,6 +141,7 @@ void LiveWindow::setDriving(bool on) {
 
 void LiveWindow::tell(const QString& text) {
     m_frame->tell(text);
+    m_messages->add(text);
 }
 
 QString LiveWindow::newest() const {

@@ -20,6 +20,7 @@ class LinkFeature;
 class LiveBridge;
 class MapFeature;
 class MapView;
+class MessagesFeature;
 class MissionFeature;
 class PadFeature;
 class PaneDocks;
@@ -86,6 +87,7 @@ private:
     VictimsFeature* m_victims = nullptr;
     ReportFeature* m_report = nullptr;
     WindowFrame* m_frame = nullptr;
+    MessagesFeature* m_messages = nullptr;
 };
 
 }  // namespace leitstand

@@ -11,8 +11,8 @@
 #include <QPixmap>
 #include <QTimer>
 
+#include "app/language/language.h"
 #include "app/session/review/review_log.h"
-#include "app/window/language.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/main_window.h"
 #include "app/window/review/review_bridge.h"

@@ -11,12 +11,13 @@
 #include "app/session/coverage/coverage_replay.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
-#include "app/window/language.h"
+#include "app/window/commands/language_commands.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
+#include "app/window/live/messages/messages_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/robots/robots_feature.h"
 #include "app/window/live/scan/scan_feature.h"
@@ -55,6 +56,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_map = new MapFeature(context, view);
     addCoverage(context);
     new ScanFeature(context);
+    m_messages = new MessagesFeature(context);
     auto* compare = new CompareFeature(context, bridge, *m_map);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
     connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
@@ -129,6 +131,7 @@ const MapViewSettings& ReviewWindow::view() const {
 
 void ReviewWindow::tell(const QString& text) {
     m_frame->tell(text);
+    m_messages->add(text);
 }
 
 QString ReviewWindow::newest() const {

@@ -13,6 +13,7 @@ class FindsFeature;
 class LayoutFeature;
 class MapFeature;
 class MapView;
+class MessagesFeature;
 class PaneDocks;
 class ReviewBridge;
 class ReviewPanes;
@@ -71,6 +72,7 @@ private:
     FindsFeature* m_finds = nullptr;
     LayoutFeature* m_layouts = nullptr;
     WindowFrame* m_frame = nullptr;
+    MessagesFeature* m_messages = nullptr;
 };
 
 }  // namespace leitstand

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/language.h"
+#include "app/language/language.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"

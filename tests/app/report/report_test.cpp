@@ -230,6 +230,22 @@ TEST(ShippedSample, IsSmallAndReportedWhole) {
     EXPECT_THAT(pdfText(folder / "out" / "RoboCup2026-Leitstand-Sample.pdf"), HasSubstr("V1"));
 }
 
+TEST(ShippedSample, IsReportedInTheLanguageThatIsAskedFor) {
+    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const TemporaryFolder folder;
+    const auto report = [&](const std::string& language) {
+        return ctl(
+            {"report", sample.string(), "--out", (folder / language).string(), "--language", language});
+    };
+    const ProcessOutcome german = report("de");
+    EXPECT_EQ(german.exitCode, 0) << german.err;
+    EXPECT_THAT(pdfText(folder / "de" / "RoboCup2026-Leitstand-Sample.pdf"),
+                AllOf(HasSubstr("Opfer"), HasSubstr("0,25"), Not(HasSubstr("confirmed"))));
+    const ProcessOutcome unknown = report("xx");
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("--language"));
+}
+
 TEST(ShippedSample, TellsWhatWasSearchedAndWhatWasMissed) {
     const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
     const TemporaryFolder folder;
@@ -274,6 +290,9 @@ TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("there is no map"), HasSubstr("competition or team")));
     EXPECT_THAT(pdfText(folder / "out" / "Competition-Team-empty.pdf"), HasSubstr("Nothing was filed"));
     EXPECT_FALSE(fs::exists(folder / "out" / "Competition-Team-empty.bt"));
+    const ProcessOutcome german =
+        ctl({"report", (folder / "empty").string(), "--out", (folder / "out").string(), "--language", "de"});
+    EXPECT_THAT(german.err, AllOf(HasSubstr("es gibt keine Karte"), Not(HasSubstr("there is no map"))));
 }
 
 TEST(ReportOfLittle, WhatTheOperatorRejectedIsNotRegisteredAgain) {

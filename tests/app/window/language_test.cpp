@@ -1,4 +1,4 @@
-#include "app/window/language.h"
+#include "app/language/language.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,9 +13,9 @@
 #include <gtest/gtest.h>
 #include <QApplication>
 
+#include "app/language/language.h"
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_writer.h"
-#include "app/window/language.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -25,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 struct Spoken {
     const char* code;
@@ -85,6 +88,45 @@ INSTANTIATE_TEST_SUITE_P(Languages, ReportLanguage,
                                          Spoken{"de", {"Opfer", "bestätigt", "Abgesucht", "0,25 bis 0,35 m"}},
                                          Spoken{"ja", {"被災者", "探索"}}),
                          [](const auto& one) { return std::string(one.param.code); });
+
+/// The last line of a page of @p text that is not its foot.
+std::string lastLineOf(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line, last;
+    while (std::getline(lines, line)) {
+        const bool foot = line.find("page ") != std::string::npos;
+        if (line.find_first_not_of(" \f") != std::string::npos && !foot) last = line;
+    }
+    return last;
+}
+
+TEST(ReportPages, NoHeadingIsLeftAloneAtAPagesEnd) {
+    const TemporaryFolder folder;
+    applyTheme(*qApp, Theme::Light);
+    ReportContent content;
+    content.name = "Contest-Team-Final";
+    std::set<std::size_t> ends;
+    for (std::size_t finds = 1; finds <= 34; ++finds) {
+        ReportFind find;
+        find.name = "V" + std::to_string(finds);
+        content.model.finds.push_back(find);
+        content.finds.emplace_back();
+        const auto bytes = pdfOf(content);
+        ASSERT_TRUE(bytes) << bytes.error().text;
+        writeText(folder / "report.pdf", *bytes);
+        const ProcessOutcome text = readByPoppler(folder / "report.pdf");
+        if (text.exitCode == NotInstalled) GTEST_SKIP() << "SKIPPED: " << text.err;
+        std::istringstream pages(text.out);
+        std::string page;
+        for (std::size_t number = 1; std::getline(pages, page, '\f'); ++number) {
+            for (const char* heading : {"Robots", "Finds", "What was computed where", "The way to"}) {
+                EXPECT_THAT(lastLineOf(page), Not(StartsWith(heading))) << finds << " finds, page " << number;
+            }
+            if (page.find("What was computed where") != std::string::npos) ends.insert(number);
+        }
+    }
+    EXPECT_GT(ends.size(), 1U) << "the list was never long enough to push a heading over a page's end";
+}
 
 }  // namespace
 }  // namespace leitstand::test

@@ -11,9 +11,9 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "app/language/language.h"
 #include "app/session/comparison/map_comparing.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/language.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/review/review_comparison.h"
 

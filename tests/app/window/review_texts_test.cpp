@@ -5,7 +5,7 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "app/window/language.h"
+#include "app/language/language.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "tests/app/cut_texts.h"
 #include "widgets/map_view/map_view.h"

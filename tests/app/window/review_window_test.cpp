@@ -131,6 +131,25 @@ TEST_F(ReviewWindowTest, ANoteIsWrittenWhereTheReviewStands) {
     }));
 }
 
+TEST_F(ReviewWindowTest, WhatWasToldIsListedAndReachedByKeys) {
+    goTo(33.0);
+    m_window->tell(QStringLiteral("the first"));
+    m_window->tell(QStringLiteral("the second"));
+    QAction* const command = m_window->commands().find("messages.open");
+    ASSERT_NE(command, nullptr);
+    EXPECT_EQ(command->shortcut(), QKeySequence(Qt::Key_F4));
+    command->trigger();
+    EXPECT_TRUE(m_window->panes().isPaneVisible("messages"));
+    auto& list = find<QListView>("messages");
+    EXPECT_TRUE(soon([&] { return list.hasFocus(); })) << "arrows go through it";
+    const int rows = list.model()->rowCount();
+    ASSERT_GE(rows, 2);
+    const auto text = [&](int row) { return list.model()->index(row, 0).data().toString().toStdString(); };
+    EXPECT_THAT(text(rows - 1), EndsWith("the second"));
+    EXPECT_THAT(text(rows - 2), EndsWith("the first"));
+    lookAt("messages");
+}
+
 TEST_F(ReviewWindowTest, ReturnGoesToWhenAFindWasFound) {
     goTo(47.0);
     ASSERT_TRUE(soon([this] { return finds() == 1; }));

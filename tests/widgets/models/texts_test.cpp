@@ -100,6 +100,16 @@ TEST_F(TextsTest, MessagesAreCountedDismissedAndNotRepeated) {
     EXPECT_EQ(messages.rowCount(), 0);
 }
 
+TEST_F(TextsTest, AMessageToldAgainIsTheNewest) {
+    MessageListModel messages;
+    for (const char* text : {"snapshot kept", "link lost", "snapshot kept"})
+        messages.tell(QString::fromLatin1(text));
+    ASSERT_EQ(messages.rowCount(), 2);
+    EXPECT_EQ(messages.index(0).data(Qt::ToolTipRole).toString().toStdString(), "link lost");
+    EXPECT_EQ(messages.index(1).data(Qt::ToolTipRole).toString().toStdString(), "snapshot kept");
+    EXPECT_EQ(messages.errorCount(), 0);
+}
+
 TEST_F(TextsTest, AFloodOfMessagesKeepsTheNewest) {
     MessageListModel messages;
     for (int i = 0; i < 600; ++i) messages.add(MessageListModel::Severity::Error, QString::number(i));

@@ -1,17 +1,13 @@
-#include "app/window/language.h"
+#include "app/language/language.h"
 
 #include <algorithm>
 #include <memory>
 
-#include <QAction>
-#include <QActionGroup>
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QMenu>
 #include <QTranslator>
 
-#include "app/window/commands/command_table.h"
 #include "core/base/words.h"
 
 static void registerTranslations() {
@@ -85,24 +81,6 @@ QString systemLanguage() {
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const Language& one) { return one.code == code; });
     return known ? code : all.front().code;
-}
-
-void addLanguageCommands(CommandTable& commands, const std::function<void(const QString& code)>& choose) {
-    commands.separate(CommandMenu::View);
-    auto* group = new QActionGroup(&commands);
-    for (const Language& language : languages()) {
-        QAction& action =
-            commands.add({.id = QStringLiteral("language.") + language.code,
-                          .menu = CommandMenu::View,
-                          .text = language.name,
-                          .hint = QCoreApplication::translate("leitstand::Language",
-                                                              "The window is made anew in this language"),
-                          .checkable = true});
-        group->addAction(&action);
-        action.setChecked(language.code == presentLanguage());
-        QObject::connect(&action, &QAction::triggered, &commands,
-                         [choose, code = language.code] { choose(code); });
-    }
 }
 
 }  // namespace leitstand
