@@ -2,11 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <functional>
 #include <variant>
 
 #include <Eigen/Geometry>
 
 namespace leitstand::simulation::test {
+namespace {
+
+/// Of the key scans that count, each where @p scanInArena puts it.
+double surfaceErrorOf(const LiveMap& map, const TrueSurfaces& surfaces,
+                      const std::function<Pose(const LiveKeyScan&)>& scanInArena) {
+    constexpr float Near = 6.0F;
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (const LiveKeyScan& key : map.scans) {
+        if (!key.counts()) continue;
+        const Pose placed = scanInArena(key);
+        for (std::size_t i = 0; i < key.scan->points.size(); i += 7) {
+            const Eigen::Vector3f& point = key.scan->points[i];
+            if (!(point.norm() < Near)) continue;
+            squares += std::pow(surfaces.distance(placed * point.cast<double>()), 2);
+            ++count;
+        }
+    }
+    return std::sqrt(squares / static_cast<double>(count));
+}
+
+}  // namespace
+
+double processorTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 TrajectoryError errorOf(const Trajectory& trajectory) {
     const auto count = static_cast<Eigen::Index>(trajectory.found.size());
@@ -59,7 +89,9 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
     LiveMapper mapper("test", settings);
     mapper.setBody(drive.robot.name, {drive.robot.footprint, drive.robot.height});
     for (const LiveScan& live : scans) {
+        const double before = processorTime();
         const MapUpdate update = mapper.add(live, live.scan->end);
+        result.busy.push_back(processorTime() - before);
         const Localisation& here = update.localisation;
         const Pose truth = drive.baseInArena(here.stamp);
         result.live.found.push_back(here.baseInMap);
@@ -75,21 +107,19 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
 }
 
 double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces, bool byOdometry) {
-    constexpr float Near = 6.0F;
     const Pose mapInArena = errorOf(byOdometry ? drive.odometry : drive.live).mapInArena;
-    double squares = 0.0;
-    std::size_t count = 0;
-    for (const LiveKeyScan& key : drive.map->scans) {
-        if (!key.counts()) continue;
-        const Pose scanInArena = mapInArena * (byOdometry ? key.scan->sensorInOdom : key.pose.scanInMap);
-        for (std::size_t i = 0; i < key.scan->points.size(); i += 7) {
-            const Eigen::Vector3f& point = key.scan->points[i];
-            if (!(point.norm() < Near)) continue;
-            squares += std::pow(surfaces.distance(scanInArena * point.cast<double>()), 2);
-            ++count;
-        }
-    }
-    return std::sqrt(squares / static_cast<double>(count));
+    return surfaceErrorOf(*drive.map, surfaces, [&](const LiveKeyScan& key) -> Pose {
+        return mapInArena * (byOdometry ? key.scan->sensorInOdom : key.pose.scanInMap);
+    });
+}
+
+double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces, const Trajectory& trajectory) {
+    const Pose mapInArena = errorOf(trajectory).mapInArena;
+    return surfaceErrorOf(*drive.map, surfaces, [&](const LiveKeyScan& key) -> Pose {
+        std::size_t of = 0;
+        while (drive.localisations.at(of).keyScan != key.id) ++of;
+        return mapInArena * trajectory.found.at(of) * drive.scans[of].sensorInBase;
+    });
 }
 
 }  // namespace leitstand::simulation::test

@@ -31,10 +31,14 @@ struct MappedDrive {
     std::vector<LiveScan> scans;
     std::vector<Localisation> localisations;  ///< one a scan
     LiveMapPtr map;
-    Trajectory live;       ///< as mapping put the scans when they came
-    Trajectory odometry;   ///< the same scans by odometry alone
-    double longest = 0.0;  ///< time for a scan [s]
+    Trajectory live;           ///< as mapping put the scans when they came
+    Trajectory odometry;       ///< the same scans by odometry alone
+    double longest = 0.0;      ///< time for a scan [s]
+    std::vector<double> busy;  ///< processor time of each scan, whatever else the computer does [s]
 };
+
+/// Processor time that this thread took [s].
+[[nodiscard]] double processorTime();
 
 /// Cuts scans of what was heard on @p drive and maps them.
 [[nodiscard]] std::vector<LiveScan> cutScans(const RecordedDrive& drive,
@@ -45,5 +49,8 @@ struct MappedDrive {
 /// Root mean square distance of the map's points nearer than 6 m to their scanner from true surfaces [m].
 /// @p byOdometry: the same scans where odometry alone would put them.
 [[nodiscard]] double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces, bool byOdometry);
+/// The same with the drive's scans where @p trajectory, one pose a scan, puts them.
+[[nodiscard]] double surfaceError(const MappedDrive& drive, const TrueSurfaces& surfaces,
+                                  const Trajectory& trajectory);
 
 }  // namespace leitstand::simulation::test
