@@ -1,7 +1,12 @@
 #include "app/session/finds/freezing.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "core/perception/heat.h"
 #include "core/perception/picture_decoding.h"
@@ -13,6 +18,7 @@ namespace {
 constexpr std::size_t MostCompared = 12;  // pictures of a camera: 15 Hz for 3 s are decoded in part
 constexpr double GasRise = 150.0;         // over the least of the last minute [ppm]
 constexpr double Crosshair = degrees(2.0);
+constexpr std::chrono::seconds GasStep{1};  // of the trace: the highest reading of each is kept
 
 Time stampOf(const Event& event) {
     const auto stamp = std::visit(
@@ -108,14 +114,25 @@ Hottest pointedBodyOf(const Sharpest& pointed, const Eigen::Vector2d& share, con
 
 void chooseGas(const std::vector<Event>& gas, FrozenEvidence& frozen) {
     double least = INFINITY, newest = Unknown;
+    const Event* last = nullptr;
+    // By whole seconds of the clock: two finds of one minute share their readings.
+    std::map<std::pair<std::string, std::int64_t>, std::pair<const Event*, double>> trace;
     for (const Event& event : gas) {
         const auto* sample = std::get_if<GasSample>(&event.sample);
         if (sample == nullptr || sample->gas != "co2" || !std::isfinite(sample->ppm)) continue;
         least = std::min(least, sample->ppm);
         newest = sample->ppm;
+        last = &event;
+        const auto step = event.received.time_since_epoch() / std::chrono::nanoseconds(GasStep);
+        auto& kept = trace.try_emplace({event.topic, step}, &event, sample->ppm).first->second;
+        if (sample->ppm > kept.second) kept = {&event, sample->ppm};
     }
     if (newest - least >= GasRise) frozen.co2 = newest;
-    if (!gas.empty()) frozen.evidence.push_back(evidenceOf("gas", gas.back()));
+    if (last == nullptr && !gas.empty()) last = &gas.back();  // of another gas, or broken: it tells so
+    for (const auto& [step, kept] : trace) {
+        if (kept.first != last) frozen.evidence.push_back(evidenceOf("gas", *kept.first));
+    }
+    if (last != nullptr) frozen.evidence.push_back(evidenceOf("gas", *last));
 }
 
 void lookThrough(ChosenEvidence& chosen, const Event& picture, int width, int height,

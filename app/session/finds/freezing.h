@@ -33,7 +33,9 @@ struct ChosenEvidence {
 };
 
 /// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with a
-/// body, gas where it rose, newest scan, odometry and sightings. The place is looked for through
+/// body, the CO2 of the last minute
+/// (of each second the highest, and the newest), newest scan, odometry and sightings. The place is looked for
+/// through
 /// @p at where it is told (that picture is the one kept of its camera: the robot may have moved since), else
 /// through the hot spot, else through the middle of the camera @p looksThrough.
 /// Takes some tens of milliseconds.

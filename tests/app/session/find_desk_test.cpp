@@ -1,5 +1,8 @@
 #include "app/session/finds/find_desk.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -234,6 +237,38 @@ TEST_F(FindDeskTest, GasCountsWhereItRose) {
     finish();
     EXPECT_EQ(find(1).co2.value, 1'800.0);
     EXPECT_EQ(find(1).heat.state, VictimSign::State::Unknown) << "nothing warm was seen";
+}
+
+TEST_F(FindDeskTest, TheGasOfTheLastMinuteIsFrozenAsATrace) {
+    std::vector<std::uint64_t> readings;
+    for (int i = 0; i < 1'000; ++i) {  // ten a second, for 100 s
+        const Event reading = m_robot.gas(at(0.1 * i), i == 995 ? 2'000.0 : 400.0 + i);
+        readings.push_back(reading.sequence);
+        m_desk->take(reading);
+    }
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    std::vector<std::uint64_t> frozen;
+    for (const VictimEvidence& one : find(1).evidence) {
+        EXPECT_EQ(one.kind, "gas");
+        frozen.push_back(one.sequence);
+    }
+    EXPECT_GE(frozen.size(), 55U);
+    EXPECT_LE(frozen.size(), 63U) << "one a second is enough to draw it";
+    EXPECT_GE(frozen.front(), readings[395]) << "of the last minute";
+    EXPECT_THAT(frozen, testing::Contains(readings[995])) << "a peak is not thinned away";
+    EXPECT_EQ(frozen.back(), readings.back());
+    EXPECT_TRUE(std::is_sorted(frozen.begin(), frozen.end()));
+    EXPECT_EQ(find(1).co2.value, 1'399.0);
+}
+
+TEST_F(FindDeskTest, ASecondFindOfTheSameMinuteNamesTheSameReadings) {
+    for (int i = 0; i < 300; ++i) m_desk->take(m_robot.gas(at(0.2 * i), 400.0 + i % 7));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1)) << "it joins the first";
+    EXPECT_LE(find(1).evidence.size(), 63U);
 }
 
 TEST_F(FindDeskTest, WithoutARangeItIsFiledAheadOfTheRobotAndSaid) {
