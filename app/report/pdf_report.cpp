@@ -1,6 +1,7 @@
 #include "app/report/pdf_report.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <QAbstractTextDocumentLayout>
@@ -15,6 +16,8 @@
 #include <QTextDocument>
 #include <QUrl>
 
+#include "app/report/evidence_html.h"
+#include "app/report/gas_curve.h"
 #include "app/report/report_html.h"
 
 namespace leitstand {
@@ -24,6 +27,7 @@ constexpr double Dots = 96.0;           ///< of the pages' layout, an inch
 constexpr int Resolution = 300;         ///< of the file, an inch
 constexpr double Gap = 10.0;            ///< between text and pictures [dots]
 constexpr double LeastPicture = 260.0;  ///< height of a picture's room [dots]
+constexpr double CurveHeight = 190.0;   ///< [dots]
 
 struct PdfText {
     Q_DECLARE_TR_FUNCTIONS(PdfText)
@@ -107,6 +111,14 @@ public:
         }
     }
 
+    /// What @p paint draws, as wide as the page and @p high [dots].
+    void drawing(double high, const std::function<void(QPainter&, const QRectF&)>& paint) {
+        if (m_below > 0.0 && m_below + Gap + high > m_size.height()) nextPage();
+        m_painter.setFont(m_font);
+        paint(m_painter, QRectF(0.0, m_below + Gap, m_size.width(), high));
+        m_below += Gap + high;
+    }
+
     /// A picture as large as there is room for; on the next page where that is little.
     void picture(const QImage& image, const QString& caption) {
         if (image.isNull()) return;
@@ -169,9 +181,14 @@ void layOut(Pages& pages, const ReportContent& content) {
     for (std::size_t find = 0; find < content.finds.size(); ++find) {
         pages.nextPage();
         std::vector<std::pair<QString, QImage>> pictures;
-        for (std::size_t i = 0; i < content.finds[find].pictures.size(); ++i)
-            pictures.emplace_back(evidenceName(find, i), imageOf(content.finds[find].pictures[i].picture));
+        for (const PrintedPicture& printed : printedPictures(content.finds[find]))
+            pictures.emplace_back(evidenceName(find, pictures.size()), imageOf(*printed.picture));
         pages.text(findHtml(content, find), pictures);
+        for (const GasTrace& trace : content.finds[find].gas) {
+            if (!isCurve(trace)) continue;
+            pages.drawing(CurveHeight,
+                          [&](QPainter& painter, const QRectF& room) { drawGasCurve(painter, room, trace); });
+        }
         const QImage way = wayImage(content.finds[find]);
         pages.text(wayHtml(content.model.finds[find]), {}, way.isNull() ? 0.0 : LeastPicture);
         pages.picture(way, PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));

@@ -8,7 +8,9 @@
 #include <QStringList>
 
 #include "app/report/coverage_html.h"
+#include "app/report/evidence_html.h"
 #include "app/report/report_numbers.h"
+#include "app/report/report_times.h"
 #include "app/report/score_html.h"
 #include "app/session/report/report_words.h"
 
@@ -114,10 +116,10 @@ QString missionRows(const ReportContent& content) {
           facts.country.empty() ? orDash(facts.team)
                                 : QStringLiteral("%1 (%2)").arg(orDash(facts.team), safe(facts.country))},
          {ReportText::tr("Mission"), orDash(facts.mission)},
-         {ReportText::tr("Date"), known ? QStringLiteral("%1, %2 \u2013 %3")
-                                              .arg(safe(dateText(facts.begin)), safe(clockText(facts.begin)),
-                                                   safe(clockText(facts.end)))
-                                        : QStringLiteral("\u2013")},
+         {ReportText::tr("Date"),
+          known ? QStringLiteral("%1, %2 \u2013 %3")
+                      .arg(reportDate(facts.begin), reportClock(facts.begin), reportClock(facts.end))
+                : QStringLiteral("\u2013")},
          {ReportText::tr("Duration"),
           facts.clocked ? ReportText::tr("%1 by the mission's clock").arg(safe(spanText(facts.duration)))
                         : safe(spanText(facts.duration))},
@@ -127,7 +129,9 @@ QString missionRows(const ReportContent& content) {
           stations.isEmpty() ? QStringLiteral("\u2013") : stations.join(QStringLiteral(", "))},
          {ReportText::tr("Map"), ReportText::tr("%1 scans, %2 m\u00B2 explored")
                                      .arg(content.model.scans)
-                                     .arg(reportNumber(content.model.explored, 1))}});
+                                     .arg(reportNumber(content.model.explored, 1))},
+         {ReportText::tr("Report made"),
+          QStringLiteral("%1, %2").arg(reportDate(content.created), reportClock(content.created))}});
 }
 
 QString robotRows(const ReportModel& model) {
@@ -155,7 +159,7 @@ QString findRows(const ReportModel& model) {
                         find.way.points.empty()
                             ? QStringLiteral("\u2013")
                             : ReportText::tr("%1 m").arg(reportNumber(find.way.length, 1)),
-                        safe(clockText(find.sample.found)),
+                        reportClock(find.sample.found),
                         QStringLiteral("%1, %2").arg(orDash(find.sample.robot), find.sample.autonomous
                                                                                     ? QStringLiteral("A")
                                                                                     : QStringLiteral("T"))});
@@ -178,13 +182,13 @@ QString wayText(const ReportFind& find) {
         .arg(reportNumber(find.way.length, 1), safe(find.way.robot), reportNumber(find.way.lastPiece, 1));
 }
 
-QString picturesHtml(const FindPages& pages, std::size_t find) {
+QString picturesHtml(const std::vector<PrintedPicture>& pictures, std::size_t find) {
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='4' width='100%'>");
-    for (std::size_t i = 0; i < pages.pictures.size(); i += 2) {
+    for (std::size_t i = 0; i < pictures.size(); i += 2) {
         html += QStringLiteral("<tr>");
-        for (std::size_t j = i; j < std::min(i + 2, pages.pictures.size()); ++j) {
+        for (std::size_t j = i; j < std::min(i + 2, pictures.size()); ++j) {
             html += QStringLiteral("<td width='50%'><img src='%1' width='300'><br><small>%2</small></td>")
-                        .arg(evidenceName(find, j), safe(pages.pictures[j].caption));
+                        .arg(evidenceName(find, j), pictures[j].caption.toHtmlEscaped());
         }
         html += QStringLiteral("</tr>");
     }
@@ -239,7 +243,7 @@ QString findHtml(const ReportContent& content, std::size_t index) {
         {ReportText::tr("Height"),
          ReportText::tr("%1 m above the floor").arg(reportNumber(find.aboveFloor, 2))},
         {ReportText::tr("Found"), ReportText::tr("%1, %2 after the mission's begin")
-                                      .arg(safe(clockText(sample.found)), safe(spanText(find.missionTime)))},
+                                      .arg(reportClock(sample.found), safe(spanText(find.missionTime)))},
         {ReportText::tr("By"), QStringLiteral("%1, %2").arg(orDash(sample.robot), modeOf(sample))},
         {ReportText::tr("Tag"), orDash(sample.tag)}};
     if (sample.kind == VictimSample::Kind::Victim) {
@@ -255,10 +259,11 @@ QString findHtml(const ReportContent& content, std::size_t index) {
                       orDash(sample.area.empty() ? content.model.facts.area : sample.area));
     if (!sample.text.empty()) rows.emplace_back(ReportText::tr("Notes"), safe(sample.text));
     QStringList traces;
-    for (const std::string& trace : pages.traces) traces += safe(trace);
+    for (const QString& line : evidenceLines(pages)) traces += line.toHtmlEscaped();
     if (!traces.isEmpty()) rows.emplace_back(ReportText::tr("Evidence"), traces.join(QStringLiteral("<br>")));
     html += pairs(rows);
-    if (!pages.pictures.empty()) html += picturesHtml(pages, index);
+    const std::vector<PrintedPicture> pictures = printedPictures(pages);
+    if (!pictures.empty()) html += picturesHtml(pictures, index);
     return html;
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "app/session/report/frozen_traces.h"
 #include "app/session/report/report_source.h"
-#include "app/session/report/report_words.h"
 #include "core/base/words.h"
 #include "core/perception/heat_picture.h"
 #include "core/perception/picture_decoding.h"
@@ -33,8 +34,8 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
                                   const ReportSource& source) {
     auto decoded = decodePicture(sample);
     if (!decoded) return decoded.error();
-    EvidencePicture made;
-    made.caption = fmt::format("{} {}, {}", event.robot, event.sensor, clockText(event.received));
+    EvidencePicture made{
+        .robot = event.robot, .sensor = event.sensor, .at = event.received, .hottest = {}, .picture = {}};
     const StreamDescription* stream = streamOf(source, event);
     if (stream != nullptr && stream->role == StreamRole::Thermal) {
         const auto heat = temperatures(*decoded, stream->thermal);
@@ -43,8 +44,7 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
             for (const float celsius : heat->celsius)
                 hottest = std::max(hottest, std::isnan(celsius) ? hottest : celsius);
             made.picture = heatPicture(*heat);
-            made.caption +=
-                fill(translate("leitstand::ReportText", ", 15 to 40 °C, hottest {:.1f} °C"), hottest);
+            if (hottest > -1000.0F) made.hottest = hottest;
             return made;
         }
     }
@@ -53,23 +53,6 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
         made.picture.pixel == Picture::Pixel::Rgb8 || made.picture.pixel == Picture::Pixel::Grey8;
     if (!shows) return Error{fmt::format("{}: is no picture that can be printed", event.topic)};
     return made;
-}
-
-/// Evidence that is no picture, in words; empty: it says nothing to people.
-std::string traceOf(const Event& event) {
-    if (const auto* gas = std::get_if<GasSample>(&event.sample))
-        return fill(translate("leitstand::ReportText", "CO₂ {:.0f} ppm at {} ({})"), gas->ppm,
-                    clockText(event.received), event.robot);
-    if (const auto* scan = std::get_if<KeyScanSample>(&event.sample))
-        return fill(translate("leitstand::ReportText", "seen in scan {} of {} at {}"), scan->id,
-                    scan->scan->robot, clockText(event.received));
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
-        const Eigen::Vector3d at = odometry->baseInOdom.translation();
-        return fill(
-            translate("leitstand::ReportText", "{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}"),
-            event.robot, at.x(), at.y(), at.z(), clockText(event.received));
-    }
-    return {};
 }
 
 MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
@@ -98,9 +81,11 @@ std::string nameOf(const std::string& kind) {
 FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
                   std::vector<std::string>& warnings) {
     FindPages pages;
+    bool toldOfGas = false;  // a trace has many readings
     for (const VictimEvidence& evidence : find.sample.evidence) {
         const auto event = source.event(evidence.sequence);
         if (!event) {
+            if (evidence.kind == "gas" && std::exchange(toldOfGas, true)) continue;
             warnings.push_back(fill(translate("leitstand::ReportText", "{}: its {} is missing: {}"),
                                     find.name, nameOf(evidence.kind), event.error().text));
             continue;
@@ -116,8 +101,9 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
             }
             continue;
         }
-        if (std::string words = traceOf(*event); !words.empty()) pages.traces.push_back(std::move(words));
+        addTrace(pages, *event, find, model, source);
     }
+    joinGas(pages);
     if (!model.hasMap() || !find.position.allFinite()) return pages;
     PaintSettings settings;
     settings.area = areaOf(find.way, find.position);

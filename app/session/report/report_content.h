@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/mission/report/map_painter.h"
 #include "core/mission/report/report_model.h"
@@ -15,14 +18,45 @@ namespace leitstand {
 
 /// A picture that shows a find.
 struct EvidencePicture {
-    std::string caption;  ///< camera, time, what it tells
-    Picture picture;      ///< Rgb8 or Grey8
+    std::string robot, sensor;
+    Time at{};                           ///< station's clock
+    std::optional<double> hottest = {};  ///< of a thermal picture, whose colours go from 15 to 40 [degrees C]
+    Picture picture;                     ///< Rgb8 or Grey8
+};
+
+/// CO2 that a robot measured up to the moment at which a find was frozen.
+struct GasTrace {
+    struct Reading {
+        Time at{};         ///< station's clock
+        double ppm = 0.0;  ///< parts per million by volume
+    };
+    std::string robot;
+    std::vector<Reading> readings;  ///< by time, at least one; older missions have no more
+};
+
+/// A scan that was frozen.
+struct FrozenScan {
+    std::string robot;
+    Time at{};                  ///< station's clock
+    std::uint64_t keyScan = 0;  ///< that it became; 0: none
+    std::size_t points = 0;     ///< echoes in it
+    MapPicture picture;         ///< seen from above, about the find; empty where nobody knows its place
+};
+
+/// Where a robot stood when a find was frozen.
+struct FrozenPose {
+    std::string robot;
+    Time at{};                  ///< station's clock
+    std::optional<Pose> inMap;  ///< of its base; empty: nobody knows
+    Pose inOdom = Pose::Identity();
 };
 
 /// What a report shows of a find besides its form.
 struct FindPages {
     std::vector<EvidencePicture> pictures;
-    std::vector<std::string> traces;         ///< other evidence, in words
+    std::vector<GasTrace> gas;
+    std::vector<FrozenScan> scans;
+    std::vector<FrozenPose> poses;
     MapPicture way;                          ///< the map about it and the way to it; empty without a map
     std::vector<Eigen::Vector2d> wayPixels;  ///< the way in that picture [px]
 };

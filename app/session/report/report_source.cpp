@@ -11,6 +11,7 @@
 #include "app/session/log/bag_history.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
+#include "app/session/places/frame_tracks.h"
 #include "app/session/scans/mission_scans.h"
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
@@ -240,6 +241,35 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
     });
     if (!found) return Error{fmt::format("event {} ({}) cannot be read", sequence, raw->topic)};
     return std::move(*found);
+}
+
+std::optional<Pose> ReportSource::sensorInBase(const Event& event) {
+    constexpr auto About = std::chrono::seconds(3);
+    const SampleHeader* header = nullptr;
+    if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) header = &cloud->header;
+    if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) header = &ranges->header;
+    const auto robot = std::find_if(robots().begin(), robots().end(),
+                                    [&](const RobotDescription& one) { return one.name == event.robot; });
+    if (header == nullptr || robot == robots().end()) return std::nullopt;
+    FrameTracks frames(*robot);
+    BagQuery fixed, moving;
+    for (const StreamDescription& stream : robot->streams) {
+        if (stream.role == StreamRole::StaticTransforms) fixed.topics.push_back(stream.topic);
+        if (stream.role == StreamRole::Transforms || stream.role == StreamRole::Odometry)
+            moving.topics.push_back(stream.topic);
+    }
+    moving.from = event.received - About;
+    moving.to = event.received + About;
+    for (const BagQuery& query : {fixed, moving}) {
+        if (query.topics.empty()) continue;  // would be all topics
+        BagCursor cursor = m_bag->read(query);
+        while (const auto raw = cursor.next())
+            m_decoder->decode(*raw, [&](const Event& one) {
+                if (one.robot == event.robot) frames.add(one);
+            });
+    }
+    const Time stamp = header->stamp == Time{} ? event.received : header->stamp;
+    return frames.inBase(event.sensor, header->frame, stamp);
 }
 
 }  // namespace leitstand

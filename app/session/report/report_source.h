@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ public:
 
     /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
+    /// Pose of the sensor that took the cloud or the ranges @p event in its robot's base then: by the
+    /// transforms that came about that time, else by the robot's file. Empty for other events.
+    [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
 
 private:
     ReportSource();

@@ -153,7 +153,16 @@ TEST_F(Report, ThePdfTellsAllOfIt) {
                               "along the driven trail",
                               "On the robots",
                               "0.25 to 0.35 m above the floor",
-                              "36.0"})
+                              "36.0",
+                              "CO\u2082 [ppm]",
+                              "CO\u2082 measured by kurt3d",
+                              "time of day",
+                              "scan of kurt3d",
+                              "kurt3d stood at x -0.50, y 0.00 m, heading 0",
+                              "Report made",
+                              "2005",
+                              "version 1.0",
+                              "areas"})
         EXPECT_THAT(text, HasSubstr(words));
     EXPECT_THAT(text, Not(HasSubstr("V3"))) << "discarded";
 }

@@ -144,7 +144,26 @@ VictimSample find(VictimSample::Kind kind, std::uint32_t number, const Eigen::Ve
     return made;
 }
 
-void sayFinds(Writer& writer) {
+/// What @p scan saw, a point in twenty, as its robot sends it.
+CloudSample cloudOf(const ReportScan& scan) {
+    CloudSample cloud;
+    cloud.header = {scan.scan->end, "kurt3d/laser"};
+    for (std::size_t i = 0; i < scan.scan->points.size(); i += 20)
+        cloud.points.push_back(scan.scan->points[i]);
+    return cloud;
+}
+
+/// CO2 that rises for a minute.
+void smell(Writer& writer, VictimSample& find) {
+    for (int i = 0; i <= 20; ++i) {
+        const double seconds = 10.2 - 3.0 * (20 - i), ppm = i < 10 ? 420.0 : 420.0 + 79.0 * (i - 10);
+        const auto gas = writer.receive(GasSample{{at(seconds), ""}, "co2", ppm}, "/kurt3d/co2");
+        find.evidence.push_back({"gas", "/kurt3d/co2", gas, at(seconds)});
+    }
+}
+
+/// @p odometry: sequence of a sample of it; 0: there is none.
+void sayFinds(Writer& writer, const std::vector<ReportScan>& scans, std::uint64_t odometry) {
     using Kind = VictimSample::Kind;
     VictimSample first = find(Kind::Victim, 1, {1.5, 1.0, 0.4});
     first.autonomous = true;
@@ -160,11 +179,16 @@ void sayFinds(Writer& writer) {
     const auto picture =
         writer.receive(pictureOf(colours(), "kurt3d/left", 10.0), "/kurt3d/left/image/compressed");
     const auto heat = writer.receive(pictureOf(warmth(), "kurt3d/ir", 10.1), "/kurt3d/ir/image/compressed");
-    const auto gas = writer.receive(GasSample{{at(10.2), ""}, "co2", 1210.0}, "/kurt3d/co2");
     first.evidence = {{"picture", "/kurt3d/left/image/compressed", picture, at(10.0)},
                       {"thermal", "/kurt3d/ir/image/compressed", heat, at(10.1)},
-                      {"gas", "/kurt3d/co2", gas, at(10.2)},
                       {"picture", "/kurt3d/left/image/compressed", 1'000'000, at(10.0)}};
+    smell(writer, first);
+    if (scans.size() > 1) {
+        const std::string topic = kurt().stream(StreamRole::Points)->topic;
+        first.evidence.push_back(
+            {"scan", topic, writer.receive(cloudOf(scans[1]), topic), scans[1].scan->end});
+    }
+    if (odometry != 0) first.evidence.push_back({"odometry", "/kurt3d/odom", odometry, Time()});
     writer.say(first, station_topic::Victims);
     VictimSample second = find(Kind::Victim, 2, {-2.0, -1.5, 0.3});
     second.status = VictimSample::Status::Hypothesis;
@@ -215,13 +239,15 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
     }
     writer.receive(ModeSample{{at(100), ""}, "explore", true, "", {"explore"}}, "/kurt3d/mode");
     const auto scans = roomScans(what.scans);
+    std::uint64_t frozen = 0;  // odometry of the moment of the second scan
     for (int i = 0; i < what.odometry; ++i) {
         OdometrySample odometry;
         // Odometry that begins elsewhere: from 100 s on, a scan every 5 s.
         odometry.header = {Time(std::chrono::milliseconds(100'000 + 250 * i)), "kurt3d/odom"};
         odometry.childFrame = "kurt3d/base_link";
         odometry.baseInOdom = poseFrom({3.0, 4.0 + 0.025 * i, 0.0}, 0, 0, degrees(90));
-        writer.receive(odometry, "/kurt3d/odom");
+        const std::uint64_t sequence = writer.receive(odometry, "/kurt3d/odom");
+        if (i == 20) frozen = sequence;
     }
     for (const ReportScan& scan : scans) {
         KeyScanSample sample;
@@ -232,7 +258,7 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         writer.say(sample, station_topic::KeyScans);
     }
     if (what.setAside) rejectAll(writer, scans);
-    if (what.finds) sayFinds(writer);
+    if (what.finds) sayFinds(writer, scans, frozen);
 }
 
 }  // namespace leitstand::test

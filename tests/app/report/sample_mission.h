@@ -8,7 +8,7 @@ namespace leitstand::test {
 struct SampleMission {
     int scans = 3;          ///< key scans of a furnished room of 8 m x 6 m
     int odometry = 40;      ///< samples, along x
-    bool finds = true;      ///< V1 confirmed with pictures, V2 a hypothesis, V3 discarded, H1, Q1, O1
+    bool finds = true;      ///< V1 confirmed with all evidence, V2 a hypothesis, V3 discarded, H1, Q1, O1
     bool info = true;       ///< competition, team, country, mission
     bool setAside = false;  ///< the operator rejected every scan; their clouds are in the log too
 };
