@@ -1,5 +1,11 @@
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -46,6 +52,20 @@ std::string tableOf(const ReportOutcome& outcome) {
                        outcome.victims, outcome.finds, outcome.scans, outcome.explored, outcome.seconds);
 }
 
+/// When the PDF says that it was made: SOURCE_DATE_EPOCH [s] where that is set, as programs agree that make
+/// the same bytes again; else now.
+Time statedTime() {
+    const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
+    if (seconds == nullptr) return {};
+    std::int64_t since = 0;
+    const std::string_view text(seconds);
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), since);
+    constexpr std::int64_t Most = 9'000'000'000;  // what a Time holds
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || since < 0 || since > Most)
+        return {};
+    return Time(std::chrono::seconds(since));
+}
+
 int runReport(const ReportArguments& arguments) {
     ProgressLine line;
     const InterruptGuard interrupt;
@@ -53,6 +73,7 @@ int runReport(const ReportArguments& arguments) {
     useLanguage(QString::fromStdString(arguments.language));
     ReportOptions options;
     options.version = LEITSTAND_VERSION;
+    options.created = statedTime();
     if (arguments.pdf) options.pdf = &pdfOf;
     const auto show = [&](double fraction) { line.show("report", fraction); };
     const auto outcome = writeReport(arguments.mission, arguments.out, options, {show, interrupt.token()});

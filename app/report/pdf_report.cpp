@@ -18,6 +18,7 @@
 
 #include "app/report/evidence_html.h"
 #include "app/report/gas_curve.h"
+#include "app/report/pdf_identity.h"
 #include "app/report/report_html.h"
 
 namespace leitstand {
@@ -218,8 +219,7 @@ Result<std::string> pdfOf(const ReportContent& content) {
         if (!pages.ok()) return Error{"the PDF cannot be laid out: no page could be begun"};
         layOut(pages, content);
     }
-    const QByteArray bytes = buffer.data();
-    return bytes.toStdString();
+    return withIdentity(buffer.data(), content.created).toStdString();
 }
 
 }  // namespace leitstand

@@ -86,6 +86,16 @@ QString positionOf(const ReportFind& find) {
              reportNumber(find.position.z(), 2));
 }
 
+/// Words of the log, as the window has them, with the window's translations; others as they are.
+QString situationOf(const std::string& word) {
+    if (word.empty()) return orDash(word);
+    return QCoreApplication::translate("leitstand::FindRow", word.c_str()).toHtmlEscaped();
+}
+QString areaOf(const std::string& word) {
+    if (word.empty()) return orDash(word);
+    return QCoreApplication::translate("leitstand::VictimChoices", word.c_str()).toHtmlEscaped();
+}
+
 QString signOf(const VictimSign& sign, const char* unit, int digits) {
     QString text;
     switch (sign.state) {
@@ -124,7 +134,7 @@ QString missionRows(const ReportContent& content) {
           facts.clocked ? ReportText::tr("%1 by the mission's clock").arg(safe(spanText(facts.duration)))
                         : safe(spanText(facts.duration))},
          {ReportText::tr("Operators"), QString::number(facts.operators)},
-         {ReportText::tr("Area"), orDash(facts.area)},
+         {ReportText::tr("Area"), areaOf(facts.area)},
          {ReportText::tr("Stations"),
           stations.isEmpty() ? QStringLiteral("\u2013") : stations.join(QStringLiteral(", "))},
          {ReportText::tr("Map"), ReportText::tr("%1 scans, %2 m\u00B2 explored")
@@ -252,11 +262,11 @@ QString findHtml(const ReportContent& content, std::size_t index) {
                             {ReportText::tr("Heat"), signOf(sample.heat, "\u00B0C", 1)},
                             {ReportText::tr("Sound"), signOf(sample.sound, "", 1)},
                             {ReportText::tr("CO\u2082"), signOf(sample.co2, "ppm", 0)},
-                            {ReportText::tr("Situation"), orDash(sample.situation)}};
+                            {ReportText::tr("Situation"), situationOf(sample.situation)}};
         rows.insert(rows.end(), signs.begin(), signs.end());
     }
     rows.emplace_back(ReportText::tr("Area"),
-                      orDash(sample.area.empty() ? content.model.facts.area : sample.area));
+                      areaOf(sample.area.empty() ? content.model.facts.area : sample.area));
     if (!sample.text.empty()) rows.emplace_back(ReportText::tr("Notes"), safe(sample.text));
     QStringList traces;
     for (const QString& line : evidenceLines(pages)) traces += line.toHtmlEscaped();

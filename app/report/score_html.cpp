@@ -47,6 +47,18 @@ QString itemText(ScoreItem item) {
     }
 }
 
+/// A key of a profile's file in words; one that is not known as it is.
+QString keyText(const std::string& key) {
+    if (key == "areas") return ScoreText::tr("weights of the areas");
+    if (key == "points") return ScoreText::tr("points of the items");
+    if (key == "area_bump") return ScoreText::tr("penalty of a contact with the arena");
+    if (key == "victim_bump") return ScoreText::tr("penalty of a contact with a victim");
+    if (key == "operators") return ScoreText::tr("divisor by operators");
+    if (key == "autonomy") return ScoreText::tr("factors of autonomy");
+    if (key == "minutes") return ScoreText::tr("minutes of a mission");
+    return safe(key);
+}
+
 QString itemsOf(const ScoredFind& find) {
     QStringList items;
     for (const ScoredItem& item : find.items) {
@@ -101,7 +113,7 @@ QString scoreHtml(const ReportContent& content) {
                          .arg(number(result.score)));
     if (!profile.unconfirmed.empty()) {
         QStringList keys;
-        for (const std::string& key : profile.unconfirmed) keys += safe(key);
+        for (const std::string& key : profile.unconfirmed) keys += keyText(key);
         html += QStringLiteral("<p>%1</p>")
                     .arg(ScoreText::tr("Values of the profile for which no readable source was found: %1.")
                              .arg(keys.join(QStringLiteral(", "))));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "widgets/models/times.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {
@@ -59,7 +60,7 @@ QVariant MessageListModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case Qt::DisplayRole:
             return (error ? tr("▲ Error  %1  %2") : tr("Note  %1  %2"))
-                .arg(message.at.toString(QStringLiteral("HH:mm:ss")), message.text);
+                .arg(timeOfDayText(message.at), message.text);
         case Qt::ToolTipRole:
             return message.text;
         case ToneRole:

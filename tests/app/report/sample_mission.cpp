@@ -235,6 +235,7 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         info.country = "Germany";
         info.mission = "Final 1";
         info.area = "yellow";
+        info.profile = "2005";
         writer.say(info, station_topic::Mission);
     }
     writer.receive(ModeSample{{at(100), ""}, "explore", true, "", {"explore"}}, "/kurt3d/mode");

@@ -9,13 +9,14 @@
 
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/times.h"
 
 namespace leitstand {
 namespace {
 
 QString clockText(Time time) {
     const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
-    return QDateTime::fromMSecsSinceEpoch(since.count()).toString(QStringLiteral("HH:mm:ss"));
+    return timeOfDayText(QDateTime::fromMSecsSinceEpoch(since.count()).time());
 }
 
 bool sameScans(const LiveMap& before, const LiveMap& after) {

@@ -10,6 +10,7 @@
 
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/times.h"
 
 namespace leitstand {
 namespace {
@@ -164,8 +165,7 @@ QString wallText(Time at, bool tenths) {
     const auto milliseconds =
         std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count();
     const QDateTime moment = QDateTime::fromMSecsSinceEpoch(milliseconds);
-    const QString text = moment.toString(QStringLiteral("HH:mm:ss"));
-    return tenths ? text + QStringLiteral(".%1").arg(moment.time().msec() / 100) : text;
+    return timeOfDayText(moment.time(), tenths);
 }
 
 QString recordedText(std::chrono::nanoseconds time) {

@@ -42,7 +42,7 @@ struct TimelineGlyph {
 /// What a mark says, without its time: "K · victim V1: confirmed".
 [[nodiscard]] QString markText(const TimelineMark& mark, const std::vector<RobotFace>& faces);
 
-/// A moment as a wall clock shows it in local time: "12:04:31"; with tenths: "12:04:31.5".
+/// A moment as a wall clock shows it in local time, by timeOfDayText().
 [[nodiscard]] QString wallText(Time at, bool tenths = false);
 /// Recorded time: "4:31.5", "1:04:31.5".
 [[nodiscard]] QString recordedText(std::chrono::nanoseconds time);
