@@ -54,7 +54,11 @@ QString keyText(const std::string& key) {
     if (key == "area_bump") return ScoreText::tr("penalty of a contact with the arena");
     if (key == "victim_bump") return ScoreText::tr("penalty of a contact with a victim");
     if (key == "operators") return ScoreText::tr("divisor by operators");
-    if (key == "autonomy") return ScoreText::tr("factors of autonomy");
+    if (key == "hazard") return ScoreText::tr("points of a hazard sign");
+    if (key == "code") return ScoreText::tr("points of a QR code");
+    if (key == "object") return ScoreText::tr("points of an object of interest");
+    if (key == "autonomous") return ScoreText::tr("factor of autonomy");
+    if (key == "semi_autonomous") return ScoreText::tr("factor of semi-autonomy");
     if (key == "minutes") return ScoreText::tr("minutes of a mission");
     return safe(key);
 }

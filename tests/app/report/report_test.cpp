@@ -161,7 +161,7 @@ TEST_F(Report, ThePdfTellsAllOfIt) {
                               "Report made",
                               "Profile 2005",
                               "version 1.0",
-                              "weights of the areas"})
+                              "weights of"})
         EXPECT_THAT(text, HasSubstr(words));
     EXPECT_THAT(text, Not(HasSubstr("V3"))) << "discarded";
 }
