@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <future>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/base/words.h"
 #include "core/mission/decisions.h"
+#include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
 namespace {
@@ -145,13 +147,26 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     const auto robot = state->robots.find(frozen.robot);
     if (robot != state->robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
+    // What the station believes to be there is the same thing.
+    const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
+    for (const CandidateSample& one : candidates) addCues(frozen, one);
     const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
+    const bool joined = state->victims->contains({sample.kind, sample.number});
+    if (const auto said = enter(sample, joined, candidates); !said) m_setup.tell(said.error().text);
+}
+
+void FindDesk::file(const CandidateSample& candidate, const FrozenEvidence& seen) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = known();
+    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
+    const bool joined = state->victims->contains({sample.kind, sample.number});
+    if (const auto said = enter(sample, joined, {candidate}); !said) m_setup.tell(said.error().text);
+}
+
+Result<void> FindDesk::enter(const VictimSample& sample, bool joined,
+                             const std::vector<CandidateSample>& candidates) {
+    if (auto said = keep(sample); !said) return said;
     const FindKey key{sample.kind, sample.number};
-    const bool joined = state->victims->contains(key);
-    if (const auto said = keep(sample); !said) {
-        m_setup.tell(said.error().text);
-        return;
-    }
     {
         const std::scoped_lock lock(m_mutex);
         m_newest = key;
@@ -160,6 +175,11 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     m_setup.tell(fill(joined ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
                              : translate("leitstand::Station", "{} filed: press again to confirm"),
                       nameOf(key.first, key.second)));
+    for (const CandidateSample& one : candidates) {
+        auto said = m_setup.sayCandidate(filedAs(one, sample.number, m_setup.station, m_setup.now()));
+        if (!said) return said;
+    }
+    return {};
 }
 
 std::uint64_t FindDesk::filings() const {
@@ -179,18 +199,60 @@ Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const Find
     return keep(*sample);
 }
 
-Result<void> FindDesk::fileCandidate(std::uint32_t candidate) {
+std::optional<FrozenEvidence> FindDesk::look(const RobotDescription& robot, const RobotEvidence& recent,
+                                             const Eigen::Vector3d& inMap, Time pressed) const {
+    const FrozenEvidence frozen = chooseEvidence(robot, recent, {}, std::nullopt).frozen;
+    const auto pictures = picturesOf(frozen, recent, pressed - RecentEvidence::Pictures);
+    if (pictures.empty()) return std::nullopt;
+    const auto promise = std::make_shared<std::promise<std::vector<bool>>>();
+    auto answer = promise->get_future();
+    m_setup.shows(pictures, inMap, [promise](const std::vector<bool>& shown) { promise->set_value(shown); });
+    if (answer.wait_for(LongestSearch) != std::future_status::ready) return std::nullopt;
+    const std::vector<bool> shown = answer.get();
+    std::vector<Event> kept;
+    for (std::size_t i = 0; i < std::min(shown.size(), pictures.size()); ++i) {
+        if (shown[i]) kept.push_back(pictures[i]);
+    }
+    if (kept.empty()) return std::nullopt;
+    FrozenEvidence seen = withPictures(frozen, kept);
+    seen.found = pressed;
+    return seen;
+}
+
+Result<void> FindDesk::fileCandidate(std::uint32_t id) {
+    const MissionStatePtr state = m_setup.mission();
+    const auto entry = state->candidates->find(id);
+    if (entry == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    const CandidateSample candidate = entry->second.candidate;
+    std::map<const RobotDescription*, RobotEvidence> recent;
+    for (const Cue& cue : candidate.cues) {
+        if (const auto* const one = robot(cue.robot)) recent.try_emplace(one, m_recent.of(cue.robot));
+    }
+    m_queue.submit(
+        [this, candidate, inMap = positionInMap(*state, candidate), pressed = m_setup.now(),
+         recent = std::move(recent)](const std::stop_token&) {
+            FrozenEvidence seen;
+            seen.found = pressed;
+            for (const auto& [robot, evidence] : recent) {
+                const auto looked = look(*robot, evidence, inMap, pressed);
+                if (!looked) continue;
+                seen = *looked;
+                break;
+            }
+            file(candidate, seen);
+        },
+        /*cancellable=*/false);
+    return {};
+}
+
+Result<void> FindDesk::dismiss(std::uint32_t candidate) {
     const std::scoped_lock filing(m_filing);
-    const MissionStatePtr state = known();
+    const MissionStatePtr state = m_setup.mission();
     const auto entry = state->candidates->find(candidate);
     if (entry == state->candidates->end())
         return Error{translate("leitstand::Station", "the mission has no such candidate")};
-    const VictimSample sample = filedFrom(*state, entry->second.candidate, m_setup.station, m_setup.now());
-    if (auto said = keep(sample); !said) return said;
-    const std::scoped_lock lock(m_mutex);
-    m_newest = FindKey{sample.kind, sample.number};
-    ++m_filings;
-    return {};
+    return m_setup.sayCandidate(judged(entry->second.candidate, true, m_setup.station, m_setup.now()));
 }
 
 Result<void> FindDesk::confirm(const FindKey& find) {
@@ -220,14 +282,31 @@ Result<void> FindDesk::edit(const VictimSample& form) {
     return say(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
 }
 
+const CandidateSample* FindDesk::dismissedAfter(const MissionState& state, std::uint64_t after) const {
+    const CandidateSample* newest = nullptr;
+    for (const auto& [id, entry] : *state.candidates) {
+        const CandidateSample& one = entry.candidate;
+        if (one.station != m_setup.station || entry.sequence <= after || !isDismissal(one)) continue;
+        after = entry.sequence;
+        newest = &one;
+    }
+    return newest;
+}
+
 Result<void> FindDesk::undo() {
     const MissionStatePtr state = m_setup.mission();
     const auto& all = *state->decisions;
-    for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
-        const auto* sample = std::get_if<VictimSample>(&decision->content);
-        if (sample == nullptr || decision->undone || sample->station != m_setup.station) continue;
+    const auto decision = std::find_if(all.rbegin(), all.rend(), [this](const Decision& one) {
+        const auto* sample = std::get_if<VictimSample>(&one.content);
+        return sample != nullptr && !one.undone && sample->station == m_setup.station;
+    });
+    const std::uint64_t newest = decision == all.rend() ? 0 : decision->sequence;
+    if (const CandidateSample* candidate = dismissedAfter(*state, newest))
+        return m_setup.sayCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
+    if (decision != all.rend()) {
+        const auto& sample = std::get<VictimSample>(decision->content);
         return m_setup.undo({m_setup.now(), m_setup.station, decision->sequence,
-                             "undo: " + nameOf(sample->kind, sample->number)});
+                             "undo: " + nameOf(sample.kind, sample.number)});
     }
     return Error{translate("leitstand::Station", "there is nothing on finds to take back")};
 }

@@ -31,9 +31,13 @@ struct FindDeskSetup {
     std::string station = {};  ///< persistent identity
     std::function<MissionStatePtr()> mission = {};
     std::function<Result<void>(const VictimSample&)> say = {};
+    std::function<Result<void>(const CandidateSample&)> sayCandidate = {};
     std::function<Result<void>(const UndoSample&)> undo = {};
     /// Asks where what @p chosen shows is; answers once, on whatever thread. Empty: nowhere.
     std::function<void(const ChosenEvidence& chosen, Located answer)> locate = {};
+    using Shown = std::function<void(const std::vector<bool>&)>;
+    /// Asks which of @p pictures show the place @p inMap [m]; answers once, on whatever thread.
+    std::function<void(std::vector<Event> pictures, const Eigen::Vector3d& inMap, Shown answer)> shows = {};
     /// Where a robot is in the map now; empty: nobody knows.
     std::function<std::optional<Pose>(const std::string& robot)> robotInMap = {};
     std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
@@ -62,7 +66,11 @@ public:
     [[nodiscard]] std::optional<FindKey> newest() const;
     [[nodiscard]] std::uint64_t filings() const;  ///< how often something was filed: rises with newest()
 
+    /// Files @p candidate with its cues and with what its robots see there now, as soon as that is looked
+    /// through.
     Result<void> fileCandidate(std::uint32_t candidate);
+    /// @p candidate is none: it stays off the list, also when it is seen again.
+    Result<void> dismiss(std::uint32_t candidate);
     Result<void> confirm(const FindKey& find);
     Result<void> discard(const FindKey& find);
     Result<void> merge(const FindKey& find, std::uint32_t into);
@@ -70,7 +78,7 @@ public:
     /// The form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All else
     /// of the find stays as it is.
     Result<void> edit(const VictimSample& form);
-    /// Takes back this station's newest entry on a find; an error when there is none.
+    /// Takes back this station's newest entry on a find or a candidate; an error when there is none.
     Result<void> undo();
 
 private:
@@ -79,8 +87,18 @@ private:
     Result<void> keep(const VictimSample& sample);  ///< says it; likewise
     void file(FrozenEvidence frozen, VictimSample::Kind kind);
     void locate(ChosenEvidence chosen, VictimSample::Kind kind);
+    void file(const CandidateSample& candidate, const FrozenEvidence& seen);
+    /// What @p recent of @p robot shows of @p inMap [m]; empty: it looks elsewhere, or said nothing of late.
+    [[nodiscard]] std::optional<FrozenEvidence> look(const RobotDescription& robot,
+                                                     const RobotEvidence& recent,
+                                                     const Eigen::Vector3d& inMap, Time pressed) const;
+    /// Says @p sample, tells the operator, and that @p candidates are filed by it; with m_filing held.
+    Result<void> enter(const VictimSample& sample, bool joined,
+                       const std::vector<CandidateSample>& candidates);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
     Result<void> say(const std::optional<VictimSample>& sample, const FindKey& find);
+    /// This station's newest dismissal that is newer than the event @p after; null: there is none.
+    [[nodiscard]] const CandidateSample* dismissedAfter(const MissionState& state, std::uint64_t after) const;
 
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;

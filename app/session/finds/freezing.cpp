@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,6 +33,12 @@ Time stampOf(const Event& event) {
 
 VictimEvidence evidenceOf(const char* kind, const Event& event) {
     return {kind, event.topic, event.sequence, stampOf(event)};
+}
+
+bool isEvidence(const FrozenEvidence& frozen, const Event& event) {
+    return std::any_of(frozen.evidence.begin(), frozen.evidence.end(), [&](const VictimEvidence& one) {
+        return one.sequence == event.sequence && one.topic == event.topic;
+    });
 }
 
 struct Sharpest {
@@ -189,6 +196,33 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
     if (recent.scan) chosen.frozen.evidence.push_back(evidenceOf("scan", *recent.scan));
     if (recent.odometry) chosen.frozen.evidence.push_back(evidenceOf("odometry", *recent.odometry));
     return chosen;
+}
+
+std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent, Time since) {
+    std::vector<Event> found;
+    for (const auto* cameras : {&recent.pictures, &recent.thermal}) {
+        for (const auto& [sensor, pictures] : *cameras) {
+            std::copy_if(pictures.begin(), pictures.end(), std::back_inserter(found),
+                         [&](const Event& picture) {
+                             return picture.received >= since && isEvidence(frozen, picture);
+                         });
+        }
+    }
+    return found;
+}
+
+FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown) {
+    bool warm = false;
+    std::erase_if(frozen.evidence, [&](const VictimEvidence& one) {
+        if (one.kind != "picture" && one.kind != "thermal") return false;
+        const bool kept = std::any_of(shown.begin(), shown.end(), [&](const Event& picture) {
+            return picture.sequence == one.sequence && picture.topic == one.topic;
+        });
+        warm = warm || (kept && one.kind == "thermal");
+        return !kept;
+    });
+    if (!warm) frozen.heat = Unknown;
+    return frozen;
 }
 
 }  // namespace leitstand

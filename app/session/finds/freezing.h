@@ -32,6 +32,12 @@ struct ChosenEvidence {
     double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
 };
 
+/// The pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since @p since.
+[[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,
+                                            Time since);
+/// @p frozen with no pictures but @p shown; heat only where a thermal one is among them.
+[[nodiscard]] FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown);
+
 /// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with a
 /// body, the CO2 of the last minute
 /// (of each second the highest, and the newest), newest scan, odometry and sightings. The place is looked for

@@ -17,6 +17,9 @@ void Station::State::file() {
     setup.station = memory->identity().id;
     setup.mission = [this] { return mission->state(); };
     setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
+    setup.sayCandidate = [this](const CandidateSample& candidate) {
+        return mission->say(candidate, station_topic::Candidates);
+    };
     setup.undo = [this](const UndoSample& undo) { return mapping->takeBack(undo); };
     setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
         victims->locate(
@@ -25,6 +28,10 @@ void Station::State::file() {
                 if (!cue) return answer(std::nullopt);
                 answer(PlacedFind{cue->scan, cue->inMap, std::sqrt(cue->covariance.trace() / 3.0)});
             });
+    };
+    setup.shows = [this](std::vector<Event> pictures, const Eigen::Vector3d& inMap,
+                         FindDeskSetup::Shown answer) {
+        victims->seen(std::move(pictures), inMap, std::move(answer));
     };
     setup.robotInMap = [this](const std::string& robot) -> std::optional<Pose> {
         for (const RobotInMap& one : *mapping->robots()) {

@@ -220,6 +220,26 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
     return cue;
 }
 
+bool CueFinder::shows(const Event& picture, const Eigen::Vector3d& inMap) {
+    constexpr double Beam = degrees(2.0);  // half angle
+    constexpr double Thick = 0.6;          // what is so near before the place belongs to it [m]
+    const auto* sample = std::get_if<PictureSample>(&picture.sample);
+    const auto camera = m_cameras.find(picture.sensor);
+    if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return false;
+    const CameraInfoSample& info = *camera->second.info;
+    const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
+    const auto place = m_places.at(picture.sensor, sample->header.frame, stampOf(picture, sample->header));
+    if (!place || !place->baseInMap) return false;
+    const Eigen::Vector3d inCamera = (*place->baseInMap * place->sensorInBase).inverse() * inMap;
+    const double range = inCamera.norm();
+    const auto pixel = pixelOf(info, inCamera, width, height);
+    const bool within = pixel && pixel->minCoeff() >= 0.0 && pixel->x() < width && pixel->y() < height;
+    if (!within || !(range <= m_settings.farthestHeat)) return false;
+    const auto hit =
+        m_seen.meet(rayFrom(place->sensorInOdom(), inCamera / range), Beam, m_settings.farthestHeat);
+    return !hit || hit->range > range - Thick;
+}
+
 void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View& view) {
     const StreamDescription* stream = m_robot.stream(StreamRole::Thermal, event.sensor);
     if (stream == nullptr || !stream->thermal.measured) return;

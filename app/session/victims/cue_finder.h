@@ -58,6 +58,9 @@ public:
     [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
     /// Where @p looked lies, in the map; empty where the picture is too old or nothing was scanned there.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
+    /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and nothing
+    /// was scanned before it.
+    [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
 
 private:
     /// Where a camera was when it took a picture.

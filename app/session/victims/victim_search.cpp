@@ -58,6 +58,11 @@ std::optional<PlacedCue> VictimSearch::locate(const LookedAt& looked) {
     return cue;
 }
 
+bool VictimSearch::shows(const Event& picture, const Eigen::Vector3d& inMap) {
+    const auto finder = m_finders.find(picture.robot);
+    return finder != m_finders.end() && finder->second.shows(picture, inMap);
+}
+
 void VictimSearch::take(const Event& event, bool search) {
     if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
     if (KeyScanPlaces::wants(event)) {

@@ -37,6 +37,8 @@ public:
     void restore(const CandidateSample& sample) { m_book.take(sample); }
     /// Where something is that a robot's picture shows; empty: nobody can tell.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
+    /// Whether a robot's picture shows a place [m].
+    [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
     /// Candidates that are new or changed.
     [[nodiscard]] std::vector<CandidateSample> due(Time now) { return m_book.due(now); }
 

@@ -85,9 +85,24 @@ void VictimWatch::take(const Event& event) {
 }
 
 void VictimWatch::locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer) {
+    ask([looked = std::move(looked), answer = std::move(answer)](VictimSearch& search) {
+        answer(search.locate(looked));
+    });
+}
+
+void VictimWatch::seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
+                       std::function<void(const std::vector<bool>&)> answer) {
+    ask([pictures = std::move(pictures), inMap, answer = std::move(answer)](VictimSearch& search) {
+        std::vector<bool> shown;
+        for (const Event& picture : pictures) shown.push_back(search.shows(picture, inMap));
+        answer(shown);
+    });
+}
+
+void VictimWatch::ask(Question question) {
     {
         const std::lock_guard lock(m_mutex);
-        m_questions.push_back({std::move(looked), std::move(answer)});
+        m_questions.push_back(std::move(question));
     }
     m_came.notify_all();
 }
@@ -127,7 +142,7 @@ void VictimWatch::run(const std::stop_token& stop) {
             m_search.take(event, may);
         }
         followRobots();
-        for (const Question& one : questions) one.answer(m_search.locate(one.looked));
+        for (const Question& one : questions) one(m_search);
         if (!may || !m_setup.onCandidate) continue;
         for (const CandidateSample& candidate : m_search.due(stationTime())) m_setup.onCandidate(candidate);
     }

@@ -41,16 +41,17 @@ public:
     /// Tells @p answer where what a picture shows is, on the watch's thread, after what waits; empty: nobody
     /// can tell. Not answered when the watch ends before.
     void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
+    /// Tells @p answer, likewise, which of @p pictures show the place @p inMap [m].
+    void seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
+              std::function<void(const std::vector<bool>&)> answer);
     void end();  ///< what waits is left; nobody is told anything any more
     [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
     [[nodiscard]] std::size_t waiting() const;              ///< events, with those it works on
 
 private:
     using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
-    struct Question {
-        LookedAt looked;
-        std::function<void(const std::optional<PlacedCue>&)> answer;
-    };
+    using Question = std::function<void(VictimSearch&)>;
+    void ask(Question question);
     void run(const std::stop_token& stop);
     void followRobots();
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mission/timeline/timeline_marks.h"
+
 namespace leitstand {
 namespace {
 
@@ -103,6 +105,16 @@ std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind ki
     return nearest;
 }
 
+bool isFiled(const MissionState& state, const CandidateSample& candidate) {
+    // A find that was taken back is not in the state: then nobody has filed it.
+    if (candidate.victim != 0 && state.victims->contains({candidate.kind, candidate.victim})) return true;
+    const Eigen::Vector3d place = positionInMap(state, candidate);
+    return std::any_of(state.victims->begin(), state.victims->end(), [&](const auto& find) {
+        return find.first.first == candidate.kind &&
+               (positionInMap(state, find.second.victim) - place).norm() < SameFind;
+    });
+}
+
 VictimSample filed(const MissionState& state, VictimSample::Kind kind, const FrozenEvidence& frozen,
                    const std::string& station, Time now) {
     if (const auto known = findNear(state, kind, frozen.positionInMap)) {
@@ -125,18 +137,10 @@ VictimSample filed(const MissionState& state, VictimSample::Kind kind, const Fro
     return sample;
 }
 
-VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                       const std::string& station, Time now) {
-    FrozenEvidence frozen;
-    frozen.found = now;
-    frozen.scan = candidate.scan;
-    frozen.positionInScan = candidate.positionInScan;
-    frozen.positionInMap = positionInMap(state, candidate);
-    frozen.deviation = candidate.deviation;
+void addCues(FrozenEvidence& frozen, const CandidateSample& candidate) {
     for (const Cue& cue : candidate.cues) {
-        if (frozen.robot.empty()) frozen.robot = cue.robot;
-        if (cue.kind == "heat") frozen.heat = cue.value;
-        if (cue.kind == "co2") frozen.co2 = cue.value;
+        if (cue.kind == "heat" && std::isnan(frozen.heat)) frozen.heat = cue.value;
+        if (cue.kind == "co2" && std::isnan(frozen.co2)) frozen.co2 = cue.value;
         if (cue.kind == "motion") frozen.motion = true;
         if (cue.kind == "code" || cue.kind == "hazard") fill(frozen.tag, cue.text);
         const char* kind = cue.kind == "heat"       ? "thermal"
@@ -145,10 +149,45 @@ VictimSample filedFrom(const MissionState& state, const CandidateSample& candida
                                                     : "picture";
         if (cue.sequence != 0) frozen.evidence.push_back({kind, cue.topic, cue.sequence, cue.stamp});
     }
+}
+
+VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
+                       const std::string& station, Time now, const FrozenEvidence& seen) {
+    FrozenEvidence frozen;
+    frozen.found = seen.found == Time() ? now : seen.found;
+    frozen.robot = candidate.cues.empty() ? seen.robot : candidate.cues.front().robot;
+    frozen.scan = candidate.scan;
+    frozen.positionInScan = candidate.positionInScan;
+    frozen.positionInMap = positionInMap(state, candidate);
+    frozen.deviation = candidate.deviation;
+    addCues(frozen, candidate);
+    if (std::isnan(frozen.heat)) frozen.heat = seen.heat;
+    if (std::isnan(frozen.co2)) frozen.co2 = seen.co2;
+    frozen.evidence.insert(frozen.evidence.end(), seen.evidence.begin(), seen.evidence.end());
     const auto robot = state.robots.find(frozen.robot);
     if (robot != state.robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
     return filed(state, candidate.kind, frozen, station, now);
+}
+
+std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,
+                                            const Eigen::Vector3d& placeInMap) {
+    std::vector<CandidateSample> near;
+    for (const auto& [id, entry] : *state.candidates) {
+        const CandidateSample& one = entry.candidate;
+        if (one.kind != kind || one.dismissed || !(one.confidence >= LeastShownConfidence)) continue;
+        if (one.victim != 0 && state.victims->contains({kind, one.victim})) continue;
+        if ((positionInMap(state, one) - placeInMap).norm() < SameFind) near.push_back(one);
+    }
+    return near;
+}
+
+CandidateSample filedAs(CandidateSample candidate, std::uint32_t number, const std::string& station,
+                        Time now) {
+    candidate.victim = number;
+    candidate.station = station;
+    candidate.stamp = now;
+    return candidate;
 }
 
 std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find, Status status,

@@ -37,12 +37,25 @@ inline constexpr double SameFind = 0.6;
 [[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
                                               const Eigen::Vector3d& placeInMap, double reach = SameFind);
 
+/// Whether @p candidate was filed, or is where something of its kind was filed, also what was discarded
+/// since: then it is not shown beside that.
+[[nodiscard]] bool isFiled(const MissionState& state, const CandidateSample& candidate);
+
 /// A new find made of @p frozen, or the one that is there already with what is new.
 [[nodiscard]] VictimSample filed(const MissionState& state, VictimSample::Kind kind,
                                  const FrozenEvidence& frozen, const std::string& station, Time now);
-/// What @p candidate becomes when the operator files it.
+/// What @p candidate becomes when the operator files it, with what was @p seen there at that moment; its
+/// place is the candidate's.
 [[nodiscard]] VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                                     const std::string& station, Time now);
+                                     const std::string& station, Time now, const FrozenEvidence& seen = {});
+/// The candidates of @p kind that are shown within @ref SameFind of @p placeInMap [m] and are no other find.
+[[nodiscard]] std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,
+                                                          const Eigen::Vector3d& placeInMap);
+/// Adds to @p frozen what @p candidate's cues tell beyond it.
+void addCues(FrozenEvidence& frozen, const CandidateSample& candidate);
+/// @p candidate as what was filed as @p number.
+[[nodiscard]] CandidateSample filedAs(CandidateSample candidate, std::uint32_t number,
+                                      const std::string& station, Time now);
 
 /// Changes of a find, each an entry for the log; empty when the mission does not have it.
 [[nodiscard]] std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find,

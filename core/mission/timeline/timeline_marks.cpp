@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/mission/victims/candidate_book.h"
+#include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
 namespace {
@@ -79,9 +79,7 @@ void TimelineCollector::addCandidate(const Event& event, const CandidateSample& 
     // It is said again whenever it moves, and with less than that when it is taken back.
     const auto known = m_candidates.find(candidate.id);
     const bool shown = candidate.confidence >= LeastShownConfidence && candidate.victim == 0;
-    // The station takes back what it doubts, or what became part of another: nobody dismissed that.
-    const bool takenBack = candidate.cues.empty() || candidate.confidence < CandidateSettings{}.tell;
-    if (candidate.dismissed && takenBack) return;
+    if (candidate.dismissed && !isDismissal(candidate)) return;
     if (known == m_candidates.end() ? candidate.dismissed || !shown : known->second || !candidate.dismissed)
         return;
     m_candidates[candidate.id] = candidate.dismissed;

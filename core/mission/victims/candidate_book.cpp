@@ -8,6 +8,7 @@
 
 #include "core/mission/victims/behind.h"
 #include "core/mission/victims/candidate.h"
+#include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
 namespace {
@@ -234,13 +235,20 @@ void CandidateBook::take(const CandidateSample& sample) {
     state.newest = std::max(state.newest, sample.id);
     for (CandidateThing& thing : state.things) {
         if (thing.id != sample.id) continue;
-        if (sample.station == state.station && sample.stamp <= thing.last.stamp) return;  // our own
+        const bool byPerson = sample.victim != 0 || isDismissal(sample, state.settings);
+        if (sample.station == state.station && sample.stamp <= thing.last.stamp) {
+            // Our own; else a person's word that crossed what we said last, and stands.
+            if (sample.stamp == thing.last.stamp || !byPerson) return;
+        } else {
+            thing.last.victim = sample.victim;
+            thing.last.dismissed = sample.dismissed;
+        }
         thing.victim = sample.victim;
-        thing.dismissed = sample.dismissed;
+        thing.dismissed = isDismissal(sample, state.settings);
         return;
     }
     // Taken back by a book, not by a person: it may come again.
-    if (sample.dismissed && !(sample.confidence >= state.settings.tell)) return;
+    if (sample.dismissed && !isDismissal(sample, state.settings)) return;
     CandidateThing thing;
     thing.id = sample.id;
     thing.what = sample.kind;
@@ -326,6 +334,7 @@ std::vector<CandidateSample> CandidateBook::due(Time now) {
     for (CandidateThing& thing : state.things) {
         if (!state.isDue(thing, now)) continue;
         thing.last = state.sampleOf(thing, now);
+        if (thing.dismissed) thing.last = judged(thing.last, true, state.station, now, state.settings);
         thing.told = now;
         samples.push_back(thing.last);
     }

@@ -78,6 +78,22 @@ TEST(VictimRows, CandidatesComeAfterFindsTheSurestFirstUntilTheyAreFiledOrDismis
     EXPECT_EQ(victimsTitle(rows).toStdString(), "1 victim · 2 candidates");
 }
 
+TEST(VictimRows, ACandidateIsNotShownBesideWhatWasFiledThereAlsoWhenThatWasDiscardedSince) {
+    MissionState state;
+    file(state, Kind::Victim, 1, 0.0, Status::Discarded);
+    believe(state, 1, 0.3, 0.9);  // that was V1
+    believe(state, 2, 5.0, 0.9);  // filed as V2 from there, which the operator moved
+    file(state, Kind::Victim, 2, 8.0, Status::Confirmed);
+    state.candidates.edit().at(2).candidate.victim = 2;
+    const auto rows = victimRows(state, std::nullopt);
+    ASSERT_THAT(rows, SizeIs(1));
+    EXPECT_EQ(rows[0].name, QStringLiteral("V2"));
+    state.victims.edit().erase({Kind::Victim, 2U});  // undone
+    const auto undone = victimRows(state, std::nullopt);
+    ASSERT_THAT(undone, SizeIs(1));
+    EXPECT_EQ(undone[0].candidate, 2U);
+}
+
 TEST(VictimRows, AReviewListsAllThatWasFiled) {
     MissionState state;
     file(state, Kind::Victim, 1, 0.0, Status::Confirmed);

@@ -145,8 +145,8 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
     std::vector<const CandidateSample*> candidates;
     for (const auto& [id, entry] : *mission.candidates) {
         const CandidateSample& one = entry.candidate;
-        if (one.victim != 0 || one.dismissed || !(one.confidence >= LeastShownConfidence)) continue;
-        if (!findNear(mission, one.kind, positionInMap(mission, one))) candidates.push_back(&one);
+        if (one.dismissed || !(one.confidence >= LeastShownConfidence)) continue;
+        if (!isFiled(mission, one)) candidates.push_back(&one);
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto* a, const auto* b) { return a->confidence > b->confidence; });

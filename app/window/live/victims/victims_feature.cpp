@@ -94,9 +94,12 @@ void VictimsFeature::addFreezing() {
 
 void VictimsFeature::addDecisions() {
     connect(&add("victim.discard", tr("&Discard the find"), tr("Discard"),
-                 tr("Takes the chosen find, or the newest, off the list; undo brings it back"),
+                 tr("Takes the chosen find or candidate, or the newest find, off the list; undo brings it "
+                    "back"),
                  QKeySequence(Qt::SHIFT | Qt::Key_Delete)),
             &QAction::triggered, this, [this] {
+                const auto chosen = m_panel->chosen();
+                if (chosen && !chosen->filed()) return answer(desk().dismiss(chosen->candidate));
                 if (const auto find = meant()) return answer(desk().discard(*find));
                 emit told(tr("Choose the find that is none"));
             });

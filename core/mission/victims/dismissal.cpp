@@ -1,0 +1,19 @@
+#include "core/mission/victims/dismissal.h"
+
+namespace leitstand {
+
+bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings) {
+    return sample.dismissed && !sample.cues.empty() && sample.confidence >= settings.tell;
+}
+
+CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station, Time now,
+                       const CandidateSettings& settings) {
+    candidate.dismissed = dismissed;
+    candidate.station = station;
+    candidate.stamp = now;
+    // As sure as when it was told: what is less sure is taken for a book's own doubt.
+    if (dismissed && !(candidate.confidence >= settings.tell)) candidate.confidence = settings.tell;
+    return candidate;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/time.h"
+#include "core/mission/victims/candidate_book.h"
+#include "core/robot/samples/candidate_sample.h"
+
+namespace leitstand {
+
+/// Whether a person says in @p sample that it is none. A book takes back what it doubts, or what became part
+/// of another candidate: nobody dismissed that, and it may come again.
+[[nodiscard]] bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings = {});
+
+/// @p candidate as a person at @p station dismisses it at @p now, or (@p dismissed false) takes that back.
+[[nodiscard]] CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station,
+                                     Time now, const CandidateSettings& settings = {});
+
+}  // namespace leitstand
