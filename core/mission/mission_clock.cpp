@@ -29,6 +29,14 @@ MissionClock clockAt(const std::optional<ClockSample>& said, Time now) {
     return clock;
 }
 
+MissionClock withLength(MissionClock clock, double minutes) {
+    if (clock.limit.count() > 0 || !(minutes > 0.0)) return clock;
+    clock.limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double, std::ratio<60>>(minutes));
+    clock.left = clock.limit - clock.elapsed;
+    return clock;
+}
+
 ClockSample clockRun(const MissionClock& clock, bool running, Time now, const std::string& station) {
     ClockSample sample = asTold(clock, now, station);
     sample.running = running;

@@ -21,6 +21,9 @@ struct MissionClock {
 /// any. It goes on while no station runs: the arena's clock does not wait for a restart.
 [[nodiscard]] MissionClock clockAt(const std::optional<ClockSample>& said, Time now);
 
+/// @p clock with a length of @p minutes where nobody gave it one; as it is with 0 minutes.
+[[nodiscard]] MissionClock withLength(MissionClock clock, double minutes);
+
 /// What a station says to make the clock that shows @p clock at @p now go or stand.
 [[nodiscard]] ClockSample clockRun(const MissionClock& clock, bool running, Time now,
                                    const std::string& station);

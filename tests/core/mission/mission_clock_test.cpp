@@ -40,6 +40,16 @@ TEST(MissionClockTest, CountsDownFromItsLengthAndBeyond) {
     EXPECT_FALSE(clockAt(free, Noon).left);
 }
 
+TEST(MissionClockTest, TheRulesLengthCountsOnlyWhereNobodySetOne) {
+    const ClockSample started = clockRun({}, true, Noon, "station");
+    const MissionClock ruled = withLength(clockAt(started, Noon + minutes(5)), 23.0);
+    EXPECT_EQ(ruled.limit, minutes(23));
+    EXPECT_EQ(ruled.left, minutes(18));
+    EXPECT_FALSE(withLength(clockAt(started, Noon), 0.0).left) << "the rules do not tell";
+    const ClockSample limited = clockLimited(clockAt(started, Noon), minutes(20), Noon, "station");
+    EXPECT_EQ(withLength(clockAt(limited, Noon + minutes(5)), 23.0).left, minutes(15));
+}
+
 TEST(MissionClockTest, BeginsAnewAndKeepsItsLength) {
     const ClockSample limited = clockLimited({.running = true}, minutes(20), Noon, "station");
     const ClockSample anew = clockReset(clockAt(limited, Noon + minutes(5)), Noon + minutes(5), "station");

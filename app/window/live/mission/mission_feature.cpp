@@ -8,6 +8,8 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include "app/session/score/score_board.h"
+#include "app/session/station/station.h"
 #include "app/session/station/station_clock.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
@@ -80,8 +82,12 @@ void MissionFeature::askForLength() {
     question->setLabelText(tr("Minutes; 0: without end"));
     question->setInputMode(QInputDialog::IntInput);
     question->setIntRange(0, LongestMission);
+    // What the rules of the mission's year say is offered first.
+    const ScoreBoard board;
+    const ScoreProfile* const rules = board.profileOf(*m_context.source.moment().mission);
+    const MissionClock offered = withLength(clock.now(), rules == nullptr ? 0.0 : rules->minutes);
     question->setIntValue(
-        static_cast<int>(std::chrono::duration_cast<std::chrono::minutes>(clock.now().limit).count()));
+        static_cast<int>(std::chrono::duration_cast<std::chrono::minutes>(offered.limit).count()));
     connect(question, &QInputDialog::intValueSelected, this, [this, &clock](int minutes) {
         if (const auto set = clock.limit(std::chrono::minutes(minutes)); !set)
             emit told(QString::fromStdString(set.error().text));

@@ -123,8 +123,9 @@ void ReportFeature::show(const LiveMoment& moment) {
     if (m_sinceScore++ % TicksAScore != 0) return;
     const ScoreProfile* profile = m_board.profileOf(*moment.mission);
     if (profile == nullptr) return;
-    m_score->show(
-        scoreText(*profile, score(*profile, *moment.mission), m_context.bridge.station().clock().now()));
+    // Where nobody set a length, the rules' own counts.
+    const MissionClock clock = withLength(m_context.bridge.station().clock().now(), profile->minutes);
+    m_score->show(scoreText(*profile, score(*profile, *moment.mission), clock));
 }
 
 }  // namespace leitstand
