@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <Eigen/Core>
 #include <QObject>
 
@@ -7,6 +10,7 @@
 #include "app/window/live/live_context.h"
 
 class QAction;
+class QKeySequence;
 
 namespace leitstand {
 
@@ -14,8 +18,9 @@ class CameraFeature;
 class MapFeature;
 class ScanFeature;
 
-/// Victims that the operator points to: Shift and a click into a picture or the virtual scan, or the command
-/// "victim.point", after which the next click there or on the map does.
+/// Finds that the operator points to: Shift and a click into a picture or the virtual scan files a victim,
+/// and after the command "victim.point" the next click there or on the map does; "victim.pointHazard",
+/// "victim.pointCode" and "victim.pointObject" do likewise for other finds.
 class FindPointing final : public QObject {
     Q_OBJECT
 public:
@@ -25,16 +30,20 @@ signals:
     void told(const QString& text);
 
 private:
-    void arm(bool on);
+    void add(const char* id, VictimSample::Kind kind, const QString& text, const QString& hint,
+             const QKeySequence& keys = {});
+    void arm(QAction& action, VictimSample::Kind kind, bool on);
+    [[nodiscard]] bool armed() const;
+    [[nodiscard]] VictimSample::Kind kind() const;  ///< of what the next click files
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
-    void fileAt(const Eigen::Vector3d& placeInMap);
+    void fileAt(const Eigen::Vector3d& placeInMap, VictimSample::Kind kind);
 
     LiveContext m_context;
     MapFeature& m_map;
     CameraFeature& m_cameras;
     ScanFeature& m_scan;
-    QAction* m_action;
+    std::vector<std::pair<VictimSample::Kind, QAction*>> m_actions;
 };
 
 }  // namespace leitstand
