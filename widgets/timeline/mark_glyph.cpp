@@ -53,6 +53,10 @@ void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& mid
         case MarkShape::Diamond:
             painter.drawPolygon(polygon(middle, {{0, -1.1}, {1.1, 0}, {0, 1.1}, {-1.1, 0}}));
             break;
+        case MarkShape::Arrow:
+            painter.drawPolygon(polygon(
+                middle, {{-1.1, -0.4}, {0.1, -0.4}, {0.1, -1}, {1.1, 0}, {0.1, 1}, {0.1, 0.4}, {-1.1, 0.4}}));
+            break;
         case MarkShape::Bar:
             painter.drawRect(QRectF(middle.x() - 2.0, middle.y() - Half, 4.0, 2 * Half));
             break;

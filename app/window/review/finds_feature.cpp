@@ -118,7 +118,8 @@ void FindsFeature::enable() {
 
 void FindsFeature::show() {
     if (!m_bridge.reviewed()) return;
-    m_panel->show(filedRows(state()));
+    m_moves.follow(state());
+    m_panel->show(filedRows(state(), &m_moves));
     enable();
     const auto find = chosen();
     const VictimSample* const known = find ? newest(*find) : nullptr;

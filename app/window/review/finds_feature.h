@@ -8,6 +8,7 @@
 
 #include "app/session/review/review_pen.h"
 #include "app/window/live/live_context.h"
+#include "core/mission/finds/find_moves.h"
 
 class QAction;
 
@@ -53,6 +54,7 @@ private:
     ReviewBridge& m_bridge;
     VictimsPanel* m_panel;
     VictimForm* m_form;
+    FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction* m_undo = nullptr;
 };

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mission/timeline/timeline_marks.h"
-
 namespace leitstand {
 namespace {
 

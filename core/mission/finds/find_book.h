@@ -31,6 +31,9 @@ struct FrozenEvidence {
 /// Finds nearer than this to each other are one [m].
 inline constexpr double SameFind = 0.6;
 
+/// Confidence from which a candidate is shown to people.
+inline constexpr double LeastShownConfidence = 0.5;
+
 /// The number that the next find of @p kind gets: one above all that ever were, also undone ones.
 [[nodiscard]] std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind);
 /// The find of @p kind that is nearest to @p placeInMap [m] and within @p reach [m]; not a discarded one.

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/mission/finds/find_book.h"
+#include "core/mission/fold.h"
 #include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
@@ -35,6 +37,20 @@ std::string wordOf(VictimSample::Kind kind) {
             break;
     }
     return "object";
+}
+
+std::string wordOf(FindMove::Cause cause) {
+    switch (cause) {
+        case FindMove::Cause::Registration:
+            return "registration";
+        case FindMove::Cause::LoopClosure:
+            return "loop closure";
+        case FindMove::Cause::Operator:
+            return "operator";
+        case FindMove::Cause::Undo:
+            break;
+    }
+    return "undo";
 }
 
 /// What a code or a sign says, else the kinds of cues, the first of each.
@@ -92,8 +108,26 @@ void TimelineCollector::addCandidate(const Event& event, const CandidateSample& 
                 .confidence = candidate.confidence});
 }
 
+void TimelineCollector::addMoves(const Event& event) {
+    const bool matters = std::holds_alternative<VictimSample>(event.sample) ||
+                         std::holds_alternative<KeyScanSample>(event.sample) ||
+                         std::holds_alternative<ScanPosesSample>(event.sample) ||
+                         std::holds_alternative<UndoSample>(event.sample);
+    if (!matters) return;
+    m_mission = fold(std::move(m_mission), event);
+    for (const FindMove& move : m_moves.follow(m_mission)) {
+        put(event, {.kind = TimelineMark::Kind::Moved,
+                    .key = wordOf(move.cause),
+                    .name = nameOf(move.find.first, move.find.second),
+                    .text = fmt::format("{:.2f} {:.2f} {:.2f} → {:.2f} {:.2f} {:.2f}", move.from.x(),
+                                        move.from.y(), move.from.z(), move.to.x(), move.to.y(), move.to.z()),
+                    .metres = move.metres()});
+    }
+}
+
 void TimelineCollector::add(const Event& event) {
     using Kind = TimelineMark::Kind;
+    addMoves(event);
     if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
         const std::string name = nameOf(victim->kind, victim->number);
         const auto [known, fresh] = m_victims.try_emplace(name, victim->status);

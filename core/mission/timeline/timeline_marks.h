@@ -9,6 +9,8 @@
 
 #include "core/base/time.h"
 #include "core/mission/event.h"
+#include "core/mission/finds/find_moves.h"
+#include "core/mission/mission_state.h"
 
 namespace leitstand {
 
@@ -23,6 +25,8 @@ struct TimelineMark {
         Decision,   ///< of the operator on scans, or an undo; key: "poses", "undo"; text: what is undone
         Mode,       ///< of a robot; key: ModeSample::mode
         Bump,       ///< key: the bumper
+        Moved,      ///< a find moved with its scan; name: "V1", key: "registration", "loop closure",
+                    ///< "operator", "undo", text: from where to where in the map [m]
         Sighting,   ///< a robot's own; key: Sighting::kind, text: of a code
         Session,    ///< a station began or ended to write; key: "start", "end"; text: its title
     };
@@ -36,10 +40,8 @@ struct TimelineMark {
     bool act = false;             ///< an alarm that says "act", a bump
     std::uint32_t candidate = 0;  ///< CandidateSample::id of one; 0: none
     double confidence = Unknown;  ///< of a candidate when it was told, 0 to 1
+    double metres = Unknown;      ///< how far a find moved [m]
 };
-
-/// Confidence from which a candidate is shown to people.
-constexpr double LeastShownConfidence = 0.5;
 
 /// Finds the marks in a mission's events, which come in their order. Pure.
 class TimelineCollector {
@@ -52,6 +54,7 @@ private:
     void put(const Event& event, TimelineMark mark);
     void addBumps(const Event& event, const BumpSample& bumps);
     void addSightings(const Event& event, const SightingSample& sightings);
+    void addMoves(const Event& event);
     void addCandidate(const Event& event, const CandidateSample& candidate);
 
     std::vector<TimelineMark> m_marks;
@@ -59,7 +62,9 @@ private:
     std::map<std::pair<std::string, std::string>, std::uint32_t> m_hits;  ///< by robot and bumper
     std::set<std::pair<std::string, std::uint32_t>> m_sightings;          ///< robot and id
     std::map<std::string, VictimSample::Status> m_victims;                ///< newest, by name
-    std::map<std::uint32_t, bool> m_candidates;                           ///< told; whether dismissed
+    MissionState m_mission;                                               ///< finds and scans
+    FindMoves m_moves;
+    std::map<std::uint32_t, bool> m_candidates;  ///< told; whether dismissed
 };
 
 /// A stretch of time in which something was recorded.

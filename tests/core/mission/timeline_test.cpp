@@ -65,6 +65,42 @@ TEST(TimelineCollector, WhatIsFiledOrDismissedWithoutBeingToldIsNoCandidate) {
     EXPECT_THAT(collector.marks(), IsEmpty());
 }
 
+TEST(TimelineCollector, AFindThatMovesWithItsScanIsMarkedWithWhyAndHowFar) {
+    TimelineCollector collector;
+    std::uint64_t sequence = 0;
+    const auto say = [&](const Sample& sample) {
+        ++sequence;
+        collector.add(
+            {sequence, Time(std::chrono::seconds(sequence)), "", "/leitstand/x", std::nullopt, "", sample});
+    };
+    KeyScanSample scan;
+    scan.id = 3;
+    scan.scan = std::make_shared<const Scan>();
+    say(scan);
+    VictimSample victim;
+    victim.number = 1;
+    victim.scan = 3;
+    victim.positionInScan = {1.0, 0.0, 0.0};
+    say(victim);
+    ScanPosesSample poses;
+    poses.cause = ScanPosesSample::Cause::LoopClosure;
+    poses.poses = {{.scan = 3, .scanInMap = Pose(Eigen::Translation3d(0.0, 0.3, 0.0))}};
+    say(poses);
+    say(UndoSample{Time{}, "s", sequence, "undo"});
+    const auto marks = collector.marks();
+    ASSERT_THAT(marks, SizeIs(4)) << "filed, moved, taken back and so moved again";
+    EXPECT_EQ(marks[1].kind, TimelineMark::Kind::Moved);
+    EXPECT_EQ(marks[1].key, "loop closure");
+    EXPECT_EQ(marks[1].name, "V1");
+    EXPECT_EQ(marks[1].text, "1.00 0.00 0.00 → 1.00 0.30 0.00");
+    EXPECT_NEAR(marks[1].metres, 0.3, 1e-9);
+    EXPECT_EQ(marks[1].sequence, 3U);
+    const auto& back = marks[2].kind == TimelineMark::Kind::Moved ? marks[2] : marks[3];
+    EXPECT_EQ(back.kind, TimelineMark::Kind::Moved);
+    EXPECT_EQ(back.key, "undo");
+    EXPECT_EQ(back.sequence, 4U);
+}
+
 TEST(TimelineCollector, ACodeSaysWhatIsWrittenOnIt) {
     TimelineCollector collector;
     CandidateSample code = candidate(1, 0.95);

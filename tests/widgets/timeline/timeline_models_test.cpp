@@ -100,6 +100,12 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
          .text = "heat, motion",
          .candidate = 3,
          .confidence = 0.72},
+        {.kind = Kind::Moved,
+         .at = at(9),
+         .key = "loop closure",
+         .name = "V1",
+         .text = "1.00 0.00 0.00 → 1.00 0.30 0.00",
+         .metres = 0.3},
     };
     const TimelineAxis axis({TimelineStretch{at(0), at(10)}});
     const auto glyphs = glyphsOf(marks, axis, faces);
@@ -120,6 +126,9 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
     EXPECT_EQ(markText(marks[7], faces), "else · the robot saw a code: exit");
     EXPECT_EQ(markText(marks[8], faces).toStdString(), "K · candidate: a victim, 72\u202f% (heat, motion)");
     EXPECT_EQ(glyphs[8].letter, "?");
+    EXPECT_EQ(markText(marks[9], faces).toStdString(),
+              "V1 moved 0.30 m, since a loop was closed (1.00 0.00 0.00 → 1.00 0.30 0.00)");
+    EXPECT_EQ(glyphs[9].tone, Tone::Muted) << "nobody did it";
     TimelineMark dismissed = marks[8];
     dismissed.key = "dismissed";
     EXPECT_EQ(markText(dismissed, faces), "K · candidate dismissed: a victim");

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/mission/fold.h"
+#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/victims/move_words.h"
 #include "widgets/models/victims/victim_list_model.h"
 
 namespace leitstand {
@@ -110,6 +113,40 @@ TEST(VictimRows, AReviewListsAllThatWasFiled) {
     EXPECT_EQ(rows[2].signs.toStdString(), "behind the door");
     EXPECT_FALSE(rows[0].since.isEmpty() || rows[0].place.isEmpty());
     EXPECT_EQ(victimsTitle(rows).toStdString(), "1 victim · 2 discarded");
+}
+
+TEST(VictimRows, TellWhenAndWhyAFindMovedWithItsScan) {
+    MissionState state;
+    std::uint64_t sequence = 0;
+    const auto say = [&](const Sample& sample) {
+        ++sequence;
+        state = fold(std::move(state), {sequence, Time(std::chrono::seconds(sequence)), "", "/leitstand/x",
+                                        std::nullopt, "", sample});
+    };
+    KeyScanSample scan;
+    scan.id = 3;
+    scan.scan = std::make_shared<const Scan>();
+    say(scan);
+    VictimSample victim;
+    victim.number = 1;
+    victim.scan = 3;
+    say(victim);
+    FindMoves moves;
+    moves.follow(state);
+    EXPECT_TRUE(filedRows(state, &moves)[0].moved.isEmpty());
+    ScanPosesSample poses;
+    poses.cause = ScanPosesSample::Cause::Registration;
+    poses.poses = {{.scan = 3, .scanInMap = Pose(Eigen::Translation3d(0.0, 0.32, 0.0))}};
+    say(poses);
+    const auto told = moves.follow(state);
+    EXPECT_EQ(movesText(told).toStdString(), "V1 0.32 m moved, since scans were registered anew");
+    EXPECT_TRUE(movesText({}).isEmpty());
+    const QString moved = filedRows(state, &moves)[0].moved;
+    EXPECT_EQ(moved, QStringLiteral("moved 0.32 m at %1, since scans were registered anew")
+                         .arg(wallText(Time(std::chrono::seconds(3)))));
+    VictimListModel model;
+    model.setRows(victimRows(state, std::nullopt, &moves));
+    EXPECT_TRUE(model.index(0, 0).data(Qt::ToolTipRole).toString().contains(moved));
 }
 
 TEST(VictimRows, TheListKeepsItsRowsWhileNumbersChange) {

@@ -11,6 +11,7 @@
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/times.h"
+#include "widgets/models/victims/move_words.h"
 
 namespace leitstand {
 namespace {
@@ -64,6 +65,17 @@ QString candidateText(const TimelineMark& mark) {
     return cues.empty() ? sure : QStringLiteral("%1 (%2)").arg(sure, cues.join(QStringLiteral(", ")));
 }
 
+QString findMovedText(const TimelineMark& mark) {
+    using Cause = FindMove::Cause;
+    const Cause cause = mark.key == "registration"   ? Cause::Registration
+                        : mark.key == "loop closure" ? Cause::LoopClosure
+                        : mark.key == "operator"     ? Cause::Operator
+                                                     : Cause::Undo;
+    return TimelineTexts::tr("%1 moved %2 m, since %3 (%4)")
+        .arg(QString::fromStdString(mark.name), numberText(mark.metres, 2), causeText(cause),
+             QString::fromStdString(mark.text));
+}
+
 QString contentOf(const TimelineMark& mark) {
     const QString text = QString::fromStdString(mark.text);
     switch (mark.kind) {
@@ -86,6 +98,8 @@ QString contentOf(const TimelineMark& mark) {
                        : TimelineTexts::tr("mode: %1 (%2)").arg(modeName(mark.key), robotSaysText(mark.text));
         case Kind::Bump:
             return TimelineTexts::tr("bumped: %1").arg(robotSaysText(words(mark.key).toStdString()));
+        case Kind::Moved:
+            return findMovedText(mark);
         case Kind::Sighting:
             return sightingText(mark);
         case Kind::Session:
@@ -111,6 +125,8 @@ MarkShape shapeOf(Kind kind) {
             return MarkShape::Bar;
         case Kind::Bump:
             return MarkShape::Cross;
+        case Kind::Moved:
+            return MarkShape::Arrow;
         case Kind::Sighting:
             return MarkShape::Ring;
         case Kind::Session:
@@ -122,8 +138,8 @@ MarkShape shapeOf(Kind kind) {
 Tone toneOf(const TimelineMark& mark) {
     if (mark.kind == Kind::Alarm) return mark.act ? Tone::Act : Tone::Attention;
     if (mark.kind == Kind::Bump) return Tone::Attention;
-    const bool aside = mark.kind == Kind::Session || mark.kind == Kind::Mode || mark.key == "discarded" ||
-                       mark.key == "dismissed";
+    const bool aside = mark.kind == Kind::Session || mark.kind == Kind::Moved || mark.kind == Kind::Mode ||
+                       mark.key == "discarded" || mark.key == "dismissed";
     return aside ? Tone::Muted : Tone::Normal;
 }
 

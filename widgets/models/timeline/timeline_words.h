@@ -19,6 +19,7 @@ enum class MarkShape {
     Triangle,  ///< alarm
     Square,    ///< note
     Diamond,   ///< decision
+    Arrow,     ///< a find moved
     Bar,       ///< mode
     Cross,     ///< bump
     Ring,      ///< sighting

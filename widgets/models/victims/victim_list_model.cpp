@@ -31,7 +31,7 @@ int VictimListModel::placeOf(Column column) const {
 QString VictimListModel::hint(int row) const {
     const VictimRow& shown = m_rows[static_cast<std::size_t>(row)];
     QStringList parts = {shown.name,  shown.what,  shown.state, shown.where,
-                         shown.since, shown.place, shown.signs};
+                         shown.since, shown.place, shown.moved, shown.signs};
     parts.removeAll(QString());
     return parts.join(QStringLiteral(" · "));
 }

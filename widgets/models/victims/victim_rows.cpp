@@ -8,9 +8,9 @@
 #include <QStringList>
 
 #include "core/mission/finds/find_book.h"
-#include "core/mission/timeline/timeline_marks.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/victims/move_words.h"
 
 namespace leitstand {
 namespace {
@@ -53,7 +53,7 @@ QString cueText(const Cue& cue) {
 }
 
 VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimState& entry,
-                const std::optional<Pose>& robotInMap) {
+                const std::optional<Pose>& robotInMap, const FindMoves* moves) {
     const VictimSample whole = wholeFind(mission, key).value_or(entry.victim);
     VictimRow row;
     row.find = key;
@@ -68,6 +68,7 @@ VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimSta
     row.inMap = positionInMap(mission, entry.victim);
     row.deviation = whole.deviation;
     row.place = positionText(row.inMap);
+    if (const FindMove* move = moves == nullptr ? nullptr : moves->newest(key)) row.moved = movedText(*move);
     if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
     row.signs = signsText(whole);
     return row;
@@ -137,10 +138,12 @@ QString signsText(const VictimSample& find) {
     return signs.join(QStringLiteral(" · "));
 }
 
-std::vector<VictimRow> victimRows(const MissionState& mission, const std::optional<Pose>& robotInMap) {
+std::vector<VictimRow> victimRows(const MissionState& mission, const std::optional<Pose>& robotInMap,
+                                  const FindMoves* moves) {
     std::vector<VictimRow> rows;
     for (const auto& [key, entry] : *mission.victims) {
-        if (entry.victim.status != Status::Discarded) rows.push_back(rowOf(mission, key, entry, robotInMap));
+        if (entry.victim.status != Status::Discarded)
+            rows.push_back(rowOf(mission, key, entry, robotInMap, moves));
     }
     std::vector<const CandidateSample*> candidates;
     for (const auto& [id, entry] : *mission.candidates) {
@@ -154,10 +157,10 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
     return rows;
 }
 
-std::vector<VictimRow> filedRows(const MissionState& mission) {
+std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves) {
     std::vector<VictimRow> rows;
     for (const auto& [key, entry] : *mission.victims)
-        rows.push_back(rowOf(mission, key, entry, std::nullopt));
+        rows.push_back(rowOf(mission, key, entry, std::nullopt, moves));
     return rows;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/mission/finds/find_moves.h"
 #include "core/mission/mission_state.h"
 #include "widgets/models/tone.h"
 
@@ -31,6 +32,7 @@ struct VictimRow {
     Time found{};                                     ///< station's clock
     QString since = {};                               ///< "12:04:31"
     QString place = {};                               ///< x y z in the map [m]
+    QString moved = {};  ///< as movedText(), when it moved with its scan last; empty: it did not
     bool discarded = false;
 
     [[nodiscard]] bool filed() const { return candidate == 0; }
@@ -38,11 +40,13 @@ struct VictimRow {
 };
 
 /// All that is not discarded, by kind and number, and after them candidates that were neither filed nor
-/// dismissed, the surest first. @p robotInMap: of the selected robot; empty: nobody knows.
+/// dismissed, the surest first. @p robotInMap: of the selected robot; empty: nobody knows. @p moves: of this
+/// mission; null: rows do not tell them.
 [[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
-                                                const std::optional<Pose>& robotInMap);
+                                                const std::optional<Pose>& robotInMap,
+                                                const FindMoves* moves = nullptr);
 /// All that was ever filed, also what was discarded since, by kind and number.
-[[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission);
+[[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves = nullptr);
 
 /// "confirmed", "unconfirmed", "discarded", "part of V2".
 [[nodiscard]] QString statusText(const VictimSample& find);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <QAction>
 #include <QApplication>
@@ -20,6 +21,7 @@
 #include "app/window/live/selection.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
+#include "widgets/models/victims/move_words.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
 
@@ -220,7 +222,10 @@ void VictimsFeature::show(const LiveMoment& moment) {
     for (const RobotInMap& one : *m_context.bridge.station().mapping().robots()) {
         if (one.robot == robot && one.placed) baseInMap = one.baseInMap;
     }
-    const auto rows = victimRows(*moment.mission, baseInMap);
+    const bool resumed = std::exchange(m_following, true);
+    const auto moved = m_moves.follow(*moment.mission);
+    if (resumed && !moved.empty()) emit told(movesText(moved));  // else of earlier sessions
+    const auto rows = victimRows(*moment.mission, baseInMap, &m_moves);
     m_panel->show(rows);
     // What was filed last is what the next key is about, once the mission has it.
     // Who is filling in a form is not disturbed.

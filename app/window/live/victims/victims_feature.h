@@ -8,6 +8,7 @@
 
 #include "app/window/live/live_context.h"
 #include "core/base/result.h"
+#include "core/mission/finds/find_moves.h"
 #include "core/mission/mission_state.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 
@@ -59,6 +60,8 @@ private:
     std::map<QString, QAction*> m_actions;
     std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
     int m_sinceRows = 0;        ///< ticks
+    FindMoves m_moves;
+    bool m_following = false;  ///< what m_moves tells is new
 };
 
 }  // namespace leitstand

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+#include "core/mission/mission_state.h"
+
+namespace leitstand {
+
+/// A find that moved with the scan it hangs on.
+struct FindMove {
+    enum class Cause : std::uint8_t {
+        Registration,  ///< scans were registered anew
+        LoopClosure,   ///< a loop was closed
+        Operator,      ///< the operator dragged, took or set aside scans
+        Undo,          ///< a decision was taken back
+    };
+    FindKey find{VictimSample::Kind::Victim, 0};
+    Cause cause = Cause::Registration;
+    std::uint64_t sequence = 0;  ///< of the event that moved it
+    Time at{};                   ///< station's clock
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< in the map [m]
+
+    [[nodiscard]] double metres() const { return (to - from).norm(); }
+};
+
+/// Follows how a mission's finds move when scans do, from its decisions alone: also of missions of long ago.
+/// Small moves add up until they are worth telling. What people move by hand is no such move.
+class FindMoves {
+public:
+    static constexpr double LeastTold = 0.05;  ///< [m]
+
+    /// Takes what was decided in @p state since the last call and returns the moves of that; begins anew with
+    /// another mission or an earlier state.
+    std::vector<FindMove> follow(const MissionState& state);
+    [[nodiscard]] const std::vector<FindMove>& all() const { return m_all; }  ///< by rising sequence
+    /// The newest of @p find; null: it stayed where it was filed.
+    [[nodiscard]] const FindMove* newest(const FindKey& find) const;
+
+private:
+    /// Where a find was when that was told last, and the entry that put it there.
+    struct Told {
+        VictimState entry;
+        Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
+    };
+    void take(const Decision& decision);
+
+    MissionState m_replay;  ///< as it was then
+    std::size_t m_taken = 0;
+    std::uint64_t m_last = 0;  ///< sequence of the decision that was taken last
+    std::map<FindKey, Told> m_told;
+    std::vector<FindMove> m_all;
+};
+
+}  // namespace leitstand
