@@ -87,8 +87,8 @@ struct PadBindings {
 [[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 
 /// Of a known pad: left trigger dead-man, right trigger turbo, right shoulder slow, left shoulder drives
-/// without eyes, left stick drives, right stick turns cameras, B stops all. Of any other joystick: nothing,
-/// and so nothing moves.
+/// without eyes, left stick drives, right stick turns cameras, B stops all, X files a victim, A confirms it,
+/// the cross fills in its form. Of any other joystick: nothing, and so nothing moves.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
 /// Gives @p action to @p control, and to its other end the opposite action. Who had the control has none

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 
@@ -18,6 +20,7 @@
 #include "tests/app/pad/virtual_pad.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
+#include "widgets/victims/victim_form.h"
 
 namespace leitstand::test {
 namespace {
@@ -56,6 +59,20 @@ protected:
             const PadState state = input->state();
             return state.axis(axis::LeftTrigger) < 0.01 && std::abs(state.axis(axis::LeftY)) < 0.01;
         }));
+    }
+    /// Pushes a button and lets it go, each for as long as the program needs to see it.
+    void tap(int which) {
+        const auto* input = m_window->findChild<PadInput*>();
+        for (const bool held : {true, false}) {
+            m_pad->press(which, held);
+            ASSERT_TRUE(soon([&] { return input->state().button(which) == held; })) << which;
+        }
+    }
+    /// The first victim as the mission has it.
+    [[nodiscard]] std::optional<VictimSample> victim() const {
+        const MissionStatePtr mission = station().mission();
+        const auto found = mission->victims->find({VictimSample::Kind::Victim, 1});
+        return found == mission->victims->end() ? std::nullopt : std::optional(found->second.victim);
     }
     /// How long until the robot is commanded to stand [ms].
     [[nodiscard]] double untilZero(Clock::time_point since) {
@@ -152,6 +169,43 @@ TEST_F(PadDriveTest, TheNextRobotIsSelectedStandingAndTheLegendIsShown) {
     ASSERT_NE(dialog, nullptr);
     EXPECT_TRUE(dialog->isVisible());
     EXPECT_FALSE(dialog->isModal());
+}
+
+TEST_F(PadDriveTest, OneButtonFilesAVictimAnotherConfirmsItAndTheCrossFillsInItsForm) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    tap(button::X);
+    ASSERT_TRUE(soon([&] { return victim().has_value(); })) << word().toStdString();
+    EXPECT_EQ(victim()->robot, "kurt3d");
+    EXPECT_EQ(victim()->status, VictimSample::Status::Hypothesis);
+    tap(button::A);
+    ASSERT_TRUE(soon([&] { return victim()->status == VictimSample::Status::Confirmed; }))
+        << word().toStdString();
+
+    auto* form = m_window->findChild<VictimForm*>("formPane");
+    ASSERT_NE(form, nullptr);
+    EXPECT_FALSE(form->isVisible()) << "nobody asked for it";
+    auto* situation = form->findChild<QComboBox*>("situation");
+    ASSERT_TRUE(soon([&] { return situation->isEnabled(); })) << "the form is that of the victim";
+    tap(button::Down);
+    EXPECT_TRUE(form->isVisible());
+    auto* first = qobject_cast<QComboBox*>(QApplication::focusWidget());
+    ASSERT_NE(first, nullptr) << "a field has the focus";
+    EXPECT_EQ(first->accessibleName().toStdString(), "Form");
+    const VictimSign::State before = victim()->form.state;
+    tap(button::Right);
+    ASSERT_TRUE(soon([&] { return victim()->form.state != before; }));
+    tap(button::Down);
+    EXPECT_NE(QApplication::focusWidget(), first);
+    tap(button::Up);
+    EXPECT_EQ(QApplication::focusWidget(), first);
+    for (int i = 0; i < 20 && QApplication::focusWidget() != situation; ++i) tap(button::Down);
+    ASSERT_EQ(QApplication::focusWidget(), situation);
+    tap(button::Right);
+    EXPECT_TRUE(soon([&] {
+        return !victim()->situation.empty() &&
+               victim()->situation == situation->currentData().toString().toStdString();
+    }));
+    lookAt("pad_form");
 }
 
 }  // namespace

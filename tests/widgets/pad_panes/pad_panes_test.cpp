@@ -23,6 +23,11 @@ std::vector<PadCommandFace> commands() {
     return {{"robot.next", "Next robot", "Selects the next robot"},
             {"camera.recentre", "Re-centre cameras", "Cameras look ahead"},
             {"pad.legend", "Controls of the gamepad", "Shows this"},
+            {"victim.freeze", "Victim here", "Keeps what the robot sees"},
+            {"victim.confirm", "Confirm the find", "Confirms it"},
+            {"form.next", "Form: next field", "Of the form"},
+            {"form.previous", "Form: previous field", "Of the form"},
+            {"form.change", "Form: next choice", "Of the field"},
             {"camera.snapshot", "Take a snapshot", "Keeps the picture"}};
 }
 
@@ -61,8 +66,8 @@ TEST_P(PadPanesTest, TheLegendSaysWhatEachControlDoes) {
     EXPECT_EQ(textFaults(legend), QStringList());
     QStringList texts;
     for (const PaintedText& one : paintedTexts(legend)) texts += one.text;
-    for (const char* text :
-         {"Hold to drive", "Turbo", "STOP all robots", "drive, turn", "cameras", "Next robot"})
+    for (const char* text : {"Hold to drive", "Turbo", "STOP all robots", "drive, turn", "cameras",
+                             "Next robot", "Victim here", "Confirm the find", "Form: next field"})
         EXPECT_TRUE(texts.contains(text)) << text << " in " << texts.join(" | ").toStdString();
     legend.resize(640, 400);
     EXPECT_EQ(textFaults(legend), QStringList());

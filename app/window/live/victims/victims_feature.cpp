@@ -130,13 +130,18 @@ void VictimsFeature::addPlacing() {
 void VictimsFeature::addForm() {
     // For gamepads, whose buttons layouts bind to commands.
     connect(&add("form.next", tr("Form: &next field"), tr("Next"), tr("Of the chosen find's form"), {}),
-            &QAction::triggered, this, [this] { m_form->nextField(1); });
+            &QAction::triggered, this, [this] { goToField(1); });
     connect(&add("form.previous", tr("Form: &previous field"), tr("Previous"),
                  tr("Of the chosen find's form"), {}),
-            &QAction::triggered, this, [this] { m_form->nextField(-1); });
+            &QAction::triggered, this, [this] { goToField(-1); });
     connect(&add("form.change", tr("Form: next &choice"), tr("Change"),
                  tr("Unknown, absent, present; situations; areas"), {}),
             &QAction::triggered, this, [this] { m_form->change(1); });
+}
+
+void VictimsFeature::goToField(int step) {
+    m_context.panes.open(QStringLiteral("form"));
+    m_form->nextField(step);
 }
 
 void VictimsFeature::freeze(Kind kind) {

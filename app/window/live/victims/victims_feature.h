@@ -40,6 +40,7 @@ private:
     void addFreezing();
     void addDecisions();
     void addForm();
+    void goToField(int step);  ///< of the form, whose pane opens
     void addPlacing();
     void freeze(VictimSample::Kind kind);
     void confirm();

@@ -65,6 +65,26 @@ TEST(PadBindings, AKnownPadDrivesAndStopsFromTheBox) {
     }
 }
 
+TEST(PadBindings, AKnownPadFilesAVictimAndFillsInItsFormFromTheBox) {
+    const PadBindings bindings = defaultBindings(PadLayout::Standard);
+    namespace button = standard_button;
+    EXPECT_EQ(controlOf(bindings, "victim.freeze"), padButton(button::X));
+    EXPECT_EQ(controlOf(bindings, "victim.confirm"), padButton(button::A));
+    EXPECT_EQ(controlOf(bindings, "form.next"), padButton(button::Down));
+    EXPECT_EQ(controlOf(bindings, "form.previous"), padButton(button::Up));
+    EXPECT_EQ(controlOf(bindings, "form.change"), padButton(button::Right));
+}
+
+TEST(PadBindings, NoControlOfAKnownPadDoesTwoThings) {
+    const PadBindings bindings = defaultBindings(PadLayout::Standard);
+    std::vector<PadControl> taken(bindings.controls.begin(), bindings.controls.end());
+    for (const PadCommand& one : bindings.commands) taken.push_back(one.control);
+    std::erase_if(taken, [](const PadControl& one) { return one.kind == Kind::None; });
+    ASSERT_GT(taken.size(), 20U);
+    for (std::size_t i = 0; i < taken.size(); ++i)
+        EXPECT_EQ(std::count(taken.begin(), taken.end(), taken[i]), 1) << i;
+}
+
 PadState joystick() {
     PadState pad;
     pad.connected = true;
