@@ -6,6 +6,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "widgets/tables/button_flow.h"
+#include "widgets/tables/command_buttons.h"
+
 namespace leitstand {
 
 ScorePane::ScorePane(QWidget* parent)
@@ -15,7 +18,8 @@ ScorePane::ScorePane(QWidget* parent)
       m_rules(new QLabel(this)),
       m_more(new QLabel(tr("More would bring"))),
       m_finds(new QFormLayout),
-      m_advice(new QFormLayout) {
+      m_advice(new QFormLayout),
+      m_buttons(new ButtonFlow) {
     setAccessibleName(tr("Estimate of the score"));
     setToolTip(tr("An estimate: judges look at the map, which counts as good here"));
     QFont large = m_score->font();
@@ -51,6 +55,12 @@ ScorePane::ScorePane(QWidget* parent)
     rows->addLayout(head);
     rows->addWidget(m_rules);
     rows->addWidget(area, 1);
+    m_buttons->setSpacing(2);
+    rows->addLayout(m_buttons);
+}
+
+void ScorePane::setCommands(const std::vector<QAction*>& commands) {
+    addCommandButtons(*m_buttons, commands, *this);
 }
 
 void ScorePane::fill(QFormLayout& list, const std::vector<ScoreLine>& lines) {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include <QWidget>
 
 #include "widgets/models/score/score_text.h"
 
+class QAction;
 class QFormLayout;
 class QLabel;
+class QLayout;
 class QVBoxLayout;
 
 namespace leitstand {
@@ -18,6 +22,8 @@ public:
 
     void show(const ScoreText& text);
     using QWidget::show;
+    /// Buttons for these commands, below the estimate.
+    void setCommands(const std::vector<QAction*>& commands);
 
     [[nodiscard]] QSize sizeHint() const override { return {280, 240}; }
 
@@ -27,6 +33,7 @@ private:
     ScoreText m_text;
     QLabel *m_score, *m_left, *m_rules, *m_more;
     QFormLayout *m_finds, *m_advice;
+    QLayout* m_buttons;
 };
 
 }  // namespace leitstand

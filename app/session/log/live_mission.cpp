@@ -257,6 +257,11 @@ LiveMissionStatus LiveMission::status() const {
             .problem = bag.problem};
 }
 
+Result<void> LiveMission::flush() {
+    m_state->sequencer->drain();
+    return m_state->bag->flush();
+}
+
 Result<void> LiveMission::close() {
     if (m_state->ending.exchange(true)) return {};
     const auto said = m_state->say(m_state->session(false), station_topic::Sessions);

@@ -66,6 +66,8 @@ public:
     /// The newest state.
     [[nodiscard]] MissionStatePtr state() const;
     [[nodiscard]] LiveMissionStatus status() const;
+    /// Waits until all that was said is on the disk. Errors: it cannot be written.
+    Result<void> flush();
     /// Logs the end of the session and a last checkpoint, and makes the bag self-contained.
     Result<void> close();
 

@@ -109,6 +109,11 @@ Result<void> ReviewPen::undo() {
         station_topic::Undo);
 }
 
+Result<void> ReviewPen::flush() {
+    const auto written = mission();
+    return written ? written->flush() : Result<void>();
+}
+
 MissionStatePtr ReviewPen::state() const {
     const auto written = mission();
     return written ? written->state() : nullptr;

@@ -38,6 +38,8 @@ public:
     /// Takes back the newest that this pen wrote and that is not taken back.
     Result<void> undo();
     [[nodiscard]] bool canUndo() const;
+    /// Waits until others who read the mission find in it what was written.
+    Result<void> flush();
 
     /// The mission's end with all that was written; null while nothing was.
     [[nodiscard]] MissionStatePtr state() const;

@@ -7,11 +7,16 @@
 #include <memory>
 #include <string>
 
+#include <QAction>
+#include <QFileDialog>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session/station/station_clock.h"
+#include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/report/report_feature.h"
 #include "core/io/report/find_lists.h"
 #include "core/mission/mission_state.h"
 #include "robots/simulation/arena/arena_generator.h"
@@ -74,6 +79,15 @@ void explore(Station& station) {
     }
 }
 
+/// Asks for the hand-in into a folder, as an operator chooses it.
+void keepReport(LiveWindow& window, const fs::path& out) {
+    window.commands().trigger(QStringLiteral("mission.report"));
+    auto* dialog = window.findChild<QFileDialog*>(QStringLiteral("reportFolder"));
+    ASSERT_NE(dialog, nullptr);
+    emit dialog->fileSelected(QString::fromStdString(out.string()));
+    dialog->close();
+}
+
 /// In the process that is killed: an operator at the window of @p folder's mission, who tells what there is.
 void operate(const fs::path& folder, int domain, bool autonomous) {
     const LiveStation live = openLiveStation(folder, domain);
@@ -89,6 +103,7 @@ void operate(const fs::path& folder, int domain, bool autonomous) {
     } else {
         QTest::keyClick(live.window.get(), Qt::Key_F);
         ASSERT_TRUE(soon([&] { return !station.mission()->victims->empty(); }));
+        ASSERT_NO_FATAL_FAILURE(keepReport(*live.window, folder / "hand-in"));
     }
     for (Had committed;;) {  // until it is killed; an event is on the disk half a second later
         QTest::qWait(2'000);
@@ -177,6 +192,10 @@ TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     const Had had = runAndKill([](const Had& now) { return now.victims >= 1 && now.scans >= 1; }, 120);
     ASSERT_GE(had.victims, 1u);
     (void)resume(had);  // how long it takes is the machine's affair here; LiveRestart and LongKill ask
+    EXPECT_TRUE(m_live.window->commands().find("mission.report")->isChecked()) << "the report goes on";
+    fs::remove_all(m_folder / "hand-in");
+    m_live.window->findChild<ReportFeature*>()->setInterval(std::chrono::milliseconds(300));
+    EXPECT_TRUE(soon([&] { return fs::exists(m_folder / "hand-in" / "SHA256SUMS"); }));
     const fs::path files = report();
     const auto victims = readFindList(files.string() + "_victims.csv");
     ASSERT_TRUE(victims) << victims.error().text;

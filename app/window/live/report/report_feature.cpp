@@ -6,6 +6,7 @@
 #include <QMainWindow>
 
 #include "app/report/pdf_report.h"
+#include "app/session/report/report_folder.h"
 #include "app/session/report/report_keeper.h"
 #include "app/session/station/station.h"
 #include "app/session/station/station_clock.h"
@@ -18,7 +19,6 @@
 namespace leitstand {
 namespace {
 
-constexpr const char* FolderKept = "leitstandReportFolder";
 constexpr int TicksAScore = 30;  ///< the score is estimated once a second
 
 }  // namespace
@@ -34,11 +34,21 @@ ReportFeature::ReportFeature(const LiveContext& context)
             this, [this, problem] { emit told(QString::fromStdString(problem)); }, Qt::QueuedConnection);
     }
     connect(&context.source, &MomentSource::ticked, this, &ReportFeature::show);
-    // A window that was made anew goes on with the report of the one before.
-    if (const QString folder = qApp->property(FolderKept).toString(); !folder.isEmpty()) keep(folder);
+    goOn();
 }
 
 ReportFeature::~ReportFeature() = default;
+
+/// A window that was made anew, and a station that resumes its mission, go on with the report of the one
+/// before. Not at once: the map has to be there again first.
+void ReportFeature::goOn() {
+    const auto folder = QString::fromStdString(reportFolderOf(m_context.bridge.station().folder()).string());
+    if (folder.isEmpty()) return;
+    beginKeeping(folder);
+    QMetaObject::invokeMethod(
+        this, [this, folder] { emit told(tr("The report goes on into %1").arg(folder)); },
+        Qt::QueuedConnection);
+}
 
 void ReportFeature::addCommands() {
     CommandTable& commands = m_context.commands;
@@ -57,10 +67,26 @@ void ReportFeature::addCommands() {
                             .checkable = true});
     connect(m_keep, &QAction::triggered, this, [this](bool on) {
         if (on) return askForFolder();
-        endKeeping();
-        qApp->setProperty(FolderKept, QVariant());
-        emit told(tr("The report is not written any more"));
+        stop();
     });
+    m_keep->setIconText(tr("Report"));
+    m_score->setCommands({m_keep});
+}
+
+void ReportFeature::stop() {
+    endKeeping();
+    remember({});
+    emit told(tr("The report is not written any more"));
+}
+
+void ReportFeature::remember(const QString& folder) {
+    const auto kept = keepReportFolder(m_context.bridge.station().folder(), folder.toStdString());
+    if (!kept) emit told(QString::fromStdString(kept.error().text));
+}
+
+void ReportFeature::setInterval(std::chrono::nanoseconds interval) {
+    m_interval = interval;
+    if (m_keeper) beginKeeping(QString(m_folder));
 }
 
 void ReportFeature::endKeeping() {
@@ -96,12 +122,20 @@ void ReportFeature::askForFolder() {
 }
 
 void ReportFeature::keep(const QString& folder) {
+    beginKeeping(folder);
+    m_keeper->writeNow();
+    remember(folder);
+}
+
+void ReportFeature::beginKeeping(const QString& folder) {
     ReportKeeper::Settings settings;
     settings.mission = m_context.bridge.station().folder();
     settings.out = folder.toStdString();
     settings.options.pdf = &pdfOf;
     settings.options.version = QApplication::applicationVersion().toStdString();
+    settings.interval = m_interval;
     endKeeping();
+    m_folder = folder;
     m_keeper = std::make_unique<ReportKeeper>(settings, [this, folder](const Result<ReportOutcome>& done) {
         const QString text = !done ? QString::fromStdString(done.error().text)
                              : !done->whole()
@@ -110,8 +144,6 @@ void ReportFeature::keep(const QString& folder) {
         QMetaObject::invokeMethod(
             this, [this, text] { emit told(text); }, Qt::QueuedConnection);
     });
-    m_keeper->writeNow();
-    qApp->setProperty(FolderKept, folder);
     m_keep->setChecked(true);
 }
 
