@@ -9,6 +9,7 @@
 
 #include "app/session/review/reviewed_robot.h"
 #include "app/window/review/review_comparison.h"
+#include "app/window/review/review_report.h"
 
 namespace leitstand {
 namespace {
@@ -54,6 +55,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     if (!player) return player.error();
     bridge->m_player = std::move(player).value();
     bridge->m_comparison = std::make_unique<ReviewComparison>(bridge->m_player->folder());
+    bridge->m_report = std::make_unique<ReviewReport>(bridge->m_player->folder());
     bridge->m_pen =
         std::make_unique<ReviewPen>(bridge->m_player->folder(), bridge->robots(),
                                     "review-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
@@ -76,6 +78,18 @@ void ReviewBridge::write(std::function<Result<void>(ReviewPen&)> what, const QSt
             const Result<void> result = what(*m_pen);
             hop([this, done, problem = result ? QString() : QString::fromStdString(result.error().text)] {
                 emit wrote(done, problem);
+            });
+        },
+        false);
+}
+
+void ReviewBridge::reportInto(const QString& folder) {
+    m_writing.submit(
+        [this, folder](const std::stop_token&) {
+            const Result<void> there = m_pen->flush();
+            hop([this, folder, problem = there ? QString() : QString::fromStdString(there.error().text)] {
+                if (!problem.isEmpty()) emit told(problem);
+                m_report->begin(folder);
             });
         },
         false);

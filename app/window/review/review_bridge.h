@@ -19,6 +19,7 @@
 namespace leitstand {
 
 class ReviewComparison;
+class ReviewReport;
 
 /// A mission's log as the GUI thread sees it: its moments arrive here as signals.
 class ReviewBridge final : public MomentSource {
@@ -34,6 +35,9 @@ public:
     /// Writes on a thread of its own, in order: @p what there, then wrote() with @p done here.
     void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
     [[nodiscard]] ReviewComparison& comparison() const { return *m_comparison; }
+    [[nodiscard]] ReviewReport& report() const { return *m_report; }
+    /// Writes the hand-in into @p folder, with all that was written before.
+    void reportInto(const QString& folder);
     /// Panes see @p map in place of that of the moment; null: the moment's again.
     void showInstead(MapPtr map);
     /// Tells a new window everything that was told before.
@@ -71,6 +75,7 @@ private:
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<ReviewPen> m_pen;
     std::unique_ptr<ReviewComparison> m_comparison;
+    std::unique_ptr<ReviewReport> m_report;
     std::unique_ptr<ReviewPlayer> m_player;  ///< its thread ends before what it tells
     JobQueue m_writing;
     std::jthread m_writer;  ///< last: ends first, when all is written

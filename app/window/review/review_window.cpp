@@ -25,6 +25,7 @@
 #include "app/window/live/window_frame.h"
 #include "app/window/review/compare_feature.h"
 #include "app/window/review/finds_feature.h"
+#include "app/window/review/hand_in_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
 #include "app/window/review/timeline_feature.h"
@@ -50,6 +51,8 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_timeline = new TimelineFeature(context, bridge);
     m_finds = new FindsFeature(context, bridge);
     addCommands();
+    auto* handIn = new HandInFeature(context, bridge, *m_finds);
+    connect(handIn, &HandInFeature::told, this, &ReviewWindow::tell);
     m_robots = new RobotsFeature(context);
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);

@@ -48,7 +48,7 @@ TEST_F(ReviewTexts, FitInEveryLayoutAndLanguage) {
         useLanguage(language);
         openWindow();
         EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-        for (const char* layout : {"drive", "explore", "map", "review", "compare"})
+        for (const char* layout : {"drive", "explore", "map", "review", "compare", "report"})
             expectWhole(language, QString::fromLatin1(layout));
         if (figures() > 0) continue;  // the comparison stays when the language changes
         find<QToolButton>("beginComparison").click();

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <thread>
+
+#include <QObject>
+#include <QString>
+
+namespace leitstand {
+
+/// The hand-in of the mission that is reviewed, written on a thread of its own, whatever window it was asked
+/// for in.
+class ReviewReport final : public QObject {
+    Q_OBJECT
+public:
+    /// Of the mission @p folder.
+    explicit ReviewReport(std::filesystem::path folder);
+    ~ReviewReport() override;  ///< what is being written is given up; files are whole all the same
+
+    void begin(const QString& out);  ///< nothing while one is being written
+    [[nodiscard]] bool writing() const { return m_writing; }
+    [[nodiscard]] double progress() const { return m_progress; }  ///< 0 to 1
+
+signals:
+    void changed();                  ///< it began, went on or is over
+    void told(const QString& text);  ///< what came of it
+
+private:
+    void run(const std::stop_token& stop, const QString& out);
+    void finish(const QString& text);
+    template <class Call>
+    void hop(Call call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    }
+
+    const std::filesystem::path m_mission;
+    bool m_writing = false;
+    double m_progress = 0.0;
+    std::jthread m_thread;  ///< last: ends first
+};
+
+}  // namespace leitstand
