@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTextDocument>
 #include <QToolButton>
 
@@ -79,6 +80,14 @@ QStringList cutTexts(const QWidget& window) {
             const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
             if (!header->isSectionHidden(i) && widest(header->fontMetrics(), text) > header->sectionSize(i))
                 cut += name(*header) + ": " + text;
+        }
+    }
+    for (const QTabBar* bar : window.findChildren<QTabBar*>()) {
+        if (!seen(*bar)) continue;
+        for (int i = 0; i < bar->count(); ++i) {
+            const QString text = shownText(bar->tabText(i));
+            if (bar->isTabVisible(i) && widest(bar->fontMetrics(), text) > bar->tabRect(i).width())
+                cut += name(*bar) + ": " + text;
         }
     }
     if (const auto* more = window.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"));

@@ -6,7 +6,7 @@
 namespace leitstand::test {
 
 /// Texts of @p window that do not fit where they stand: labels, buttons, combo boxes, headers of tables,
-/// menus.
+/// tabs, menus.
 [[nodiscard]] QStringList cutTexts(const QWidget& window);
 
 }  // namespace leitstand::test

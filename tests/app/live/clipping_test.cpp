@@ -2,17 +2,23 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QLabel>
+#include <QTabBar>
 
 #include <gtest/gtest.h>
 
 #include "app/language/language.h"
+#include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/pane_docks.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/mission/mission_form.h"
+#include "widgets/pad/pad_mapping_dialog.h"
 
 namespace leitstand::test {
 namespace {
@@ -42,6 +48,48 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
                 << language << ", " << layout;
             lookAt(QStringLiteral("texts_%1_%2").arg(QLatin1String(layout), QLatin1String(language)));
         }
+    }
+}
+
+TEST_F(LiveTexts, ATabThatIsCutIsSeen) {
+    QTabBar tabs(m_window.get());
+    tabs.addTab(QStringLiteral("far too long a name"));
+    tabs.setElideMode(Qt::ElideRight);
+    tabs.setUsesScrollButtons(false);
+    tabs.show();
+    tabs.resize(tabs.sizeHint());
+    const auto whole = cutTexts(*m_window).filter(QStringLiteral("far too long"));
+    EXPECT_TRUE(whole.isEmpty()) << whole.join("; ").toStdString();
+    tabs.resize(40, tabs.height());
+    EXPECT_EQ(cutTexts(*m_window).filter(QStringLiteral("far too long")).size(), 1);
+}
+
+TEST_F(LiveTexts, FitInDialogsAndTabsInEveryLanguage) {
+    for (const char* language : {"en", "de", "ja"}) {
+        useLanguage(QLatin1String(language));
+        restart();
+        const auto expectWhole = [&](const QWidget* dialog, const char* what) {
+            ASSERT_NE(dialog, nullptr) << what;
+            ASSERT_TRUE(soon([&] { return dialog->isVisible(); })) << what;
+            EXPECT_EQ(cutTexts(*dialog).join(QStringLiteral("; ")).toStdString(), "")
+                << language << ", " << what;
+        };
+        m_window->commands().trigger("pad.controls");
+        expectWhole(m_window->findChild<PadMappingDialog*>(), "gamepad");
+        m_window->commands().trigger("mission.data");
+        expectWhole(m_window->findChild<MissionForm*>("missionForm"), "mission data");
+        auto* const keys = m_window->findChild<QAction*>("keys");
+        ASSERT_NE(keys, nullptr);
+        keys->trigger();
+        auto* const dialog = m_window->findChild<QDialog*>("keysDialog");
+        expectWhole(dialog, "keys");
+        if (dialog != nullptr) dialog->close();
+        // In layout Drive these open as tabs.
+        m_window->layouts().use("drive");
+        for (const char* pane : {"form", "score", "missed"}) m_window->panes().open(QLatin1String(pane));
+        QTest::qWait(200);  // tabs are laid out by the event loop
+        EXPECT_EQ(cutTexts(*m_window).filter(QStringLiteral("TabBar")).join("; ").toStdString(), "")
+            << language;
     }
 }
 
