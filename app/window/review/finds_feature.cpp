@@ -100,8 +100,8 @@ const MissionState& FindsFeature::state() const {
     // What was written counts as finished: then is then.
     const bool finished = m_bridge.player().map() == ReviewMap::Finished;
     if (!finished) return *m_bridge.reviewed()->mission;
-    const MissionStatePtr written = m_bridge.pen().state();
-    return written ? *written : *m_bridge.index()->finished;
+    m_written = m_bridge.pen().state();
+    return m_written ? *m_written : *m_bridge.index()->finished;
 }
 
 const VictimSample* FindsFeature::newest(const FindKey& find) const {

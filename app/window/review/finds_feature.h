@@ -57,6 +57,7 @@ private:
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction* m_undo = nullptr;
+    mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
 };
 
 }  // namespace leitstand
