@@ -12,12 +12,11 @@
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/places/frame_tracks.h"
-#include "app/session/scans/mission_scans.h"
+#include "app/session/scans/offline_map.h"
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/live/scan_cleaning.h"
-#include "core/mapping/mapper.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
 
@@ -26,8 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double KeyDistance = 0.3;            ///< as live mapping chooses key scans [m]
-constexpr double KeyAngle = degrees(10);       ///< likewise [rad]
 constexpr double OdometryApart = 0.01;         ///< nearer poses tell nothing new [m]
 constexpr double OdometryTurned = degrees(3);  ///< likewise [rad]
 
@@ -40,23 +37,6 @@ std::string nameOf(const fs::path& folder) {
 Progress part(const Progress& progress, double begin, double end) {
     return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
             progress.stop};
-}
-
-/// The numbers of the scans that a live map would have taken.
-std::vector<std::size_t> chosen(const std::vector<ScanPtr>& scans) {
-    std::vector<std::size_t> kept;
-    std::map<std::string, Pose> newest;
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-        const Scan& scan = *scans[i];
-        const auto before = newest.find(scan.robot);
-        const bool moved = !scan.hasOdometry || before == newest.end() ||
-                           distanceBetween(before->second, scan.sensorInOdom) >= KeyDistance ||
-                           angleBetween(before->second, scan.sensorInOdom) >= KeyAngle;
-        if (!moved) continue;
-        newest[scan.robot] = scan.sensorInOdom;
-        kept.push_back(i);
-    }
-    return kept;
 }
 
 }  // namespace
@@ -142,41 +122,23 @@ void ReportSource::readKeyScans(const Progress& progress) {
 }
 
 void ReportSource::registerClouds(const fs::path& folder, const Progress& progress) {
-    const auto read = readMissionScans(folder, part(progress, 0.0, 0.4));
-    if (!read) {
+    auto map = mapOffline(folder, progress);
+    if (!map) {
         m_warnings.push_back(
-            fill(translate("leitstand::ReportText", "there is no map: {}"), read.error().text));
+            fill(translate("leitstand::ReportText", "there is no map: {}"), map.error().text));
         m_toldOfMap = true;
         return;
     }
-    const std::vector<std::size_t> scans = chosen(read->scans);
-    Mapper mapper(RegistrationSettings{});
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-        if (!mapper.add(read->scans[scans[i]], {{}, progress.stop})) break;
-        progress.done(0.4 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(scans.size()));
-    }
-    const MapPtr map = mapper.map();
-    // Registration counts from the first scan; odometry is level, so the map is put where that has it, and
-    // the robot's start at its origin. Where on earth that is (foreign odometry may count from afar) is no
-    // matter of a hand-in.
-    Pose first = Pose::Identity();
-    if (!map->scans.empty()) {
-        const Pose& sensorInBase = read->sensorsInBase[scans.front()];
-        first = map->scans.front().scan->hasOdometry ? map->scans.front().scan->sensorInOdom : sensorInBase;
-        first.translation().head<2>() -= (first * sensorInBase.inverse()).translation().head<2>();
-    }
-    for (std::size_t i = 0; i < map->scans.size(); ++i) {
-        const MapScan& scan = map->scans[i];
-        m_input.scans.push_back({.scan = scan.scan,
-                                 .scanInMap = first * scan.poseInMap,
-                                 .sensorInBase = read->sensorsInBase[scans[i]]});
+    for (const OfflineScan& one : map->scans) {
+        m_input.scans.push_back(
+            {.scan = one.scan.scan, .scanInMap = one.scan.poseInMap, .sensorInBase = one.sensorInBase});
     }
     m_warnings.push_back(
         fill(translate("leitstand::ReportText",
                        "no station made a map of this mission: {} of its {} scans were registered for "
                        "this report, without anyone's check"),
-             m_input.scans.size(), read->scans.size()));
-    m_warnings.insert(m_warnings.end(), read->warnings.begin(), read->warnings.end());
+             m_input.scans.size(), map->read));
+    m_warnings.insert(m_warnings.end(), map->warnings.begin(), map->warnings.end());
 }
 
 void ReportSource::readWays(const Progress& progress) {

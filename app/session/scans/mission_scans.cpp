@@ -43,6 +43,7 @@ struct CloudLane {
     TurnAssembler assembler;
     std::string sensor, frame;
     std::chrono::nanoseconds late{};  ///< the clouds' stamps count so much later
+    ScanArrival newest;               ///< of its clouds
 };
 
 /// What is gathered of one robot.
@@ -70,7 +71,12 @@ private:
     BagReader& m_bag;
     EventDecoder m_decoder;
     std::map<std::string, RobotScans> m_robots;
-    std::vector<std::pair<ScanPtr, Pose>> m_scans;  ///< with their sensors in the base
+    struct Kept {
+        ScanPtr scan;
+        Pose sensorInBase;
+        ScanArrival arrival;
+    };
+    std::vector<Kept> m_scans;
 };
 
 void Reading::forEach(std::vector<std::string> topics, const Progress& progress,
@@ -103,7 +109,7 @@ void Reading::keep(std::optional<Scan> scan, const std::string& robot, const Clo
     scan->robot = robot;
     scan->name = fmt::format("{} {:03}", robot, of.scans++);
     if (!scan->hasOdometry) ++of.withoutPose;
-    m_scans.emplace_back(std::make_shared<const Scan>(std::move(*scan)), sensorInBase);
+    m_scans.push_back({std::make_shared<const Scan>(std::move(*scan)), sensorInBase, lane.newest});
 }
 
 void Reading::readClouds(const Progress& progress, MissionScans& result) {
@@ -115,6 +121,7 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         CloudLane& lane = robot.lanes[event.topic];
         lane.sensor = event.sensor;
         lane.frame = cloud->header.frame;
+        lane.newest = {event.sequence, event.received};
         // A robot that does not stamp its clouds: they count as taken when they came.
         lane.late = stamp - cloud->header.stamp;
         const auto track = [&](Time at) {
@@ -137,10 +144,11 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
     }
     result.warnings.insert(result.warnings.end(), m_bag.problems().begin(), m_bag.problems().end());
     std::stable_sort(m_scans.begin(), m_scans.end(),
-                     [](const auto& a, const auto& b) { return a.first->end < b.first->end; });
-    for (auto& [scan, sensorInBase] : m_scans) {
-        result.scans.push_back(std::move(scan));
-        result.sensorsInBase.push_back(sensorInBase);
+                     [](const auto& a, const auto& b) { return a.scan->end < b.scan->end; });
+    for (Kept& one : m_scans) {
+        result.scans.push_back(std::move(one.scan));
+        result.sensorsInBase.push_back(one.sensorInBase);
+        result.arrivals.push_back(one.arrival);
     }
 }
 

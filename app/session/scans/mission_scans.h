@@ -1,20 +1,29 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/robot/robot_description.h"
 #include "core/scan/scan.h"
 
 namespace leitstand {
 
+/// The event with which a scan was complete.
+struct ScanArrival {
+    std::uint64_t sequence = 0;
+    Time received{};  ///< station's clock
+};
+
 /// The scans that a mission holds, in order of their stamps.
 struct MissionScans {
     std::vector<ScanPtr> scans;
     std::vector<Pose> sensorsInBase;    ///< of each scan: where its sensor sat at the end of the sweep
+    std::vector<ScanArrival> arrivals;  ///< of each scan
     std::vector<std::string> warnings;  ///< what could not be read or is missing; each names its place
 };
 
