@@ -49,8 +49,10 @@ void TimelineBar::setPosition(Time at) {
     update();
 }
 
-void TimelineBar::setOpening(double fraction) {
+void TimelineBar::setOpening(double fraction, const QString& doing) {
     m_opening = fraction;
+    m_doing = doing;
+    setAccessibleDescription(doing);
     update();
 }
 
@@ -140,7 +142,7 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(colours.muted);
         painter.setFont(sized(font(), LabelSize));
         painter.drawText(QRectF(Side, LabelsTop, width() - 2 * Side, height() - LabelsTop), Qt::AlignLeft,
-                         tr("reads through the mission…"));
+                         m_doing.isEmpty() ? tr("reads through the mission…") : m_doing);
         return;
     }
     paintTicks(painter);

@@ -20,8 +20,9 @@ public:
 
     void setMission(const TimelineAxis& axis, std::vector<TimelineGlyph> glyphs);
     void setPosition(Time at);
-    /// How far the mission was read through, while it is; 1: it is.
-    void setOpening(double fraction);
+    /// How far the mission was read through, while it is; 1: it is. @p doing: what is done in words; empty:
+    /// it is read through.
+    void setOpening(double fraction, const QString& doing = {});
 
     /// Where @p at is painted [px].
     [[nodiscard]] double pixelOf(Time at) const;
@@ -53,6 +54,7 @@ private:
     std::vector<TimelineGlyph> m_glyphs;
     Time m_position{};
     double m_opening = 0.0;
+    QString m_doing;
     bool m_dragging = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "app/session/log/bag_history.h"
 #include "app/session/log/mission_robots.h"
+#include "app/session/review/made_map.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
@@ -38,7 +39,59 @@ Nanoseconds lengthOf(const BagReader& bag) {
     return std::clamp(length, Shortest, Longest);
 }
 
+bool hasKeyScans(const BagReader& bag) {
+    const auto& topics = bag.topics();
+    return std::any_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
+        return topic.info.name == station_topic::KeyScans && topic.messages != 0U;
+    });
+}
+
+/// Whether @p bag holds something that one of @p robots said in one of @p roles.
+bool holds(const BagReader& bag, const std::vector<RobotDescription>& robots,
+           std::initializer_list<StreamRole> roles) {
+    const auto& topics = bag.topics();
+    return std::any_of(topics.begin(), topics.end(), [&](const BagTopic& topic) {
+        if (topic.messages == 0U) return false;
+        return std::any_of(robots.begin(), robots.end(), [&](const RobotDescription& robot) {
+            return std::any_of(robot.streams.begin(), robot.streams.end(),
+                               [&](const StreamDescription& stream) {
+                                   return stream.topic == topic.info.name &&
+                                          std::find(roles.begin(), roles.end(), stream.role) != roles.end();
+                               });
+        });
+    });
+}
+
 }  // namespace
+
+/// The bag's past, and in between what was made of it.
+class ReviewLog::History final : public MissionHistory {
+public:
+    explicit History(ReviewLog& log) : m_log(log), m_bag(*log.m_bag, log.m_decoder) {}
+
+    [[nodiscard]] std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) override {
+        // Those that are stored know of no key scans.
+        return m_log.m_made.empty() ? m_bag.checkpointUpTo(sequence) : std::nullopt;
+    }
+    void events(std::uint64_t after, std::uint64_t upTo,
+                const std::function<void(const Event&)>& take) override {
+        auto made = std::upper_bound(
+            m_log.m_made.begin(), m_log.m_made.end(), after,
+            [](std::uint64_t sequence, const Event& one) { return sequence < one.sequence; });
+        const auto giveBefore = [&](std::uint64_t sequence) {
+            for (; made != m_log.m_made.end() && made->sequence < sequence; ++made) take(*made);
+        };
+        m_bag.events(after, upTo, [&](const Event& event) {
+            giveBefore(event.sequence);
+            take(event);
+        });
+        giveBefore(upTo + 1);
+    }
+
+private:
+    ReviewLog& m_log;
+    BagHistory m_bag;
+};
 
 struct ReviewLog::Segment {
     std::int64_t number = 0;
@@ -66,14 +119,14 @@ Result<std::unique_ptr<ReviewLog>> ReviewLog::open(const fs::path& mission) {
     std::stable_sort(robots.begin(), robots.end(), [](const RobotDescription& a, const RobotDescription& b) {
         return a.streams.size() > b.streams.size();
     });
-    std::unique_ptr<ReviewLog> log(new ReviewLog(fs::is_directory(mission) ? mission : mission.parent_path(),
-                                                 std::move(bag).value(), std::move(robots)));
+    std::unique_ptr<ReviewLog> log(new ReviewLog(mission, std::move(bag).value(), std::move(robots)));
     log->m_warnings = std::move(warnings);
     return log;
 }
 
-ReviewLog::ReviewLog(fs::path folder, std::unique_ptr<BagReader> bag, std::vector<RobotDescription> robots)
-    : m_folder(std::move(folder)),
+ReviewLog::ReviewLog(fs::path mission, std::unique_ptr<BagReader> bag, std::vector<RobotDescription> robots)
+    : m_mission(std::move(mission)),
+      m_folder(fs::is_directory(m_mission) ? m_mission : m_mission.parent_path()),
       m_bag(std::move(bag)),
       m_decoder(std::move(robots)),
       m_length(lengthOf(*m_bag)) {}
@@ -108,7 +161,7 @@ std::int64_t ReviewLog::numberOf(Time at) const {
 MissionState ReviewLog::startOf(std::int64_t number, std::uint64_t before) {
     if (const auto known = m_starts.find(number); known != m_starts.end()) return known->second;
     if (before == 0) return {};
-    BagHistory history(*m_bag, m_decoder);
+    History history(*this);
     return leitstand::stateAt(history, before);
 }
 
@@ -129,7 +182,7 @@ const ReviewLog::Segment& ReviewLog::segment(std::int64_t number) {
     made->ladder.emplace_back(0, state);
     if (last > made->before) {
         Time rung = from + Rung;
-        BagHistory(*m_bag, m_decoder).events(made->before, last, [&](const Event& event) {
+        History(*this).events(made->before, last, [&](const Event& event) {
             if (event.received >= rung) {
                 made->ladder.emplace_back(made->events.size(), state);
                 while (rung <= event.received) rung += Rung;
@@ -192,20 +245,37 @@ void ReviewLog::all(const std::vector<std::string>& topics, const Progress& prog
     query.topics = topics;
     BagCursor cursor = m_bag->read(query);
     const auto last = static_cast<double>(std::max<std::uint64_t>(m_bag->lastSequence(), 1));
+    const bool scans = std::find(topics.begin(), topics.end(), station_topic::KeyScans) != topics.end();
+    auto made = scans ? m_made.begin() : m_made.end();
     while (const auto raw = cursor.next()) {
+        for (; made != m_made.end() && made->sequence < raw->sequence; ++made) take(*made);
         m_decoder.decode(*raw, take);
         progress.done(static_cast<double>(raw->sequence) / last);
         if (progress.cancelled()) return;
     }
+    for (; made != m_made.end(); ++made) take(*made);
+}
+
+bool ReviewLog::lacksMap() const {
+    return m_made.empty() && !hasKeyScans(*m_bag) && holds(*m_bag, robots(), {StreamRole::Points});
+}
+
+void ReviewLog::makeMap(const Progress& progress) {
+    MadeMap map = madeMapOf(m_mission, progress);
+    m_made = std::move(map.events);
+    m_warnings.insert(m_warnings.end(), map.warnings.begin(), map.warnings.end());
+    m_segments.clear();
+    m_starts.clear();
 }
 
 bool isReviewable(const fs::path& mission) {
     const auto bag = BagReader::open(mission);
-    if (!bag || !(*bag)->ours() || (*bag)->lastSequence() == 0) return false;
-    const auto& topics = (*bag)->topics();
-    return std::any_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
-        return topic.info.name == station_topic::KeyScans && topic.messages != 0U;
-    });
+    if (!bag || (*bag)->lastSequence() == 0) return false;
+    if (hasKeyScans(**bag)) return (*bag)->ours();
+    std::vector<std::string> warnings;
+    const auto robots = robotsOf(mission, **bag, warnings);
+    return holds(**bag, robots, {StreamRole::Points}) &&
+           holds(**bag, robots, {StreamRole::Odometry, StreamRole::Picture, StreamRole::Thermal});
 }
 
 }  // namespace leitstand

@@ -43,6 +43,13 @@ public:
     /// What could not be read so far, in words.
     [[nodiscard]] std::vector<std::string> problems() const;
 
+    /// Whether no station made a map of it, and its robots' clouds could make one.
+    [[nodiscard]] bool lacksMap() const;
+    /// Registers the clouds (mapOffline()) into key scans, which from then on are there as if a station had
+    /// said them when each scan was complete. Nothing is written. What is wrong is told by problems();
+    /// cancelled: those that were registered until then.
+    void makeMap(const Progress& progress);
+
     /// The state after the last event that was received at or before @p at.
     [[nodiscard]] MissionState stateAt(Time at);
     /// Gives what was received after @p after and at or before @p upTo, in order.
@@ -54,16 +61,19 @@ public:
 
 private:
     struct Segment;
-    ReviewLog(std::filesystem::path folder, std::unique_ptr<BagReader> bag,
+    class History;
+    ReviewLog(std::filesystem::path mission, std::unique_ptr<BagReader> bag,
               std::vector<RobotDescription> robots);
     [[nodiscard]] std::int64_t numberOf(Time at) const;
     const Segment& segment(std::int64_t number);
     [[nodiscard]] MissionState startOf(std::int64_t number, std::uint64_t before);
 
+    std::filesystem::path m_mission;  ///< as it was opened: the folder, or a file of it
     std::filesystem::path m_folder;
     std::unique_ptr<BagReader> m_bag;
     EventDecoder m_decoder;
     std::vector<std::string> m_warnings;
+    std::vector<Event> m_made;                       ///< key scans of makeMap(), by sequence
     std::chrono::nanoseconds m_length;               ///< of a segment
     std::list<std::unique_ptr<Segment>> m_segments;  ///< the one used last first
     std::map<std::int64_t, MissionState> m_starts;   ///< states before segments
@@ -71,8 +81,8 @@ private:
         m_before;  ///< newest before a segment
 };
 
-/// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove. Others
-/// have to be mapped first (readMissionScans()).
+/// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove, or
+/// clouds that make one and pictures or odometry beside them. Clouds alone are for a window on scans.
 [[nodiscard]] bool isReviewable(const std::filesystem::path& mission);
 
 }  // namespace leitstand

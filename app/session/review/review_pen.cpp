@@ -1,5 +1,6 @@
 #include "app/session/review/review_pen.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "app/session/log/live_mission.h"
 #include "app/session/log/sequencer.h"
 #include "core/base/words.h"
+#include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -22,6 +24,16 @@ const Decision* newestAfter(const MissionState& state, std::uint64_t sequence) {
         if (!one->undone && !std::holds_alternative<UndoSample>(one->content)) return &*one;
     }
     return nullptr;
+}
+
+/// Whether @p mission is a bag that no station of ours wrote anything into.
+bool isOfOthers(const std::filesystem::path& mission) {
+    const auto bag = BagReader::open(mission);
+    if (!bag || (*bag)->ours()) return false;
+    const auto& topics = (*bag)->topics();
+    return std::none_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
+        return topic.info.name.starts_with(station_topic::Prefix);
+    });
 }
 
 std::string textOf(const Decision& decision) {
@@ -43,6 +55,13 @@ ReviewPen::~ReviewPen() = default;
 
 Result<void> ReviewPen::open() {
     if (mission()) return {};
+    if (isOfOthers(m_folder)) {
+        return Error{
+            leitstand::fill(translate("leitstand::Station",
+                                      "{}: no station of ours recorded it, so that it stays as it is; "
+                                      "nothing can be written into it"),
+                            m_folder.string())};
+    }
     LiveMissionSettings settings;
     settings.folder = m_folder;
     settings.robots = m_robots;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,8 +20,8 @@ namespace leitstand {
 
 /// Called on the player's thread, which they must not hold up; any may be empty.
 struct ReviewListener {
-    std::function<void(double fraction)> onOpening = {};      ///< how far the mission is read through, 0 to 1
-    std::function<void(const ReviewIndexPtr&)> onIndex = {};  ///< once: it is; moments come from then on
+    std::function<void(double fraction)> onOpening = {};  ///< how far it is mapped and read through, 0 to 1
+    std::function<void(const ReviewIndexPtr&)> onIndex = {};    ///< once: it is; moments come from then on
     std::function<void(const ReviewMomentPtr&)> onMoment = {};  ///< each that is shown
     std::function<void(const std::string&)> onMessage = {};     ///< for the operator, in words
 };
@@ -56,10 +58,16 @@ public:
     [[nodiscard]] Time position() const;
     /// The newest that was made; null before the mission was read through.
     [[nodiscard]] ReviewMomentPtr moment() const;
+    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()).
+    [[nodiscard]] bool maps() const { return m_maps; }
+    /// Ends that: it opens with what is registered by now.
+    void stopMapping() { m_mapping.request_stop(); }
 
 private:
     ReviewPlayer(std::unique_ptr<ReviewLog> log, ReviewListener listener);
     void run(const std::stop_token& stop);
+    /// Maps where that is needed and reads through.
+    [[nodiscard]] ReviewIndexPtr opened(const std::stop_token& stop);
     void show(ReviewScene& scene, Time at, bool around);
     void advance(std::chrono::nanoseconds real, const ReviewIndex& index);  ///< under the mutex
     void wake();
@@ -67,6 +75,8 @@ private:
     const std::unique_ptr<ReviewLog> m_log;  ///< of the thread; robots() and folder() never change
     const ReviewListener m_listener;
     const Time m_first, m_last;
+    std::stop_source m_mapping;
+    std::atomic<bool> m_maps;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_woken;
     Time m_position;  ///< under the mutex, as all that follows

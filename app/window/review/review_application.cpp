@@ -27,15 +27,20 @@ void complain(const std::string& text) {
     std::fprintf(stderr, "leitstand: %s\n", text.c_str());
 }
 
+/// While @p bridge tells that the mission is opened on, nobody is impatient: clouds may have to be
+/// registered.
 template <class Holds>
-bool waitUntil(Holds holds) {
+bool waitUntil(ReviewBridge& bridge, Holds holds) {
     QEventLoop loop;
-    QTimer look;
+    QTimer look, patience;
+    patience.setSingleShot(true);
+    QObject::connect(&patience, &QTimer::timeout, &loop, &QEventLoop::quit);
+    QObject::connect(&bridge, &ReviewBridge::opening, &patience, [&] { patience.start(Patience); });
     QObject::connect(&look, &QTimer::timeout, &loop, [&] {
         if (holds()) loop.quit();
     });
     look.start(100);
-    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
+    patience.start(Patience);
     loop.exec();
     return holds();
 }
@@ -45,7 +50,7 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
     window.show();
     // The last moment with robots shows most of a mission: all of its map.
     std::optional<Time> wanted;
-    const bool shown = waitUntil([&] {
+    const bool shown = waitUntil(bridge, [&] {
         if (bridge.index() && !wanted) {
             wanted = bridge.index()->lastHeard;
             bridge.player().seek(*wanted);

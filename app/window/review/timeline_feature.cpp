@@ -33,11 +33,12 @@ TimelineFeature::TimelineFeature(const ViewContext& context, ReviewBridge& bridg
     rows->addWidget(m_transport);
     rows->addWidget(m_bar);
     addCommands();
+    if (bridge.player().maps()) addMapping();
     connect(m_bar, &TimelineBar::sought, this, [this](Time at) { m_bridge.player().seek(at); });
     connect(m_bar, &TimelineBar::stepped, this, [this](double seconds) {
         m_bridge.player().step(std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9)));
     });
-    connect(&bridge, &ReviewBridge::opening, m_bar, &TimelineBar::setOpening);
+    connect(&bridge, &ReviewBridge::opening, this, &TimelineFeature::showOpening);
     connect(&bridge, &ReviewBridge::opened, this, &TimelineFeature::showMission);
     connect(&bridge, &MomentSource::ticked, this, &TimelineFeature::showMoment);
 }
@@ -100,6 +101,26 @@ void TimelineFeature::addCommands() {
     finished.setChecked(m_bridge.player().map() == ReviewMap::Finished);
     on(finished,
        [this](bool checked) { m_bridge.player().show(checked ? ReviewMap::Finished : ReviewMap::AsThen); });
+}
+
+void TimelineFeature::addMapping() {
+    QAction& stop = add("review.stopMapping", tr("Stop &mapping"),
+                        tr("No station made a map of this mission, so that its point clouds are registered "
+                           "first; stopped, the review has those that are registered by then"),
+                        {});
+    connect(&stop, &QAction::triggered, this, [this, &stop] {
+        m_bridge.player().stopMapping();
+        stop.setEnabled(false);
+    });
+    connect(&m_bridge, &ReviewBridge::opened, &stop, [&stop] { stop.setEnabled(false); });
+}
+
+void TimelineFeature::showOpening(double fraction) {
+    const int percent = static_cast<int>(100.0 * fraction);
+    m_bar->setOpening(fraction,
+                      m_bridge.player().maps()
+                          ? tr("registers the point clouds, since no station made a map: %1 %").arg(percent)
+                          : QString());
 }
 
 void TimelineFeature::toggle(double direction) {

@@ -36,6 +36,8 @@ signals:
 
 private:
     void addCommands();
+    void addMapping();  ///< the command that ends it
+    void showOpening(double fraction);
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys,
                  const char* icon = nullptr, bool checkable = false);
     void toggle(double direction);
