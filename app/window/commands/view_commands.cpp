@@ -35,7 +35,7 @@ T chosenBy(const QAction* action) {
 
 }  // namespace
 
-ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys)
+ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys, Escape escape)
     : QObject(parent),
       m_keys(keys),
       m_state(state),
@@ -46,8 +46,8 @@ ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Key
     addColourings();
     addThemes();
     addCameras(view);
-    addTools(view);
-    addEscape(view);
+    addTools(view, escape);
+    if (escape == Escape::EndsMeasuring) addEscape(view);
     connect(&state, &ViewState::changed, this, &ViewCommands::showState);
     showState();
 }
@@ -109,7 +109,7 @@ void ViewCommands::addCameras(MapView& view) {
     add(CameraPreset::Side, {"cameraSide", tr("Camera from the s&ide"), {}, letter(Qt::Key_Y)});
 }
 
-void ViewCommands::addTools(MapView& view) {
+void ViewCommands::addTools(MapView& view, Escape escape) {
     m_before = makeAction({"before", tr("&Before registration"),
                            tr("Shows the scans where they were expected before registration"),
                            letter(Qt::Key_B), "poses", true},
@@ -124,9 +124,10 @@ void ViewCommands::addTools(MapView& view) {
                     letter(Qt::Key_H), "height", true},
                    this);
     connect(m_clip, &QAction::toggled, this, &ViewCommands::setClipping);
-    m_measure = makeAction({"measure", tr("&Measure"), tr("Click two points for their distance; Esc ends it"),
-                            letter(Qt::Key_M), "measure", true},
-                           this);
+    const QString measuring = escape == Escape::EndsMeasuring
+                                  ? tr("Click two points for their distance; Esc ends it")
+                                  : tr("Click two points for their distance; the same key again ends it");
+    m_measure = makeAction({"measure", tr("&Measure"), measuring, letter(Qt::Key_M), "measure", true}, this);
     connect(m_measure, &QAction::toggled, &view, &MapView::setMeasuring);
 }
 

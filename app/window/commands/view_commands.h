@@ -22,8 +22,14 @@ public:
         Plain,  ///< 1 to 3 and letters
         Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters: plain ones are needed otherwise
     };
+    /// What Esc is for.
+    enum class Escape {
+        EndsMeasuring,
+        StopsRobots,  ///< measuring ends by its own command alone
+    };
     /// The commands change @p state and move the camera of @p view; both must outlive them.
-    ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys = Keys::Plain);
+    ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys = Keys::Plain,
+                 Escape escape = Escape::EndsMeasuring);
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
@@ -41,7 +47,7 @@ private:
     void addColourings();
     void addThemes();
     void addCameras(MapView& view);
-    void addTools(MapView& view);
+    void addTools(MapView& view, Escape escape);
     void addEscape(MapView& view);
     void showState();
     void setClipping(bool on);

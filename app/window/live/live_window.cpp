@@ -11,6 +11,7 @@
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/drive/drive_feature.h"
+#include "app/window/live/key_columns.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/link/link_feature.h"
 #include "app/window/live/live_bridge.h"
@@ -75,7 +76,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_messages = new MessagesFeature(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
-    (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
+    (new HelpCommands(*this, KeyColumns::live()))->fill(m_commands->menu(CommandMenu::Help));
+    m_commands->adopt(CommandMenu::Help);
     build();
     connectFeatures();
     m_bridge.showAgain();

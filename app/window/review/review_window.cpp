@@ -14,6 +14,7 @@
 #include "app/window/commands/language_commands.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
+#include "app/window/live/key_columns.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
@@ -65,7 +66,8 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts));
-    (new HelpCommands(*this))->fill(m_commands->menu(CommandMenu::Help));
+    (new HelpCommands(*this, KeyColumns::review()))->fill(m_commands->menu(CommandMenu::Help));
+    m_commands->adopt(CommandMenu::Help);
     build();
     connect(m_selection, &Selection::changed, this,
             [this] { m_bridge.watch(m_selection->name().toStdString()); });

@@ -60,7 +60,10 @@ MapView& MapFeature::view() const {
 }
 
 void MapFeature::addCommands() {
-    auto* looks = new ViewCommands(m_view, m_pane->view(), this, ViewCommands::Keys::Aside);
+    using Escape = ViewCommands::Escape;
+    auto* looks =
+        new ViewCommands(m_view, m_pane->view(), this, ViewCommands::Keys::Aside,
+                         m_context.station != nullptr ? Escape::StopsRobots : Escape::EndsMeasuring);
     looks->fill(m_context.commands.menu(CommandMenu::Map));
     m_context.commands.adopt(CommandMenu::Map);
     looks->setScans(0);

@@ -111,7 +111,9 @@ void ReportFeature::askForData() {
 
 void ReportFeature::askForFolder() {
     m_keep->setChecked(false);
+    // Not modal and not the desktop's own: STOP, by Esc and by its button, works while it is open.
     auto* dialog = new QFileDialog(&m_context.window, tr("Folder for the report"));
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
     dialog->setObjectName(QStringLiteral("reportFolder"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);

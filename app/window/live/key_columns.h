@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QCoreApplication>
+
+#include "app/window/commands/key_list.h"
+
+namespace leitstand {
+
+/// What keys and the mouse do that is no command of a menu (docs/operator.md, docs/review.md).
+struct KeyColumns {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::KeyColumns)
+public:
+    [[nodiscard]] static KeyColumn live();
+    [[nodiscard]] static KeyColumn review();
+};
+
+}  // namespace leitstand
