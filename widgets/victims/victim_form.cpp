@@ -212,10 +212,11 @@ void VictimForm::nextField(int step) {
     }
 }
 
-void VictimForm::change(int step) {
+bool VictimForm::change(int step) {
     auto* box = qobject_cast<QComboBox*>(focusWidget());
-    if (box == nullptr || !box->isEnabled() || box->count() == 0) return;
+    if (box == nullptr || !box->isEnabled() || box->count() == 0) return false;
     box->setCurrentIndex((box->currentIndex() + step + box->count()) % box->count());
+    return true;
 }
 
 }  // namespace leitstand

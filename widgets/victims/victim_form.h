@@ -27,8 +27,8 @@ public:
 
     /// The next (or, negative, previous) field gets the focus.
     void nextField(int step);
-    /// The field that has the focus gets its next (previous) choice.
-    void change(int step);
+    /// The field that has the focus gets its next (previous) choice; false: it has none.
+    bool change(int step);
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 320}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }

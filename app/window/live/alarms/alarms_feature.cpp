@@ -1,5 +1,6 @@
 #include "app/window/live/alarms/alarms_feature.h"
 
+#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -40,13 +41,14 @@ AlarmsFeature::AlarmsFeature(const LiveContext& context)
 
 void AlarmsFeature::addCommands() {
     StationAlarms& alarms = m_context.bridge.station().alarms();
-    QAction& acknowledge =
-        m_context.commands.add({.id = "alarm.acknowledge",
-                                .menu = CommandMenu::Mission,
-                                .text = tr("&Acknowledge the newest alarm"),
-                                .hint = tr("Its tone ends; it stays in the list while it stands"),
-                                .keys = QKeySequence(Qt::Key_Backspace)});
-    connect(&acknowledge, &QAction::triggered, this, [&alarms] { alarms.acknowledgeNewest(); });
+    m_acknowledge =
+        &m_context.commands.add({.id = "alarm.acknowledge",
+                                 .menu = CommandMenu::Mission,
+                                 .text = tr("&Acknowledge the newest alarm"),
+                                 .hint = tr("Its tone ends; it stays in the list while it stands"),
+                                 .keys = QKeySequence(Qt::Key_Backspace)});
+    m_acknowledge->setEnabled(false);
+    connect(m_acknowledge, &QAction::triggered, this, [&alarms] { alarms.acknowledgeNewest(); });
     QAction& mute = m_context.commands.add({.id = "alarm.mute",
                                             .menu = CommandMenu::Mission,
                                             .text = tr("&Mute alarms for a minute"),
@@ -68,7 +70,10 @@ void AlarmsFeature::show(const LiveMoment& moment) {
     std::vector<RobotFace> faces;
     for (const RobotDescription& robot : m_context.selection.robots())
         faces.push_back(m_context.selection.faceOfRobot(robot));
-    m_panel->show(alarmLinesOf(view.alarms, faces, moment.now), muteText(view.mutedUntil, moment.now));
+    const std::vector<AlarmLine> lines = alarmLinesOf(view.alarms, faces, moment.now);
+    m_acknowledge->setEnabled(
+        std::any_of(lines.begin(), lines.end(), [](const AlarmLine& line) { return !line.acknowledged; }));
+    m_panel->show(lines, muteText(view.mutedUntil, moment.now));
     if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now)) {
         m_player.play(*tone);
         emit sounded(*tone);

@@ -6,6 +6,8 @@
 #include "app/window/live/live_context.h"
 #include "core/robot/alarms/alarm_voice.h"
 
+class QAction;
+
 namespace leitstand {
 
 struct LiveMoment;
@@ -27,6 +29,7 @@ private:
 
     LiveContext m_context;
     AlarmPanel* m_panel;
+    QAction* m_acknowledge = nullptr;  ///< only while one waits for it
     TonePlayer m_player;
     AlarmVoice m_voice;
     int m_sinceShown = 0;  ///< ticks

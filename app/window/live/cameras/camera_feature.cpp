@@ -101,7 +101,7 @@ void CameraFeature::addLooks() {
                 m_views.swap();
                 showPanes();
             });
-    connect(&add("camera.contrast", tr("Help in the &dark"),
+    connect(&add("camera.contrast", tr("Help in the d&ark"),
                  tr("More contrast in pictures: gently, strongly, not. The log keeps them as they came"),
                  Qt::Key_L),
             &QAction::triggered, this, [this] {
@@ -139,7 +139,7 @@ void CameraFeature::addInfrared() {
     };
     palette("ir.iron", tr("Infrared in &iron colours"), ThermalPalette::Iron);
     palette("ir.greyHot", tr("Infrared in grey, &hot is white"), ThermalPalette::GreyHot);
-    palette("ir.greyCold", tr("Infrared in grey, &hot is black"), ThermalPalette::GreyCold);
+    palette("ir.greyCold", tr("Infrared in grey, hot is &black"), ThermalPalette::GreyCold);
     QAction& follow = add(
         "ir.autoRange", tr("Infrared colours &follow the picture"),
         tr("From its coldest to its hottest; otherwise a colour is always the same temperature"), {}, true);
@@ -189,6 +189,34 @@ void CameraFeature::showPanes() {
             pane(place).setPicture({});
         }
     }
+    enable();
+}
+
+void CameraFeature::enable() {
+    const RobotDescription* const robot = m_views.robot();
+    bool anyTurns = false, large = false, heat = false, omni = false;
+    if (robot != nullptr) {
+        for (const auto& [sensor, description] : robot->sensors) {
+            if (!description.panTilt) continue;
+            anyTurns = true;
+            large = large || sensor == m_views.sensor(CameraPlace::Large);
+        }
+        heat = robot->stream(StreamRole::Thermal) != nullptr;
+    }
+    for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small})
+        omni = omni || isOmni(m_views.newest(place).get());
+    const bool second = m_views.stream(CameraPlace::Small) != nullptr;
+    const std::pair<const char*, bool> commands[] = {
+        {"camera.recentre", anyTurns}, {"camera.left", large},
+        {"camera.right", large},       {"camera.up", large},
+        {"camera.down", large},        {"camera.next", m_views.hasNext()},
+        {"camera.exchange", second},   {"camera.snapshotSmall", second},
+        {"omni.unwarp", omni},         {"ir.iron", heat},
+        {"ir.greyHot", heat},          {"ir.greyCold", heat},
+        {"ir.autoRange", heat}};
+    for (const auto& [id, can] : commands) {
+        if (QAction* const command = m_context.commands.find(QLatin1String(id))) command->setEnabled(can);
+    }
 }
 
 void CameraFeature::showPicture(const ShownPicturePtr& picture) {
@@ -197,6 +225,7 @@ void CameraFeature::showPicture(const ShownPicturePtr& picture) {
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         if (picture->sensor == m_views.sensor(place)) showIn(pane(place), picture);
     }
+    enable();  // a camera tells with its pictures whether it is omnidirectional
 }
 
 void CameraFeature::forget(const std::string& robot, const std::string& sensor) {

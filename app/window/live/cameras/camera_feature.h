@@ -54,6 +54,7 @@ private:
                  bool checkable = false);
     void choose();     ///< cameras for the panes of a robot newly selected
     void showPanes();  ///< what is known of their cameras
+    void enable();     ///< what the selected robot's cameras can do
     void applyLooks();
     void showPicture(const ShownPicturePtr& picture);
     void forget(const std::string& robot, const std::string& sensor);

@@ -19,16 +19,16 @@ struct OverlayTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::CameraPane)
 };
 
-bool isOmni(const ShownPicture* picture) {
-    return picture != nullptr && picture->camera && picture->camera->distortionModel == "mei";
-}
-
 double viewAngleOf(const ShownPicture& picture) {
     const Eigen::Vector3d left = directionAt(picture, {0.0, 0.5}), right = directionAt(picture, {1.0, 0.5});
     return std::acos(std::clamp(left.dot(right), -1.0, 1.0));
 }
 
 }  // namespace
+
+bool isOmni(const ShownPicture* picture) {
+    return picture != nullptr && picture->camera && picture->camera->distortionModel == "mei";
+}
 
 Eigen::Vector3d directionAt(const ShownPicture& picture, const QPointF& place) {
     const Eigen::Vector2d pixel(place.x() * picture.width, place.y() * picture.height);

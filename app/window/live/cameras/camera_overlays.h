@@ -18,6 +18,9 @@ struct CameraKeyNames {
     QString turn, recentre;
 };
 
+/// Whether @p picture, which may be null, is of a camera that is known to see all around.
+[[nodiscard]] bool isOmni(const ShownPicture* picture);
+
 /// What every camera's picture tells about itself: how it is turned, what was done to it. @p picture may be
 /// null.
 [[nodiscard]] CameraOverlay cameraOverlay(const std::optional<CameraTurn>& turn, const ShownPicture* picture,

@@ -26,6 +26,7 @@ public:
     void next();
     /// The cameras change panes.
     void swap();
+    [[nodiscard]] bool hasNext() const { return m_streams.size() > 2; }  ///< one that is in no pane
 
     [[nodiscard]] const RobotDescription* robot() const { return m_robot; }
     /// Null when the pane is empty.

@@ -52,7 +52,7 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
                           m_actions.at(QStringLiteral("victim.confirm")),
                           m_actions.at(QStringLiteral("victim.discard"))});
     connect(m_panel, &VictimsPanel::chosenChanged, this, &VictimsFeature::showForm);
-    connect(m_panel, &VictimsPanel::activated, this, [this] { m_form->nextField(1); });
+    connect(m_panel, &VictimsPanel::activated, this, [this] { fillIn(1); });
     connect(m_form, &VictimForm::edited, this,
             [this](const VictimSample& find) { answer(desk().edit(find)); });
     connect(&context.source, &MomentSource::ticked, this, &VictimsFeature::show);
@@ -130,18 +130,30 @@ void VictimsFeature::addPlacing() {
 void VictimsFeature::addForm() {
     // For gamepads, whose buttons layouts bind to commands.
     connect(&add("form.next", tr("Form: &next field"), tr("Next"), tr("Of the chosen find's form"), {}),
-            &QAction::triggered, this, [this] { goToField(1); });
+            &QAction::triggered, this, [this] { fillIn(1); });
     connect(&add("form.previous", tr("Form: &previous field"), tr("Previous"),
                  tr("Of the chosen find's form"), {}),
-            &QAction::triggered, this, [this] { goToField(-1); });
+            &QAction::triggered, this, [this] { fillIn(-1); });
     connect(&add("form.change", tr("Form: next &choice"), tr("Change"),
                  tr("Unknown, absent, present; situations; areas"), {}),
-            &QAction::triggered, this, [this] { m_form->change(1); });
+            &QAction::triggered, this, &VictimsFeature::changeField);
 }
 
-void VictimsFeature::goToField(int step) {
+void VictimsFeature::fillIn(int step) {
+    const auto chosen = m_panel->chosen();
+    if (!chosen || !chosen->filed()) return emit told(tr("Choose a filed find, to fill in its form"));
     m_context.panes.open(QStringLiteral("form"));
+    showForm();
     m_form->nextField(step);
+}
+
+void VictimsFeature::changeField() {
+    if (!isFillingIn()) return fillIn(1);
+    if (!m_form->change(1)) emit told(tr("This field has no choices: words are typed into it"));
+}
+
+bool VictimsFeature::isFillingIn() const {
+    return QApplication::focusWidget() != nullptr && m_form->isAncestorOf(QApplication::focusWidget());
 }
 
 void VictimsFeature::freeze(Kind kind) {
@@ -236,9 +248,7 @@ void VictimsFeature::show(const LiveMoment& moment) {
     // Who is filling in a form is not disturbed.
     const auto newest = desk().newest();
     const auto filings = desk().filings();
-    const bool busy =
-        QApplication::focusWidget() != nullptr && m_form->isAncestorOf(QApplication::focusWidget());
-    if (newest && filings != m_shown && !busy && m_panel->choose(*newest)) m_shown = filings;
+    if (newest && filings != m_shown && !isFillingIn() && m_panel->choose(*newest)) m_shown = filings;
     const auto chosen = m_panel->chosen();
     m_map.view().setFinds(rows, chosen && chosen->filed() ? std::optional(chosen->find) : std::nullopt);
     showForm();

@@ -40,7 +40,6 @@ private:
     void addFreezing();
     void addDecisions();
     void addForm();
-    void goToField(int step);  ///< of the form, whose pane opens
     void addPlacing();
     void freeze(VictimSample::Kind kind);
     void confirm();
@@ -51,6 +50,9 @@ private:
     [[nodiscard]] std::optional<FindKey> meant() const;
     void show(const LiveMoment& moment);
     void showForm();
+    void fillIn(int step);  ///< opens the chosen find's form at its next or previous field
+    void changeField();
+    [[nodiscard]] bool isFillingIn() const;
     [[nodiscard]] FindDesk& desk() const;
 
     LiveContext m_context;
