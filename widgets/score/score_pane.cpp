@@ -50,6 +50,7 @@ ScorePane::ScorePane(QWidget* parent)
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::TabFocus);
+    area->setAccessibleName(tr("What each find adds, and what would bring more"));
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 6, 8, 6);
     rows->addLayout(head);

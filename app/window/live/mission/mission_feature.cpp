@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
+#include <QSpinBox>
 
 #include "app/session/score/score_board.h"
 #include "app/session/station/station.h"
@@ -88,6 +89,8 @@ void MissionFeature::askForLength() {
     const MissionClock offered = withLength(clock.now(), rules == nullptr ? 0.0 : rules->minutes);
     question->setIntValue(
         static_cast<int>(std::chrono::duration_cast<std::chrono::minutes>(offered.limit).count()));
+    if (auto* const minutes = question->findChild<QSpinBox*>())
+        minutes->setAccessibleName(question->labelText());
     connect(question, &QInputDialog::intValueSelected, this, [this, &clock](int minutes) {
         if (const auto set = clock.limit(std::chrono::minutes(minutes)); !set)
             emit told(QString::fromStdString(set.error().text));

@@ -1,0 +1,50 @@
+#include "tests/app/reach.h"
+
+#include <QAction>
+#include <QApplication>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/window/live/layouts/layout_feature.h"
+#include "tests/app/live/quiet_page.h"
+#include "widgets/mission/clock_face.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::IsEmpty;
+using LiveReach = QuietPage;
+
+TEST_F(LiveReach, EverythingInEveryLayoutHasANameAndIsReachedByKeys) {
+    const auto* const clock = window().findChild<ClockFace*>();
+    ASSERT_NE(clock, nullptr);
+    ASSERT_TRUE(soon([&] { return !clock->toolTip().isEmpty(); })) << "the window shows what is";
+    for (const char* layout : {"drive", "explore", "map", "review", "link", "report"}) {
+        ASSERT_TRUE(window().layouts().use(QLatin1String(layout)));
+        QApplication::processEvents();
+        EXPECT_GT(thingsToUse(window()), 10) << layout;
+        EXPECT_THAT(outOfReach(window()), IsEmpty()) << layout;
+    }
+}
+
+TEST_F(LiveReach, EverythingInEveryDialogHasANameAndIsReachedByKeys) {
+    for (const char* id : {"keys", "about", "preflight.open", "mission.length", "mission.data", "layout.save",
+                           "pad.controls"}) {
+        command(id).trigger();
+        int dialogs = 0;
+        for (QWidget* top : QApplication::topLevelWidgets()) {
+            if (top == &window() || !top->isVisible() || top->parentWidget() == nullptr) continue;
+            top->activateWindow();
+            ASSERT_TRUE(QTest::qWaitForWindowActive(top)) << id;
+            EXPECT_GT(thingsToUse(*top), 0) << id;
+            EXPECT_THAT(outOfReach(*top), IsEmpty()) << id;
+            top->close();
+            ++dialogs;
+        }
+        EXPECT_EQ(dialogs, 1) << id;
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test

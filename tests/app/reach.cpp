@@ -1,0 +1,117 @@
+#include "tests/app/reach.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+
+namespace leitstand::test {
+namespace {
+
+/// A part of another one, or of Qt's own: its whole is looked at.
+bool isPart(const QWidget& one) {
+    const QWidget* const parent = one.parentWidget();
+    return one.objectName().startsWith(QStringLiteral("qt_")) || qobject_cast<const QHeaderView*>(&one) ||
+           one.inherits("QTableCornerButton") || qobject_cast<const QTabBar*>(parent) ||
+           qobject_cast<const QComboBox*>(parent) || qobject_cast<const QAbstractSpinBox*>(parent);
+}
+
+bool isUsed(const QWidget& one) {
+    return qobject_cast<const QAbstractButton*>(&one) || qobject_cast<const QAbstractItemView*>(&one) ||
+           qobject_cast<const QAbstractSpinBox*>(&one) || qobject_cast<const QComboBox*>(&one) ||
+           qobject_cast<const QLineEdit*>(&one) || qobject_cast<const QSlider*>(&one);
+}
+
+std::vector<QWidget*> used(const QWidget& window) {
+    std::vector<QWidget*> all;
+    for (QWidget* one : window.findChildren<QWidget*>()) {
+        const bool here = one->window() == &window && one->isVisible() && one->isEnabled();
+        if (here && isUsed(*one) && !isPart(*one)) all.push_back(one);
+    }
+    return all;
+}
+
+bool hasName(const QWidget& one) {
+    if (!one.accessibleName().isEmpty()) return true;
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&one)) return !button->text().isEmpty();
+    const auto labels = one.window()->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&one](const QLabel* label) { return label->buddy() == &one; });
+}
+
+bool hasKey(const QAbstractButton& button) {
+    if (!button.shortcut().isEmpty()) return true;
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    return tool != nullptr && tool->defaultAction() != nullptr &&
+           !tool->defaultAction()->shortcut().isEmpty();
+}
+
+/// What Tab comes to, one after the other, until it is where it began.
+std::set<const QWidget*> reachedByTab(const QWidget& window) {
+    constexpr int Most = 400;
+    std::set<const QWidget*> reached;
+    for (int i = 0; i < Most; ++i) {
+        QWidget* const now = QApplication::focusWidget();
+        if (now != nullptr && now->window() == &window && !reached.insert(now).second && i > 1) break;
+        QTest::keyClick(now == nullptr ? const_cast<QWidget*>(&window) : now, Qt::Key_Tab);
+    }
+    return reached;
+}
+
+bool isReached(const QWidget& one, const std::set<const QWidget*>& reached) {
+    if (reached.contains(&one)) return true;
+    const auto* button = qobject_cast<const QAbstractButton*>(&one);
+    if (button == nullptr) return false;
+    if (hasKey(*button)) return true;
+    // Of buttons of which one is down, arrows choose.
+    const QButtonGroup* const group = button->group();
+    if (group == nullptr || !group->exclusive()) return false;
+    const auto all = group->buttons();
+    return std::any_of(all.begin(), all.end(),
+                       [&reached](const QAbstractButton* other) { return reached.contains(other); });
+}
+
+std::string nameOf(const QWidget& one) {
+    std::string name = one.metaObject()->className();
+    for (const QWidget* part = &one; part != nullptr; part = part->parentWidget()) {
+        if (part->objectName().isEmpty()) continue;
+        return name + " in " + part->objectName().toStdString();
+    }
+    return name;
+}
+
+}  // namespace
+
+int thingsToUse(const QWidget& window) {
+    return static_cast<int>(used(window).size());
+}
+
+std::vector<std::string> outOfReach(QWidget& window) {
+    std::vector<std::string> wrong;
+    const auto reached = reachedByTab(window);
+    for (const QWidget* one : used(window)) {
+        if (!hasName(*one)) wrong.push_back(nameOf(*one) + " has no name");
+        if (!isReached(*one, reached)) wrong.push_back(nameOf(*one) + " is not reached by keys");
+        const auto* button = qobject_cast<const QAbstractButton*>(one);
+        const bool ofBox = qobject_cast<const QDialogButtonBox*>(one->parentWidget()) != nullptr;
+        if (button != nullptr && !ofBox && button->toolTip().isEmpty())
+            wrong.push_back(nameOf(*one) + " has no tool tip");
+    }
+    return wrong;
+}
+
+}  // namespace leitstand::test
