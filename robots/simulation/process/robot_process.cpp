@@ -18,6 +18,7 @@
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
 #include "robots/simulation/process/choose_arena.h"
+#include "robots/simulation/process/frozen_pictures.h"
 #include "robots/simulation/process/pace.h"
 #include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
@@ -32,7 +33,7 @@ namespace {
 /// at once.
 constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 2};
 
-volatile std::sig_atomic_t stopped = 0;
+volatile std::sig_atomic_t stopped = 0, frozen = 0;
 
 Result<RobotDescription> describe(const RobotOptions& options) {
     const auto file = findRobotFile(options.file.empty() ? options.kind : options.file);
@@ -109,10 +110,11 @@ struct Life {
     RobotAgent& agent;
     RobotWire& wire;
     TruthExchange& truth;
+    FrozenPictures& cameras;
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, truth] = life;
+    auto& [world, agent, wire, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const HeardCommand& heard : wire.take()) {
@@ -122,7 +124,8 @@ void turn(const Life& life) {
             agent.hear(heard.role, heard.sample, heard.from);
         }
     }
-    for (const HardwareSample& sample : agent.step()) {
+    for (HardwareSample& sample : agent.step()) {
+        cameras.pass(sample, frozen != 0);
         wire.say(sample);
         if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) truth.sayLabels(world, *cloud);
     }
@@ -175,9 +178,11 @@ Result<void> runRobot(const RobotOptions& options) {
     if (!truth) return truth.error();
     std::signal(SIGINT, [](int) { stopped = 1; });
     std::signal(SIGTERM, [](int) { stopped = 1; });
+    std::signal(SIGUSR1, [](int) { frozen = frozen == 0 ? 1 : 0; });
     std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
     std::fflush(stdout);
-    live({world, **agent, **wire, **truth}, pace);
+    FrozenPictures cameras;
+    live({world, **agent, **wire, **truth, cameras}, pace);
     return {};
 }
 
