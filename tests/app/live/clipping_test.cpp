@@ -16,6 +16,7 @@
 #include "app/window/live/pane_docks.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"
+#include "tests/app/window_size.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/mission/mission_form.h"
 #include "widgets/pad/pad_mapping_dialog.h"
@@ -41,6 +42,8 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
         useLanguage(QLatin1String(language));
         restart();
         ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+        ASSERT_EQ(m_window->size(), windowSize());
+        ASSERT_EQ(m_window->devicePixelRatioF(), windowScale());
         for (const char* layout : {"drive", "explore", "map", "review", "link", "report"}) {
             m_window->layouts().use(QLatin1String(layout));
             EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));

@@ -9,22 +9,28 @@
 #include "core/io/robot/robot_file.h"
 #include "core/mission/mission_state.h"
 #include "core/mission/robot_state.h"
+#include "tests/app/window_size.h"
 
 namespace leitstand::test {
 
-LiveStation openLiveStation(const std::filesystem::path& folder, int domain) {
+RobotDescription shippedRobot(const char* name) {
+    return readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value();
+}
+
+LiveStation openLiveStation(const std::filesystem::path& folder, int domain,
+                            std::vector<RobotDescription> robots) {
+    if (robots.empty()) robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
     StationSettings settings;
     settings.domain.domain = domain;
     settings.mission.folder = folder / "mission";
     settings.memory = folder / "station.yaml";
     const std::string source = LEITSTAND_SOURCE_DIR;
-    for (const char* name : {"kurt3d", "crawler"})
-        settings.mission.robots.push_back(readRobot(source + "/resources/robots/" + name + ".yaml").value());
+    settings.mission.robots = std::move(robots);
     LiveStation live;
     live.bridge = LiveBridge::open(settings).value();
     live.window = std::make_unique<LiveWindow>(*live.bridge, MapViewSettings{},
                                                LayoutBook(folder / "layouts", source + "/resources/layouts"));
-    live.window->resize(1280, 800);
+    live.window->resize(windowSize());
     live.window->show();
     live.window->activateWindow();
     return live;
@@ -51,14 +57,22 @@ std::size_t confirmedVictims(const Station& station) {
         }));
 }
 
-LivePage::LivePage() {
+LivePage::LivePage() : LivePage(Robots::None) {
+    startRobots();
+}
+
+LivePage::LivePage(Robots /*none*/, std::vector<RobotDescription> team) : m_team(std::move(team)) {
     open();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
+}
+
+void LivePage::startRobots(const QString& arena) {
     DemoSettings demo;
     demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.arena = arena;
     demo.domain = m_domain.number();
     m_robots = std::make_unique<DemoRobots>(demo);
     m_robots->start();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
 }
 
 LivePage::~LivePage() {
@@ -67,7 +81,7 @@ LivePage::~LivePage() {
 }
 
 void LivePage::open() {
-    LiveStation live = openLiveStation(m_folder.path().toStdString(), m_domain.number());
+    LiveStation live = openLiveStation(m_folder.path().toStdString(), m_domain.number(), m_team);
     m_bridge = std::move(live.bridge);
     m_window = std::move(live.window);
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +12,7 @@
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "core/robot/robot_description.h"
 #include "tests/support/dds/test_domain.h"
 
 namespace leitstand::test {
@@ -20,9 +22,13 @@ struct LiveStation {
     std::unique_ptr<LiveBridge> bridge;
     std::unique_ptr<LiveWindow> window;  // ends first
 };
-/// Opens or resumes the mission in @p folder / "mission" on both shipped robots; what the station remembers
-/// and layouts are beside it.
-[[nodiscard]] LiveStation openLiveStation(const std::filesystem::path& folder, int domain);
+/// Opens or resumes the mission in @p folder / "mission" on @p robots, empty: both shipped ones; what the
+/// station remembers and layouts are beside it.
+[[nodiscard]] LiveStation openLiveStation(const std::filesystem::path& folder, int domain,
+                                          std::vector<RobotDescription> robots = {});
+
+/// The robot's file that comes with the program.
+[[nodiscard]] RobotDescription shippedRobot(const char* name);
 
 /// What a scripted operator does with the list of finds: files the surest candidate, or confirms what is
 /// open.
@@ -35,7 +41,13 @@ protected:
     static constexpr int Patience = 60'000;  ///< of real robots on a busy machine [ms]
 
     LivePage();
+    /// No robot is there until the test starts it. @p team: the station's robots, empty: both shipped ones.
+    enum class Robots { None };
+    explicit LivePage(Robots none, std::vector<RobotDescription> team = {});
     ~LivePage() override;
+
+    /// Both simulated robots; @p arena: a grade, or a file.
+    void startRobots(const QString& arena = QStringLiteral("yellow"));
 
     template <class Holds>
     [[nodiscard]] static bool soon(Holds holds) {
@@ -59,6 +71,8 @@ protected:
 
 private:
     void open();
+
+    const std::vector<RobotDescription> m_team;  ///< empty: both shipped ones
 };
 
 }  // namespace leitstand::test

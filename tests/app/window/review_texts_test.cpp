@@ -8,6 +8,7 @@
 #include "app/language/language.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "tests/app/cut_texts.h"
+#include "tests/app/window_size.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand::test {
@@ -48,6 +49,8 @@ TEST_F(ReviewTexts, FitInEveryLayoutAndLanguage) {
         useLanguage(language);
         openWindow();
         EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+        ASSERT_EQ(m_window->size(), windowSize());
+        ASSERT_EQ(m_window->devicePixelRatioF(), windowScale());
         for (const char* layout : {"drive", "explore", "map", "review", "compare", "report"})
             expectWhole(language, QString::fromLatin1(layout));
         if (figures() > 0) continue;  // the comparison stays when the language changes
