@@ -2,21 +2,50 @@
 
 #include <cmath>
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QDockWidget>
 #include <QMenu>
 #include <QTest>
+#include <QToolButton>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/window/commands/command_table.h"
 #include "core/mission/mission_state.h"
 #include "tests/support/child_process.h"
+#include "widgets/drive/drive_strip.h"
+#include "widgets/drive/release_handle.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {
 
-using LiveWindowTest = LivePage;
+/// A robot goes after its handle was held for a second.
+constexpr int TooShort = 500, LongEnough = 1'300;  ///< [ms]
+
+class LiveWindowTest : public LivePage {
+protected:
+    [[nodiscard]] ReleaseHandle* handle(const char* title = "Kurt3D") const {
+        for (ReleaseHandle* one : m_window->findChildren<ReleaseHandle*>()) {
+            if (one->accessibleName() == QStringLiteral("Release %1").arg(QLatin1String(title))) return one;
+        }
+        return nullptr;
+    }
+    /// Holds the pointer down on the handle beside STOP.
+    void hold(int milliseconds) {
+        ReleaseHandle* const beside = handle();
+        ASSERT_NE(beside, nullptr);
+        // It takes no hold before the robot stands.
+        ASSERT_TRUE(soon([&] { return beside->isVisible() && beside->focusPolicy() == Qt::TabFocus; }));
+        QTest::mousePress(beside, Qt::LeftButton);
+        ASSERT_TRUE(beside->isHeld());
+        QTest::qWait(milliseconds);
+        QTest::mouseRelease(beside, Qt::LeftButton);
+    }
+};
 
 TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
@@ -32,8 +61,66 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     EXPECT_TRUE(soon([&] { return robot("crawler").stop.acknowledged; })) << "Esc stops all";
     QTest::keyRelease(m_window.get(), Qt::Key_W);
     EXPECT_LT(std::abs(speed()), 0.02);
-    ASSERT_TRUE(station().release("kurt3d").ok());
+    hold(LongEnough);
     EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
+}
+
+TEST_F(LiveWindowTest, TheStopButtonStopsAllAndAHandleHeldForASecondReleasesItsRobotAlone) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    m_window->findChild<QToolButton*>(QStringLiteral("grant"))->click();
+    ASSERT_TRUE(soon([&] { return robot().grant.mine; })) << "who releases it has to have the grant";
+    auto* const stop = m_window->findChild<QAbstractButton*>(QStringLiteral("stop"));
+    ASSERT_NE(stop, nullptr);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    ASSERT_TRUE(soon([&] {
+        return robot().stop.stopped && robot().stop.standing && robot("crawler").stop.stopped &&
+               robot("crawler").stop.standing;
+    }));
+    hold(TooShort);
+    EXPECT_FALSE(QTest::qWaitFor([&] { return !robot().stop.stopped || robot().stop.releasing; }, 1'500))
+        << "let go too early";
+    hold(LongEnough);
+    EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
+    EXPECT_TRUE(soon([&] { return !handle()->isVisible(); }));
+    EXPECT_TRUE(robot("crawler").stop.stopped) << "each robot is released by itself";
+    EXPECT_TRUE(handle("Crawler")->isVisible());
+}
+
+TEST_F(LiveWindowTest, AnotherThemeIsWornAtOnceByAllPanesThatWereThere) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    const auto shown = [&] {
+        QStringList names;
+        for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+            if (dock->isVisible()) names += dock->objectName();
+        }
+        names.sort();
+        return names.join(QLatin1Char(' ')).toStdString();
+    };
+    const std::string before = shown();
+    ASSERT_THAT(before, testing::HasSubstr("map"));
+    auto* const strip = m_window->findChild<DriveStrip*>();
+    ASSERT_NE(strip, nullptr);
+    const auto lightness = [&] {
+        const QImage painted = strip->grab().toImage();
+        return painted.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+            .pixelColor(0, 0)
+            .lightness();
+    };
+    const bool dark = presentTheme() == Theme::Dark;
+    const auto wear = [&](bool light) {
+        QAction* const theme = m_window->commands().find(light ? "themeLight" : "themeDark");
+        ASSERT_NE(theme, nullptr);
+        theme->trigger();
+        EXPECT_EQ(presentTheme(), light ? Theme::Light : Theme::Dark);
+        EXPECT_EQ(m_window->view().theme, presentTheme()) << "as it is remembered";
+        EXPECT_EQ(m_window->mapView().settings().theme, presentTheme());
+        EXPECT_TRUE(soon([&] { return (lightness() > 128) == light; })) << lightness();
+        EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+        EXPECT_EQ(shown(), before);
+    };
+    wear(dark);
+    lookAt("other_theme");
+    wear(!dark);
 }
 
 TEST_F(LiveWindowTest, AScanIsRegisteredDrawnAndInTheLog) {
