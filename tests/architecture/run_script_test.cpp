@@ -1,0 +1,59 @@
+// What people type: packaging/leitstand, with stand-ins for what it builds and asks.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A checkout where everything is installed and built, and the station says what it was started with.
+class RunScript : public testing::Test {
+protected:
+    RunScript() {
+        fs::create_directories(m_root / "packaging");
+        fs::create_directories(m_root / "build/release/bin");
+        fs::create_directories(m_root / "tools");
+        fs::copy_file(fs::path(LEITSTAND_SOURCE_DIR) / "packaging/leitstand", script());
+        writeText(m_root / "packaging/debian-packages.txt", "cmake\n");
+        program("build/release/bin/leitstand", "echo \"started with: $*\"");
+        program("tools/cmake", "exit 0");
+        program("tools/dpkg-query", "printf 'install ok installed'");
+    }
+    [[nodiscard]] ProcessOutcome run(std::vector<std::string> arguments) const {
+        const std::string path = "PATH=" + (m_root / "tools").string() + ":/usr/local/bin:/usr/bin:/bin";
+        arguments.insert(arguments.begin(), {path, "DISPLAY=:0", script().string()});
+        return runProcess("/usr/bin/env", arguments);
+    }
+
+private:
+    [[nodiscard]] fs::path script() const { return m_root / "packaging/leitstand"; }
+    void program(const std::string& name, const std::string& does) const {
+        writeText(m_root / name, "#!/bin/sh\n" + does + "\n");
+        fs::permissions(m_root / name, fs::perms::owner_all);
+    }
+
+    const TemporaryFolder m_root;
+};
+
+TEST_F(RunScript, StartsTheStationWithItsSimulatedRobotsWhenNothingElseIsAskedFor) {
+    const ProcessOutcome run = this->run({"run"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, testing::HasSubstr("started with: --demo\n"));
+}
+
+TEST_F(RunScript, HandsOverWhatIsAskedFor) {
+    const ProcessOutcome run = this->run({"run", "--theme", "light", "hall"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, testing::HasSubstr("started with: --theme light hall\n"));
+}
+
+}  // namespace
+}  // namespace leitstand::test
