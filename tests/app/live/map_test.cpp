@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <QAction>
 #include <QLabel>
@@ -11,9 +13,12 @@
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/selection.h"
 #include "core/base/pose.h"
+#include "core/mapping/placement/placement.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/models/map/robot_mark.h"
 
 namespace leitstand::test {
 namespace {
@@ -21,7 +26,10 @@ namespace {
 /// The live map with real robot processes.
 class LiveMapOnScreen : public LivePage {
 protected:
-    LiveMapOnScreen() {
+    LiveMapOnScreen() : LiveMapOnScreen(QStringLiteral("yellow")) {}
+    /// @p arena: a grade, or a file.
+    explicit LiveMapOnScreen(const QString& arena) : LivePage(Robots::None) {
+        startRobots(arena);
         m_window->layouts().use("map");
         EXPECT_TRUE(soon([&] { return place("kurt3d").placed; })) << "no scan was registered";
     }
@@ -55,7 +63,33 @@ protected:
     [[nodiscard]] MapView& map() const { return m_window->mapView(); }
 };
 
-TEST_F(LiveMapOnScreen, GoesToAPlaceThatWasClicked) {
+/// An empty hall: nothing warm is more important to a robot than where it was sent.
+class LiveMapOfAHall : public LiveMapOnScreen {
+protected:
+    LiveMapOfAHall() : LiveMapOnScreen(hall()) {}
+
+private:
+    static QString hall() {
+        static const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("hall.yaml"));
+        writeText(file.toStdString(), R"(name: empty_hall
+from: [-3, -2]
+to: [3, 2]
+starts:
+  kurt3d: {position: [-1.8, 0.6, 0]}
+  crawler: {position: [-1.8, -0.6, 0]}
+elements:
+  - {kind: floor, position: [0, 0, 0], size: [6, 4, 0.1]}
+  - {kind: wall, name: north, position: [0, 2, 0], size: [6, 0.05, 1.2]}
+  - {kind: wall, name: south, position: [0, -2, 0], size: [6, 0.05, 1.2]}
+  - {kind: wall, name: east, position: [3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
+  - {kind: wall, name: west, position: [-3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
+)");
+        return file;
+    }
+};
+
+TEST_F(LiveMapOfAHall, GoesToAPlaceThatWasClicked) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
     trigger("map.followAbove");
     const Pose before = place("kurt3d").baseInMap;
@@ -77,9 +111,10 @@ TEST_F(LiveMapOnScreen, GoesToAPlaceThatWasClicked) {
         return goals != streams.end() && goals->second.events == 1;
     })) << "the goal is on the wire and in the log";
     const auto away = [&] { return (place("kurt3d").baseInMap.translation() - goal).head<2>().norm(); };
-    // Warm bodies beside its way are more important to it.
-    EXPECT_TRUE(soon([&] { return away() < 0.8 || mode()->sample.mode == "victim_approach"; }))
+    // It stops a quarter of a metre before the place at the latest.
+    EXPECT_TRUE(soon([&] { return away() < 0.4; }))
         << "it is " << away() << " m away, " << mode()->sample.mode << ": " << mode()->sample.reason;
+    EXPECT_GT((place("kurt3d").baseInMap.translation() - before.translation()).head<2>().norm(), 0.4);
     lookAt("map_went");
 }
 
@@ -152,27 +187,40 @@ TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
 
 TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    ASSERT_TRUE(soon([&] { return place("kurt3d").placed; }));
+    ASSERT_TRUE(soon([&] { return place("crawler").certain; })) << "it was not found beside Kurt3D";
     m_window->selection().select("crawler");
     trigger("map.followAbove");
-    // Beside Kurt3D, whether it was found there by itself or not.
-    const Pose before = place("kurt3d").baseInMap * poseFrom(Eigen::Vector3d(0, -0.8, 0), 0, 0, 0);
-    const Eigen::Vector3d ahead = before * Eigen::Vector3d(0.5, 0, 0);
+    // Away from where it is and turned, farther than its laser is matched about a drawn place.
+    const Pose before = place("crawler").baseInMap;
+    const Pose drawn = before * poseFrom(Eigen::Vector3d(0.5, 0.3, 0), 0, 0, degrees(60));
+    const Eigen::Vector3d ahead = drawn * Eigen::Vector3d(0.6, 0, 0);
     ASSERT_TRUE(soon([&] {
-        const auto at = map().project(ahead);
-        return at && map().rect().contains(at->toPoint()) && map().settled();
+        const auto at = map().project(drawn.translation()), to = map().project(ahead);
+        return at && to && map().rect().contains(at->toPoint()) && map().rect().contains(to->toPoint()) &&
+               map().settled();
     }));
+    const auto told = [&] { return station().mission()->robots.at("crawler")->place; };
+    ASSERT_TRUE(told().has_value());
+    ASSERT_NE(told()->sample.cause, RobotPlaceSample::Cause::Operator) << "it was placed by itself";
     trigger("map.placeRobot");
-    const QPoint from = map().project(before.translation())->toPoint(), to = map().project(ahead)->toPoint();
+    const QPoint from = map().project(drawn.translation())->toPoint(), to = map().project(ahead)->toPoint();
     QTest::mousePress(&map(), Qt::LeftButton, {}, from);
     QMouseEvent drag(QEvent::MouseMove, to, map().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&map(), &drag);
     QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
     EXPECT_FALSE(map().drawing());
-    EXPECT_TRUE(soon([&] {
-        const RobotInMap now = place("crawler");
-        return now.placed && (now.baseInMap.translation() - before.translation()).head<2>().norm() < 0.3;
+    // Its laser may go on to look for it: what the operator did is told first.
+    std::optional<RobotPlaceSample> placed;
+    ASSERT_TRUE(soon([&] {
+        if (told()->sample.cause == RobotPlaceSample::Cause::Operator) placed = told()->sample;
+        return placed.has_value();
     }));
+    const double off = (placed->baseInMap.translation() - drawn.translation()).head<2>().norm();
+    const double turned = std::abs(std::remainder(headingOf(placed->baseInMap) - headingOf(drawn), 2 * M_PI));
+    const PlacementSettings laser;
+    EXPECT_LT(off, 0.1 + (placed->certain ? 1.5 * laser.dragged.distance : 0.0)) << placed->how;
+    EXPECT_LT(turned, degrees(5) + (placed->certain ? laser.dragged.angle : 0.0)) << placed->how;
+    EXPECT_EQ(placed->robot, "crawler");
     lookAt("map_placed");
 }
 

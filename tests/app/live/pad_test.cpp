@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
 #include <optional>
+#include <utility>
 
 #include <QAction>
 #include <QApplication>
@@ -11,6 +13,8 @@
 
 #include <gmock/gmock.h>
 
+#include "app/session/station/station_alarms.h"
+#include "app/session/station/station_cameras.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/drive_input.h"
 #include "app/window/live/pad/pad_input.h"
@@ -206,6 +210,52 @@ TEST_F(PadDriveTest, OneButtonFilesAVictimAnotherConfirmsItAndTheCrossFillsInIts
                victim()->situation == situation->currentData().toString().toStdString();
     }));
     lookAt("pad_form");
+}
+
+TEST_F(PadDriveTest, ItTremblesWhileALostRobotIsNotAcknowledged) {
+    ASSERT_TRUE(soon([&] { return robot().link.state == LinkState::Connected; }));
+    ASSERT_TRUE(soon([&] { return robot("crawler").link.state == LinkState::Connected; }));
+    const auto acts = [&] {
+        const auto all = station().alarms().view().alarms;
+        return std::count_if(all.begin(), all.end(),
+                             [](const Alarm& one) { return one.cause.severity == AlarmSeverity::Act; });
+    };
+    ASSERT_EQ(acts(), 0);
+    const int before = m_pad->rumbles();
+    m_robots.reset();
+    ASSERT_TRUE(soon([&] { return acts() == 2; })) << "both are lost";
+    // Again and again, until somebody acknowledges.
+    EXPECT_TRUE(soon([&] { return m_pad->rumbles() >= before + 2; })) << m_pad->rumbles() - before;
+    for (int i = 0; i < 20 && station().alarms().view().loud; ++i) press(Qt::Key_Backspace);
+    ASSERT_FALSE(station().alarms().view().loud);
+    QTest::qWait(500);  // what was on its way
+    const int after = m_pad->rumbles();
+    EXPECT_FALSE(QTest::qWaitFor([&] { return m_pad->rumbles() > after; }, 5'000));
+}
+
+TEST_F(PadDriveTest, ItsRightStickTurnsTheLargeCameraWithoutTheTrigger) {
+    const auto angles = [&] {
+        const auto turn = station().cameras().turning().view("kurt3d", "left");
+        return turn && turn->now ? *turn->now : PanTiltAngles{NAN, NAN};
+    };
+    ASSERT_TRUE(soon([&] { return std::abs(angles().pan) < 0.05 && std::abs(angles().tilt) < 0.05; }));
+    m_pad->push(axis::RightX, -1.0);
+    EXPECT_TRUE(soon([&] { return angles().pan > 0.3; })) << "to the left, while it is held";
+    m_pad->push(axis::RightX, 0.0);
+    EXPECT_LT(std::abs(angles().tilt), 0.05);
+    // Let go, it stays as it is.
+    double pan = NAN;
+    ASSERT_TRUE(soon([&] {
+        const double was = std::exchange(pan, angles().pan);
+        QTest::qWait(300);
+        return std::abs(angles().pan - was) < 0.01;
+    }));
+    EXPECT_GT(angles().pan, 0.3);
+    m_pad->push(axis::RightY, -1.0);
+    EXPECT_TRUE(soon([&] { return angles().tilt < -0.2; })) << "upwards";
+    m_pad->push(axis::RightY, 0.0);
+    EXPECT_FALSE(m_window->driving()) << "a look around drives nothing";
+    EXPECT_LT(std::abs(speed()), 0.02);
 }
 
 }  // namespace
