@@ -1,86 +1,17 @@
 #include "app/session/station/station_brakes.h"
 
-#include <cmath>
-#include <mutex>
-#include <thread>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/mission/mission_state.h"
-#include "core/robot/stream_defaults.h"
+#include "tests/app/station/careless_robot.h"
 #include "tests/app/station/station_scene.h"
-#include "tests/transport/link/control_robot.h"
-#include "transport/convert/decode.h"
-#include "transport/convert/encode.h"
 
 namespace leitstand::test {
 namespace {
 
 using namespace std::chrono_literals;
 using Verdict = BrakeResult::Verdict;
-
-/// A robot without a watchdog in an empty hall: it does what it was told last, for ever.
-class CarelessRobot {
-public:
-    CarelessRobot(Node& node, const RobotDescription& robot) : m_robot(robot) {
-        const auto publish = [&](StreamRole role) {
-            const StreamDescription& stream = *robot.stream(role);
-            return must(node.publisher({stream.topic, stream.type, stream.qos, Flow::Immediate}));
-        };
-        m_odometry = publish(StreamRole::Odometry);
-        m_ranges = publish(StreamRole::Ranges);
-        const StreamDescription commands = *robot.stream(StreamRole::DriveCommand);
-        m_commands = must(node.subscribe({commands.topic, commands.type, commands.qos, Lane::Small},
-                                         [this, commands](const ReceivedSample& sample) {
-                                             const auto twist = decode(sample.event, commands);
-                                             if (!twist) return;
-                                             m_speed = std::get<TwistSample>(*twist).linear.x();
-                                         }));
-        m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
-    }
-    [[nodiscard]] double speed() const { return m_speed; }
-
-private:
-    void run(const std::stop_token& stop) {
-        auto next = std::chrono::steady_clock::now();
-        while (!stop.stop_requested()) {
-            OdometrySample odometry;
-            odometry.header = {std::chrono::system_clock::now(), m_robot.odomFrame};
-            odometry.childFrame = m_robot.baseFrame;
-            odometry.linear.x() = m_speed;
-            m_x += 0.02 * m_speed;
-            odometry.baseInOdom.translation().x() = m_x;
-            (void)m_odometry->write(must(encode(odometry, "nav_msgs/msg/Odometry")));
-            RangesSample ranges;
-            ranges.header = {odometry.header.stamp, "laser"};
-            ranges.angleMin = -M_PI;
-            ranges.angleStep = 2.0 * M_PI / 360.0;
-            ranges.rangeMin = 0.1;
-            ranges.rangeMax = 20.0;
-            ranges.ranges.assign(360, 4.0F);
-            (void)m_ranges->write(must(encode(ranges, "sensor_msgs/msg/LaserScan")));
-            next += 20ms;
-            std::this_thread::sleep_until(next);
-        }
-    }
-    RobotDescription m_robot;
-    std::atomic<double> m_speed = 0.0;
-    double m_x = 0.0;
-    std::unique_ptr<Publisher> m_odometry, m_ranges;
-    std::unique_ptr<Subscription> m_commands;
-    std::jthread m_thread;
-};
-
-RobotDescription careless() {
-    RobotDescription robot = drivenRobot("rover");
-    StreamDescription ranges = defaultStream(StreamRole::Ranges, "rover", {});
-    ranges.sensor = "laser";
-    robot.streams.push_back(ranges);
-    robot.sensors["laser"] = {.frame = "laser"};
-    robot.height = 0.5;
-    return robot;
-}
 
 class StationBrakesTest : public StationScene {
 protected:
@@ -144,8 +75,8 @@ TEST_F(StationBrakesTest, TheSimulatedRobotPassesAndIsRemembered) {
 
 TEST_F(StationBrakesTest, ARobotWithoutAWatchdogFailsIsStoppedAndRefusedUntilOverridden) {
     const auto node = nodeIn(m_domain);
-    CarelessRobot robot(*node, careless());
-    auto station = stationFor({careless()});
+    CarelessRobot robot(*node, carelessRobot());
+    auto station = stationFor({carelessRobot()});
     const auto speed = [&] { return robot.speed(); };
     ASSERT_TRUE(waitUntil([&] {
         const auto around = station->around("rover");
@@ -161,14 +92,14 @@ TEST_F(StationBrakesTest, ARobotWithoutAWatchdogFailsIsStoppedAndRefusedUntilOve
     EXPECT_TRUE(moves(*station, "rover", speed, 20s));
     station.reset();
     ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; }));
-    station = stationFor({careless()});
+    station = stationFor({carelessRobot()});
     EXPECT_TRUE(station->brakes().refuses("rover")) << "remembered, the override is not";
 }
 
 TEST_F(StationBrakesTest, LettingTheKeyGoEndsTheTest) {
     const auto node = nodeIn(m_domain);
-    CarelessRobot robot(*node, careless());
-    const auto station = stationFor({careless()});
+    CarelessRobot robot(*node, carelessRobot());
+    const auto station = stationFor({carelessRobot()});
     ASSERT_TRUE(waitUntil([&] { return station->robot("rover").drive.reachable; }));
     station->brakes().begin("rover");
     station->brakes().end("rover");

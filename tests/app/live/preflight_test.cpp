@@ -1,0 +1,159 @@
+// The preflight page on robots that are not as the shipped ones.
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QWindow>
+
+#include <gmock/gmock.h>
+
+#include "app/session/station/station_brakes.h"
+#include "app/window/live/live_application.h"
+#include "app/window/live/selection.h"
+#include "tests/app/live/live_page.h"
+#include "tests/app/station/careless_robot.h"
+#include "tests/support/child_process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/transport/dds/test_node.h"
+#include "widgets/preflight/preflight_page.h"
+#include "widgets/robots/robot_chip_button.h"
+
+namespace leitstand::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A robot whose watchdog is missing.
+class PreflightOfACarelessRobot : public LivePage {
+protected:
+    PreflightOfACarelessRobot() : LivePage(Robots::None, {carelessRobot()}) {}
+
+    const std::unique_ptr<Node> m_node = nodeIn(m_domain);
+    CarelessRobot m_rover{*m_node, carelessRobot()};
+};
+
+TEST_F(PreflightOfACarelessRobot, FailsItsBrakeTestAndABadgeTellsThatItIsDrivenNevertheless) {
+    ASSERT_TRUE(soon([&] {
+        const auto around = station().around("rover");
+        return around && around->oldest(-0.4, 0.4) < 5.0 && robot("rover").drive.reachable;
+    }));
+    auto* const badge = m_window->findChild<QLabel*>(QStringLiteral("brakeBadge"));
+    ASSERT_NE(badge, nullptr);
+    EXPECT_FALSE(badge->isVisible());
+    press(Qt::Key_F9);
+    auto* const page = m_window->findChild<PreflightPage*>();
+    ASSERT_TRUE(soon([&] { return page->isVisible() && page->brakeRobot() == "rover"; }));
+    auto* const nevertheless = page->findChild<QCheckBox*>(QStringLiteral("override"));
+    EXPECT_TRUE(soon([&] { return !nevertheless->isVisible(); })) << "nothing is known against it yet";
+
+    const StationBrakes& brakes = station().brakes();
+    auto* const test = page->findChild<QPushButton*>(QStringLiteral("brakeTest"));
+    QTest::mousePress(test, Qt::LeftButton);
+    EXPECT_TRUE(soon([&] { return brakes.result("rover").verdict != BrakeResult::Verdict::Untested; }));
+    QTest::mouseRelease(test, Qt::LeftButton);
+    ASSERT_EQ(brakes.result("rover").verdict, BrakeResult::Verdict::Failed);
+    ASSERT_TRUE(soon([&] { return nevertheless->isVisible(); }));
+    EXPECT_TRUE(brakes.refuses("rover"));
+    EXPECT_FALSE(badge->isVisible()) << "nobody drives it";
+
+    nevertheless->click();
+    EXPECT_TRUE(soon([&] { return badge->isVisible(); }));
+    EXPECT_EQ(badge->text(), "NO WATCHDOG: rover");
+    EXPECT_TRUE(badge->toolTip().contains("brake test"));
+    EXPECT_FALSE(brakes.refuses("rover"));
+    lookAt("no_watchdog");
+    nevertheless->click();
+    EXPECT_TRUE(soon([&] { return !badge->isVisible(); }));
+    EXPECT_TRUE(brakes.refuses("rover"));
+}
+
+/// An operator who adds the robot that is heard, and closes the window once it is connected.
+class Adder {
+public:
+    Adder() {
+        QObject::connect(&m_glance, &QTimer::timeout, [this] { look(); });
+        m_glance.start(100);
+    }
+    [[nodiscard]] bool connected() const { return m_connected; }
+    [[nodiscard]] const std::string& said() const { return m_said; }  ///< for a failure's text
+
+private:
+    void look() {
+        LiveWindow* const window = shown();
+        if (window == nullptr || m_closed) return;
+        const bool joined = window->selection().robots().size() == 2;
+        if (joined) m_connected = m_connected || isConnected(*window, "rover");
+        if (m_connected || Clock::now() - m_began > std::chrono::minutes(2)) {
+            m_closed = true;
+            window->close();
+            return;
+        }
+        if (!joined) add(*window);
+    }
+    void add(LiveWindow& window) {
+        auto* const page = window.findChild<PreflightPage*>();
+        if (!page->isVisible()) return QTest::keyClick(&window, Qt::Key_F9);
+        auto* const heard = page->findChild<QComboBox*>(QStringLiteral("stranger"));
+        m_said = page->findChild<QLabel*>(QStringLiteral("complaint"))->text().toStdString();
+        heard->setCurrentIndex(heard->findText(QStringLiteral("rover")));
+        if (heard->currentIndex() < 0) return m_heard.reset();
+        if (!m_heard) m_heard = Clock::now();
+        // A robot's topics are heard one by one.
+        if (Clock::now() - *m_heard < std::chrono::seconds(5)) return;
+        m_heard.reset();
+        page->findChild<QPushButton*>(QStringLiteral("add"))->click();
+    }
+    static bool isConnected(const LiveWindow& window, const char* robot) {
+        for (const RobotChipButton* one : window.findChildren<RobotChipButton*>()) {
+            if (one->chip().face.name == QLatin1String(robot))
+                return one->chip().link == LinkState::Connected;
+        }
+        return false;
+    }
+    [[nodiscard]] static LiveWindow* shown() {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            auto* const window = qobject_cast<LiveWindow*>(widget);
+            if (window != nullptr && window->isVisible()) return window;
+        }
+        return nullptr;
+    }
+
+    const Clock::time_point m_began = Clock::now();
+    std::optional<Clock::time_point> m_heard;
+    std::string m_said;
+    bool m_connected = false, m_closed = false;
+    QTimer m_glance;
+};
+
+TEST(PreflightOfAStranger, ARobotThatIsHeardJoinsTheStationWhichGoesOnWithItsMission) {
+    const TemporaryFolder home;  // nobody's settings and robots are touched
+    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+        ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(home.path().string())));
+    const TestDomain domain;
+    const ChildProcess rover(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--name",
+                                               "rover", "--domain", std::to_string(domain.number())});
+    Adder operates;
+    Options options;
+    options.live = true;
+    options.robots = {"kurt3d"};
+    options.domain = domain.number();
+    options.mission = (home / "mission").string();
+    EXPECT_EQ(runLive(options), 0);
+    EXPECT_TRUE(operates.connected()) << "the page said: " << operates.said();
+    const auto last = lastOptions();
+    ASSERT_TRUE(last.has_value());
+    ASSERT_EQ(last->robots.size(), 2u) << "it is remembered";
+    EXPECT_THAT(last->robots[1], testing::EndsWith("rover.yaml"));
+}
+
+}  // namespace
+}  // namespace leitstand::test
