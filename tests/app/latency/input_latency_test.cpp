@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include <QLabel>
 
@@ -21,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int Presses = 150;
-constexpr int Attempts = 3;                           ///< something else may run on this computer
+constexpr int Attempts = 3;                           ///< all of them count
 constexpr double MostToWire = 60.0, MostAway = 50.0;  ///< [ms]
 
 void print(const char* what, const GuiWatch::Figures& figures) {
@@ -41,15 +40,18 @@ protected:
                    !robot().drive.needsNeutral && m_wire.hears();
         }));
     }
-    /// The best of a few attempts at press() is fast enough.
+    /// All presses of a few attempts at press(), taken together, are fast enough.
     void expectSoon(const char* what, const std::function<void(bool on)>& turn) {
-        double best = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < Attempts && best > MostToWire; ++i) {
-            const auto figures = GuiWatch::figures(press(turn));
-            print(what, figures);
-            if (figures.count > 0) best = std::min(best, figures.p99);
+        std::vector<double> all;
+        for (int i = 0; i < Attempts; ++i) {
+            const std::vector<double> took = press(turn);
+            print(what, GuiWatch::figures(took));
+            all.insert(all.end(), took.begin(), took.end());
         }
-        EXPECT_LE(best, MostToWire);
+        const auto figures = GuiWatch::figures(all);
+        print("... of all attempts", figures);
+        ASSERT_EQ(figures.count, static_cast<std::size_t>(Attempts * Presses));
+        EXPECT_LE(figures.p99, MostToWire);
     }
     /// Turns to and fro by @p turn, on another thread than the window's; how long each took until the command
     /// was heard [ms].
@@ -97,20 +99,23 @@ TEST_F(InputLatency, FromAPadToTheWire) {
     expectSoon("pad to wire", [&](bool on) { pad.push(standard_axis::LeftX, on ? -1.0 : 0.0); });
 }
 
+// The longest of a run is no share of many: one stroke of bad luck on a computer that others use decides it.
+// The median of three runs has to be hit twice by such, and cannot be good when two of three are bad.
 TEST_F(InputLatency, TheWindowIsNeverAwayForLong) {
     whenDriving([&] { LivePage::press(Qt::Key_F2); });
     GuiWatch watch;
-    double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < Attempts && best > MostAway; ++i) {
+    std::vector<double> longest;
+    for (int i = 0; i < Attempts; ++i) {
         watch.clear();
         QTest::keyPress(m_window.get(), Qt::Key_A);
         QTest::qWait(15'000);
         QTest::keyRelease(m_window.get(), Qt::Key_A);
         print("window away from its events", watch.wall());
         print("... by its own doing", watch.own());
-        if (watch.own().count > 100) best = std::min(best, watch.own().most);
+        ASSERT_GT(watch.own().count, 100u);
+        longest.push_back(watch.own().most);
     }
-    EXPECT_LE(best, MostAway);
+    EXPECT_LE(GuiWatch::figures(longest).p50, MostAway);
 }
 
 }  // namespace

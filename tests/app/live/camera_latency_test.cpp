@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <numeric>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <QBuffer>
 #include <QElapsedTimer>
@@ -14,9 +18,12 @@
 #include <gtest/gtest.h>
 
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/demo_robots.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "app/window/live/selection.h"
 #include "core/io/robot/robot_file.h"
+#include "core/mission/mission_state.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 #include "widgets/camera/camera_pane.h"
@@ -24,7 +31,8 @@
 namespace leitstand::test {
 namespace {
 
-constexpr int Pictures = 150, WarmUp = 20, Attempts = 3;
+constexpr int Pictures = 150, WarmUp = 20;
+constexpr int Attempts = 3;     ///< all of them count
 constexpr int Rhythm = 66;      ///< [ms]: 15 pictures a second
 constexpr double Bound = 80.0;  ///< of 99 in 100 [ms]
 
@@ -92,49 +100,116 @@ private:
     Time m_painted{};
 };
 
+RobotDescription shipped(const char* name) {
+    return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml"));
+}
+
 double share(std::vector<double> values, double part) {
     std::sort(values.begin(), values.end());
     return values.at(static_cast<std::size_t>(part * static_cast<double>(values.size() - 1)));
 }
 
-TEST(CameraLatency, FromTheSampleToThePaintedPixel) {
-    const TestDomain domain;
-    const QTemporaryDir folder;
-    const std::filesystem::path path = folder.path().toStdString();
-    StationSettings settings;
-    settings.domain.domain = domain.number();
-    settings.mission.folder = path / "mission";
-    settings.memory = path / "station.yaml";
-    const std::string source = LEITSTAND_SOURCE_DIR;
-    settings.mission.robots.push_back(must(readRobot(source + "/resources/robots/kurt3d.yaml")));
-    const auto bridge = must(LiveBridge::open(settings));
-    LiveWindow window(*bridge, MapViewSettings{},
-                      LayoutBook(path / "layouts", source + "/resources/layouts"));
-    window.resize(1280, 800);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    TestCamera camera(domain, *settings.mission.robots[0].stream(StreamRole::Picture, "left"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return camera.heard(); }, 60'000));
-    const auto& feature = *window.findChild<CameraFeature*>();
-    double worst = 0.0;
-    for (int attempt = 0; attempt < Attempts; ++attempt) {
-        PaintWatch watch(*window.findChild<CameraPane*>("cameraPane"), feature);
+/// Kurt3D's file under another name, with topics of its own: its camera is the test's.
+RobotDescription filmed(RobotDescription robot) {
+    const std::string was = "/" + robot.name + "/";
+    robot.name = "filmed";
+    robot.title = "Filmed";
+    robot.letter = "F";
+    for (StreamDescription& stream : robot.streams) {
+        if (stream.topic.starts_with(was)) stream.topic = "/filmed/" + stream.topic.substr(was.size());
+    }
+    return robot;
+}
+
+/// A station with its window on some robots, and the camera of the last one, whose pictures are looked at.
+class CameraLatency : public testing::Test {
+protected:
+    void open(const std::vector<RobotDescription>& robots) {
+        const std::filesystem::path path = m_folder.path().toStdString();
+        StationSettings settings;
+        settings.domain.domain = m_domain.number();
+        settings.mission.folder = path / "mission";
+        settings.memory = path / "station.yaml";
+        settings.mission.robots = robots;
+        m_bridge = must(LiveBridge::open(settings));
+        m_window = std::make_unique<LiveWindow>(
+            *m_bridge, MapViewSettings{},
+            LayoutBook(path / "layouts", std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts"));
+        m_window->resize(1280, 800);
+        m_window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(m_window.get()));
+        m_camera.emplace(m_domain, *robots.back().stream(StreamRole::Picture, "left"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return m_camera->heard(); }, Patience));
+        m_window->selection().select(QString::fromStdString(robots.back().name));
+    }
+    /// All pictures of a few attempts, taken together, are painted soon enough.
+    void expectSoon(const char* beside) {
+        std::vector<double> all;
+        for (int attempt = 0; attempt < Attempts; ++attempt) {
+            std::vector<double> delays;
+            ASSERT_NO_FATAL_FAILURE(film(delays));
+            ASSERT_GT(delays.size(), static_cast<std::size_t>(Pictures * 9 / 10)) << beside;
+            print(beside, delays);
+            all.insert(all.end(), delays.begin(), delays.end());
+        }
+        print("of all attempts", all);
+        EXPECT_LE(share(all, 0.99), Bound) << beside;
+    }
+
+    static constexpr int Patience = 60'000;  ///< [ms]
+    const TestDomain m_domain;
+    const QTemporaryDir m_folder;
+    std::unique_ptr<LiveBridge> m_bridge;
+    std::unique_ptr<LiveWindow> m_window;
+
+private:
+    /// From the stamp of each picture to its painted pixel [ms].
+    void film(std::vector<double>& delays) {
+        auto* const pane = m_window->findChild<CameraPane*>("cameraPane");
+        ASSERT_NE(pane, nullptr);
+        PaintWatch watch(*pane, *m_window->findChild<CameraFeature*>());
         QElapsedTimer clock;
         for (int i = 0; i < Pictures + WarmUp; ++i) {
             clock.start();
             if (i == WarmUp) watch.delays.clear();
-            ASSERT_NO_FATAL_FAILURE(camera.send());
+            ASSERT_NO_FATAL_FAILURE(m_camera->send());
             QTest::qWait(std::max<int>(1, Rhythm - static_cast<int>(clock.elapsed())));
         }
-        ASSERT_GT(watch.delays.size(), static_cast<std::size_t>(Pictures * 9 / 10));
-        worst = share(watch.delays, 0.99);
-        std::printf(
-            "camera sample to painted pixel, %zu pictures of 640 x 480: median %.1f ms, p99 %.1f ms, "
-            "most %.1f ms (bound %.0f ms)\n",
-            watch.delays.size(), share(watch.delays, 0.5), worst, share(watch.delays, 1.0), Bound);
-        if (worst <= Bound) return;
+        delays = watch.delays;
     }
-    EXPECT_LE(worst, Bound);
+    static void print(const char* beside, const std::vector<double>& delays) {
+        std::printf(
+            "camera sample to painted pixel, %s, %zu pictures of 640 x 480: median %.1f ms, p99 %.1f ms, "
+            "most %.1f ms (bound %.0f ms)\n",
+            beside, delays.size(), share(delays, 0.5), share(delays, 0.99), share(delays, 1.0), Bound);
+        std::fflush(stdout);
+    }
+
+    std::optional<TestCamera> m_camera;
+};
+
+TEST_F(CameraLatency, FromTheSampleToThePaintedPixel) {
+    ASSERT_NO_FATAL_FAILURE(open({shipped("kurt3d")}));
+    expectSoon("alone");
+}
+
+TEST_F(CameraLatency, BesideBothRobotsFromTheSampleToThePaintedPixel) {
+    DemoSettings demo;
+    demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.domain = m_domain.number();
+    DemoRobots robots(demo);
+    robots.start();
+    ASSERT_NO_FATAL_FAILURE(open({shipped("kurt3d"), shipped("crawler"), filmed(shipped("kurt3d"))}));
+    // Both are seen, and the map has begun.
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            const auto linked = [&](const char* name) {
+                return m_bridge->station().robot(name).link.state == LinkState::Connected;
+            };
+            return linked("kurt3d") && linked("crawler") && !m_bridge->station().mission()->keyScans->empty();
+        },
+        Patience));
+    expectSoon("beside both robots");
 }
 
 }  // namespace

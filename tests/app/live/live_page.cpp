@@ -86,9 +86,10 @@ void LivePage::open() {
     m_window = std::move(live.window);
 }
 
-void LivePage::restart() {
+void LivePage::restart(const std::function<void()>& between) {
     m_window.reset();
     m_bridge.reset();
+    if (between) between();
     open();
     EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -58,7 +59,8 @@ protected:
     /// As its odometry tells [m/s].
     [[nodiscard]] double speed(const char* name = "kurt3d") const;
     /// Closes the window and the station, and opens them again on the same mission; the robots go on.
-    void restart();
+    /// @p between is called while nobody has the mission open.
+    void restart(const std::function<void()>& between = {});
     /// For people: a picture of the window in the folder LEITSTAND_PICTURES.
     void lookAt(const QString& name);
     void press(Qt::Key key) { QTest::keyClick(m_window.get(), key); }
