@@ -66,7 +66,7 @@ protected:
     }
     /// A walk does the same things as the one before: their figures are put together.
     void judge() const {
-        std::printf("300 key scans, away from its events by its own doing [ms]\n");
+        std::printf("%zu key scans, away from its events by its own doing [ms]\n", KeyScans);
         for (const Walked& one : m_walked) {
             std::printf("%-36s", one.what.c_str());
             for (const double away : one.away) std::printf(" %7.1f", away);
@@ -118,9 +118,8 @@ private:
     void layoutsAndRobots() {
         for (const char* layout : Layouts) {
             const std::string id = std::string("layout.") + layout;
-            ASSERT_NO_FATAL_FAILURE(step(std::string("layout ") + layout, id.c_str(), [&] {
-                return m_window->layouts().current().name == layout && m_window->mapView().settled();
-            }));
+            ASSERT_NO_FATAL_FAILURE(step(std::string("layout ") + layout, id.c_str(),
+                                         [&] { return m_window->layouts().current().name == layout; }));
         }
         ASSERT_NO_FATAL_FAILURE(
             step("the Crawler is selected", "robot.2", [&] { return m_window->selected() == "crawler"; }));
@@ -154,8 +153,8 @@ private:
             step("rewind to it", "scan.rewind", [&] { return aside() > before + KeyScans / 2 && drawn(); }));
         ASSERT_NO_FATAL_FAILURE(
             step("the rewind is undone", "scan.undo", [&] { return aside() == before && drawn(); }));
-        ASSERT_NO_FATAL_FAILURE(step("the map follows", "map.followBehind", drawn));
-        ASSERT_NO_FATAL_FAILURE(step("the map is free again", "map.free", drawn));
+        ASSERT_NO_FATAL_FAILURE(step("the map follows", "map.followBehind"));
+        ASSERT_NO_FATAL_FAILURE(step("the map is free again", "map.free"));
     }
     void search() {
         const auto checked = [this](const char* id) {
@@ -201,7 +200,8 @@ TEST_F(WindowWalkLatency, NothingThatTheOperatorDoesKeepsTheWindowFromItsEvents)
     for (int i = 0; i < Walks; ++i) {
         if (i > 0) restart();
         std::printf("walk %d\n", i + 1);
-        ASSERT_NO_FATAL_FAILURE(walk());
+        walk();
+        if (HasFatalFailure()) break;  // what was measured is told all the same
     }
     judge();
 }
