@@ -53,6 +53,52 @@
     </message>
 </context>
 <context>
+    <name>CurveText</name>
+    <message>
+        <source>CO₂ measured by %1</source>
+        <translation>CO₂, gemessen von %1</translation>
+    </message>
+    <message>
+        <source>CO₂ [ppm]</source>
+        <translation>CO₂ [ppm]</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>Uhrzeit</translation>
+    </message>
+</context>
+<context>
+    <name>EvidenceText</name>
+    <message>
+        <source>, 15 to 40 °C, hottest %1 °C</source>
+        <translation>, 15 bis 40 °C, am wärmsten %1 °C</translation>
+    </message>
+    <message>
+        <source>scan of %1, %2, from above: the disc is the find, the arrow the robot; yellow is high; lines are 1 m apart</source>
+        <translation>Scan von %1, %2, von oben: die Scheibe ist der Fund, der Pfeil der Roboter; Gelb ist hoch; Linien im Abstand von 1 m</translation>
+    </message>
+    <message>
+        <source>scan %1 of %2 at %3, %4 points</source>
+        <translation>Scan %1 von %2 um %3, %4 Punkte</translation>
+    </message>
+    <message>
+        <source>scan of %1 at %2, %3 points</source>
+        <translation>Scan von %1 um %2, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 stood at x %2, y %3 m, heading %4° in the map, at %5</source>
+        <translation>%1 stand bei x %2, y %3 m, Richtung %4° in der Karte, um %5</translation>
+    </message>
+    <message>
+        <source>%1 stood at x %2, y %3 m of its odometry, heading %4°, at %5: its place in the map is not known</source>
+        <translation>%1 stand bei x %2, y %3 m seiner Odometrie, Richtung %4°, um %5: sein Ort in der Karte ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm at %2 (%3)</source>
+        <translation>CO₂ %1 ppm um %2 (%3)</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -313,6 +359,10 @@
         <source>Finds</source>
         <translation>Funde</translation>
     </message>
+    <message>
+        <source>Report made</source>
+        <translation>Bericht erstellt</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>
@@ -367,6 +417,50 @@
     <message>
         <source>Values of the profile for which no readable source was found: %1.</source>
         <translation>Werte des Profils, für die keine lesbare Quelle gefunden wurde: %1.</translation>
+    </message>
+    <message>
+        <source>weights of the areas</source>
+        <translation>Gewichte der Bereiche</translation>
+    </message>
+    <message>
+        <source>points of the items</source>
+        <translation>Punkte der Angaben</translation>
+    </message>
+    <message>
+        <source>penalty of a contact with the arena</source>
+        <translation>Abzug für eine Berührung der Arena</translation>
+    </message>
+    <message>
+        <source>penalty of a contact with a victim</source>
+        <translation>Abzug für eine Berührung eines Opfers</translation>
+    </message>
+    <message>
+        <source>divisor by operators</source>
+        <translation>Teiler nach Bedienern</translation>
+    </message>
+    <message>
+        <source>points of a hazard sign</source>
+        <translation>Punkte eines Gefahrzeichens</translation>
+    </message>
+    <message>
+        <source>points of a QR code</source>
+        <translation>Punkte eines QR-Codes</translation>
+    </message>
+    <message>
+        <source>points of an object of interest</source>
+        <translation>Punkte eines Objekts von Interesse</translation>
+    </message>
+    <message>
+        <source>factor of autonomy</source>
+        <translation>Faktor der Autonomie</translation>
+    </message>
+    <message>
+        <source>factor of semi-autonomy</source>
+        <translation>Faktor der Teilautonomie</translation>
+    </message>
+    <message>
+        <source>minutes of a mission</source>
+        <translation>Minuten einer Mission</translation>
     </message>
 </context>
 <context>
@@ -642,10 +736,6 @@
         <translation>Die Kamera des kleinen Bildes kommt ins große</translation>
     </message>
     <message>
-        <source>Help in the &amp;dark</source>
-        <translation>Hilfe im &amp;Dunkeln</translation>
-    </message>
-    <message>
         <source>More contrast in pictures: gently, strongly, not. The log keeps them as they came</source>
         <translation>Mehr Kontrast in Bildern: leicht, stark, aus. Das Log behält sie, wie sie kamen</translation>
     </message>
@@ -682,10 +772,6 @@
         <translation>Infrarot grau, heiß ist &amp;weiß</translation>
     </message>
     <message>
-        <source>Infrared in grey, &amp;hot is black</source>
-        <translation>Infrarot grau, heiß ist s&amp;chwarz</translation>
-    </message>
-    <message>
         <source>Infrared colours &amp;follow the picture</source>
         <translation>Infrarot&amp;farben folgen dem Bild</translation>
     </message>
@@ -704,6 +790,14 @@
     <message>
         <source>The camera sees nothing there: nothing was filed</source>
         <translation>Dort sieht die Kamera nichts: nichts wurde erfasst</translation>
+    </message>
+    <message>
+        <source>Help in the d&amp;ark</source>
+        <translation>Hilfe im D&amp;unkeln</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, hot is &amp;black</source>
+        <translation>Infrarot in Grau, heiß ist &amp;schwarz</translation>
     </message>
 </context>
 <context>
@@ -1831,6 +1925,38 @@ Funk: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::FindMoves</name>
+    <message>
+        <source>scans were registered anew</source>
+        <translation>Scans neu registriert wurden</translation>
+    </message>
+    <message>
+        <source>a loop was closed</source>
+        <translation>eine Schleife geschlossen wurde</translation>
+    </message>
+    <message>
+        <source>the operator corrected scans</source>
+        <translation>der Operator Scans korrigiert hat</translation>
+    </message>
+    <message>
+        <source>a decision was taken back</source>
+        <translation>eine Entscheidung zurückgenommen wurde</translation>
+    </message>
+    <message>
+        <source>moved %1 m at %2, since %3</source>
+        <translation>um %1 m bewegt um %2, weil %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 m</source>
+        <comment>V1 0.32 m</comment>
+        <translation>%1 %2 m</translation>
+    </message>
+    <message>
+        <source>%1 moved, since %2</source>
+        <translation>%1 bewegt, weil %2</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FindPointing</name>
     <message>
         <source>Victim where I &amp;click</source>
@@ -1851,6 +1977,30 @@ Funk: %4 %5</translation>
     <message>
         <source>The robot is not in the map yet: nothing was filed</source>
         <translation>Der Roboter ist noch nicht in der Karte: nichts wurde erfasst</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map</source>
+        <translation>Danach im Bild, im virtuellen Scan oder auf der Karte darauf klicken</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>Gefahr dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>QR-Code dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>Objekt dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>Auf den Ort klicken · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>Click on it: in a picture, in the virtual scan or on the map</source>
+        <translation>Darauf klicken: im Bild, im virtuellen Scan oder auf der Karte</translation>
     </message>
 </context>
 <context>
@@ -2059,6 +2209,33 @@ Funk: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::HandInFeature</name>
+    <message>
+        <source>Score</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <source>R&amp;eport into a folder…</source>
+        <translation>B&amp;ericht in einen Ordner…</translation>
+    </message>
+    <message>
+        <source>Writes the judges' folder of this mission, with what was corrected in the review</source>
+        <translation>Schreibt den Ordner der Jury zu dieser Mission, mit allem, was in der Auswertung berichtigt wurde</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>Ordner für den Bericht</translation>
+    </message>
+    <message>
+        <source>Report: %1 %</source>
+        <translation>Bericht: %1 %</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::HelpCommands</name>
     <message>
         <source>Left button</source>
@@ -2155,6 +2332,205 @@ Apache License 2.0</source>
         <translation>Die Bedienstation für Rettungsroboter: registriert 3D-Laserscans zu einer Karte und zeigt sie, nach den Methoden des RoboCup-Rescue-Teams Deutschland1.
 
 Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::KeyColumns</name>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>turns the map; while measuring, picks a point</source>
+        <translation>dreht die Karte; wählt beim Messen einen Punkt</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left</source>
+        <translation>Mittlere, Umschalt+links</translation>
+    </message>
+    <message>
+        <source>shifts the map</source>
+        <translation>verschiebt die Karte</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>Rad, rechte Taste</translation>
+    </message>
+    <message>
+        <source>zooms the map</source>
+        <translation>zoomt die Karte</translation>
+    </message>
+    <message>
+        <source>Arrows, +, −</source>
+        <translation>Pfeile, +, −</translation>
+    </message>
+    <message>
+        <source>in the map that has the keyboard: turn and zoom; with Shift they shift</source>
+        <translation>in der Karte mit der Tastatur: drehen und zoomen; mit Umschalt verschieben</translation>
+    </message>
+    <message>
+        <source>+, −</source>
+        <translation>+, −</translation>
+    </message>
+    <message>
+        <source>zoom the virtual scan that has the keyboard</source>
+        <translation>zoomen den virtuellen Scan, der die Tastatur hat</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Strg+C</translation>
+    </message>
+    <message>
+        <source>copies the chosen message</source>
+        <translation>kopiert die gewählte Meldung</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>next and previous field</source>
+        <translation>nächstes und voriges Feld</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stops all robots, always and everywhere</source>
+        <translation>hält alle Roboter an, immer und überall</translation>
+    </message>
+    <message>
+        <source>Space or Return, held</source>
+        <translation>Leertaste oder Eingabe, gehalten</translation>
+    </message>
+    <message>
+        <source>on the handle beside STOP: releases the robot</source>
+        <translation>auf dem Griff neben STOPP: gibt den Roboter frei</translation>
+    </message>
+    <message>
+        <source>Click into the camera</source>
+        <translation>Klick in die Kamera</translation>
+    </message>
+    <message>
+        <source>drives with keys, as F2</source>
+        <translation>fährt mit Tasten, wie F2</translation>
+    </message>
+    <message>
+        <source>W S A D, arrows</source>
+        <translation>W S A D, Pfeile</translation>
+    </message>
+    <message>
+        <source>drive, while driving with keys; a robot's file may bind others</source>
+        <translation>fahren, solange mit Tasten gefahren wird; die Datei eines Roboters kann andere belegen</translation>
+    </message>
+    <message>
+        <source>Shift, Ctrl</source>
+        <translation>Umschalt, Strg</translation>
+    </message>
+    <message>
+        <source>while driving: a quarter of the robot's speed, all of it</source>
+        <translation>beim Fahren: ein Viertel der Geschwindigkeit des Roboters, die ganze</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>while driving: halts the robot</source>
+        <translation>beim Fahren: lässt den Roboter halten</translation>
+    </message>
+    <message>
+        <source>G, held</source>
+        <translation>G, gehalten</translation>
+    </message>
+    <message>
+        <source>while driving: drives without eyes</source>
+        <translation>beim Fahren: fährt ohne Sicht</translation>
+    </message>
+    <message>
+        <source>Q E, Page Up, Page Down</source>
+        <translation>Q E, Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>turn the large camera while they are held, with Shift slowly</source>
+        <translation>drehen die große Kamera, solange sie gehalten werden, mit Umschalt langsam</translation>
+    </message>
+    <message>
+        <source>Number pad 4 6 8 2, 5</source>
+        <translation>Ziffernblock 4 6 8 2, 5</translation>
+    </message>
+    <message>
+        <source>turn the large camera; all cameras look ahead</source>
+        <translation>drehen die große Kamera; alle Kameras sehen nach vorn</translation>
+    </message>
+    <message>
+        <source>Dragging the large picture</source>
+        <translation>Ziehen im großen Bild</translation>
+    </message>
+    <message>
+        <source>turns its camera</source>
+        <translation>dreht dessen Kamera</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>into a picture or the virtual scan: files the victim that is there</source>
+        <translation>in ein Bild oder den virtuellen Scan: legt das Opfer dort an</translation>
+    </message>
+    <message>
+        <source>Double click on the floor</source>
+        <translation>Doppelklick auf den Boden</translation>
+    </message>
+    <message>
+        <source>sends the selected robot there, if it takes goals</source>
+        <translation>schickt den gewählten Roboter dorthin, wenn er Ziele annimmt</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Rechte Taste</translation>
+    </message>
+    <message>
+        <source>while something is placed on the map: ends that, takes a corner back</source>
+        <translation>solange etwas auf die Karte gesetzt wird: beendet das, nimmt eine Ecke zurück</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>in a list: acknowledges the alarm, fills in the find's form, shows what was missed</source>
+        <translation>in einer Liste: quittiert den Alarm, füllt das Formular des Funds aus, zeigt, was übersehen wurde</translation>
+    </message>
+    <message>
+        <source>Besides the commands</source>
+        <translation>Neben den Befehlen</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>in the timeline: a second back, on; with Shift ten</source>
+        <translation>in der Zeitleiste: eine Sekunde zurück, vor; mit Umschalt zehn</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>in the timeline: to the start, to the end</source>
+        <translation>in der Zeitleiste: zum Anfang, zum Ende</translation>
+    </message>
+    <message>
+        <source>in the list of finds: goes to when the chosen one was found</source>
+        <translation>in der Liste der Funde: geht dorthin, wo der gewählte gefunden wurde</translation>
+    </message>
+    <message>
+        <source>ends measuring</source>
+        <translation>beendet das Messen</translation>
     </message>
 </context>
 <context>
@@ -4345,25 +4721,17 @@ F1 listet alle Tasten</translation>
         <source>Report written into %1</source>
         <translation>Bericht geschrieben in %1</translation>
     </message>
+    <message>
+        <source>The report goes on into %1</source>
+        <translation>Der Bericht geht weiter nach %1</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReportText</name>
-    <message>
-        <source>, 15 to 40 °C, hottest {:.1f} °C</source>
-        <translation>, 15 bis 40 °C, am wärmsten {:.1f} °C</translation>
-    </message>
-    <message>
-        <source>CO₂ {:.0f} ppm at {} ({})</source>
-        <translation>CO₂ {:.0f} ppm um {} ({})</translation>
-    </message>
-    <message>
-        <source>seen in scan {} of {} at {}</source>
-        <translation>gesehen in Scan {} von {} um {}</translation>
-    </message>
-    <message>
-        <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
-        <translation>{} stand bei {:.2f} {:.2f} {:.2f} m seiner Odometrie um {}</translation>
-    </message>
     <message>
         <source>{}: its {} is missing: {}</source>
         <translation>{}: {} fehlt: {}</translation>
@@ -4453,6 +4821,21 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Alarms</source>
         <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewReport</name>
+    <message>
+        <source>The report is being written into %1</source>
+        <translation>Der Bericht wird nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>The report in %1 is not whole: look at its messages</source>
+        <translation>Der Bericht in %1 ist unvollständig: siehe seine Meldungen</translation>
+    </message>
+    <message>
+        <source>Report written into %1</source>
+        <translation>Bericht geschrieben in %1</translation>
     </message>
 </context>
 <context>
@@ -5089,6 +5472,10 @@ F1 listet alle Tasten</translation>
         <source>An estimate: judges look at the map, which counts as good here</source>
         <translation>Eine Schätzung: die Karte beurteilen Schiedsrichter, hier zählt sie als gut</translation>
     </message>
+    <message>
+        <source>What each find adds, and what would bring more</source>
+        <translation>Was jeder Fund beiträgt, und was mehr brächte</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>
@@ -5423,6 +5810,14 @@ F1 listet alle Tasten</translation>
         <source>its odometry began anew</source>
         <translation>seine Odometrie begann neu</translation>
     </message>
+    <message>
+        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone's check</source>
+        <translation>keine Station hat eine Karte dieser Mission gemacht: {} ihrer {} Scans wurden für die Durchsicht registriert, ohne dass jemand sie geprüft hat</translation>
+    </message>
+    <message>
+        <source>{}: no station of ours recorded it, so that it stays as it is; nothing can be written into it</source>
+        <translation>{}: keine Leitstand-Station hat sie aufgezeichnet, deshalb bleibt sie, wie sie ist; nichts kann hineingeschrieben werden</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -5724,6 +6119,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <comment>a victim, 72 %</comment>
         <translation>Kandidat: %1, %2</translation>
     </message>
+    <message>
+        <source>%1 moved %2 m, since %3 (%4)</source>
+        <translation>%1 um %2 m bewegt, weil %3 (%4)</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -5837,6 +6236,18 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Back to the victim, other find or candidate before, from the first to the last</source>
         <translation>Zurück zum vorigen Opfer, anderen Fund oder Kandidaten, vom ersten zum letzten</translation>
+    </message>
+    <message>
+        <source>Stop &amp;mapping</source>
+        <translation>Kartierung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>No station made a map of this mission, so that its point clouds are registered first; stopped, the review has those that are registered by then</source>
+        <translation>Keine Station hat eine Karte dieser Mission gemacht, deshalb werden zuerst ihre Punktwolken registriert; beendet, hat die Durchsicht die bis dahin registrierten</translation>
+    </message>
+    <message>
+        <source>registers the point clouds, since no station made a map: %1 %</source>
+        <translation>registriert die Punktwolken, da keine Station eine Karte gemacht hat: %1 %</translation>
     </message>
 </context>
 <context>
@@ -6282,10 +6693,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Takes the chosen find, or the newest, off the list; undo brings it back</source>
-        <translation>Nimmt den gewählten oder den neuesten Fund aus der Liste; Rückgängig holt ihn zurück</translation>
-    </message>
-    <message>
         <source>&amp;Merge with the nearest</source>
         <translation>Mit dem nächsten v&amp;ereinen</translation>
     </message>
@@ -6376,6 +6783,18 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Choose the find that is part of another one</source>
         <translation>Erst den Fund wählen, der Teil eines anderen ist</translation>
+    </message>
+    <message>
+        <source>Takes the chosen find or candidate, or the newest find, off the list; undo brings it back</source>
+        <translation>Nimmt den gewählten Fund oder Kandidaten oder den neuesten Fund von der Liste; Rückgängig bringt ihn wieder</translation>
+    </message>
+    <message>
+        <source>Choose a filed find, to fill in its form</source>
+        <translation>Einen angelegten Fund wählen, um sein Formular auszufüllen</translation>
+    </message>
+    <message>
+        <source>This field has no choices: words are typed into it</source>
+        <translation>Dieses Feld hat keine Auswahl: Worte werden hineingetippt</translation>
     </message>
 </context>
 <context>
@@ -6506,6 +6925,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Click two points for their distance; Esc ends it</source>
         <translation>Zwei Punkte anklicken, um ihren Abstand zu messen; Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Click two points for their distance; the same key again ends it</source>
+        <translation>Zwei Punkte anklicken für ihren Abstand; dieselbe Taste beendet es wieder</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,52 @@
     </message>
 </context>
 <context>
+    <name>CurveText</name>
+    <message>
+        <source>CO₂ measured by %1</source>
+        <translation>%1 が測定した CO₂</translation>
+    </message>
+    <message>
+        <source>CO₂ [ppm]</source>
+        <translation>CO₂ [ppm]</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>時刻</translation>
+    </message>
+</context>
+<context>
+    <name>EvidenceText</name>
+    <message>
+        <source>, 15 to 40 °C, hottest %1 °C</source>
+        <translation>、15～40 °C、最高 %1 °C</translation>
+    </message>
+    <message>
+        <source>scan of %1, %2, from above: the disc is the find, the arrow the robot; yellow is high; lines are 1 m apart</source>
+        <translation>%1 のスキャン、%2、上から:円は発見物、矢印はロボット、黄色は高所、線は 1 m 間隔</translation>
+    </message>
+    <message>
+        <source>scan %1 of %2 at %3, %4 points</source>
+        <translation>%2 のスキャン %1、%3、%4 点</translation>
+    </message>
+    <message>
+        <source>scan of %1 at %2, %3 points</source>
+        <translation>%1 のスキャン、%2、%3 点</translation>
+    </message>
+    <message>
+        <source>%1 stood at x %2, y %3 m, heading %4° in the map, at %5</source>
+        <translation>%1 の地図上の位置 x %2、y %3 m、方位 %4°、%5</translation>
+    </message>
+    <message>
+        <source>%1 stood at x %2, y %3 m of its odometry, heading %4°, at %5: its place in the map is not known</source>
+        <translation>%1 のオドメトリ上の位置 x %2、y %3 m、方位 %4°、%5:地図上の位置は不明</translation>
+    </message>
+    <message>
+        <source>CO₂ %1 ppm at %2 (%3)</source>
+        <translation>CO₂ %1 ppm、%2(%3)</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -313,6 +359,10 @@
         <source>Finds</source>
         <translation>発見</translation>
     </message>
+    <message>
+        <source>Report made</source>
+        <translation>報告書作成</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>
@@ -367,6 +417,50 @@
     <message>
         <source>Values of the profile for which no readable source was found: %1.</source>
         <translation>参照できる出典が見つからなかったプロファイル値: %1。</translation>
+    </message>
+    <message>
+        <source>weights of the areas</source>
+        <translation>エリアの重み</translation>
+    </message>
+    <message>
+        <source>points of the items</source>
+        <translation>各項目の得点</translation>
+    </message>
+    <message>
+        <source>penalty of a contact with the arena</source>
+        <translation>アリーナ接触の減点</translation>
+    </message>
+    <message>
+        <source>penalty of a contact with a victim</source>
+        <translation>被災者接触の減点</translation>
+    </message>
+    <message>
+        <source>divisor by operators</source>
+        <translation>操作者数による除数</translation>
+    </message>
+    <message>
+        <source>points of a hazard sign</source>
+        <translation>危険物標識の得点</translation>
+    </message>
+    <message>
+        <source>points of a QR code</source>
+        <translation>QRコードの得点</translation>
+    </message>
+    <message>
+        <source>points of an object of interest</source>
+        <translation>対象物の得点</translation>
+    </message>
+    <message>
+        <source>factor of autonomy</source>
+        <translation>自律の係数</translation>
+    </message>
+    <message>
+        <source>factor of semi-autonomy</source>
+        <translation>半自律の係数</translation>
+    </message>
+    <message>
+        <source>minutes of a mission</source>
+        <translation>ミッションの分数</translation>
     </message>
 </context>
 <context>
@@ -642,10 +736,6 @@
         <translation>小画面のカメラを大画面に表示</translation>
     </message>
     <message>
-        <source>Help in the &amp;dark</source>
-        <translation>暗所補助(&amp;D)</translation>
-    </message>
-    <message>
         <source>More contrast in pictures: gently, strongly, not. The log keeps them as they came</source>
         <translation>映像のコントラスト強調: 弱、強、なし。ログには元の映像を保存</translation>
     </message>
@@ -682,10 +772,6 @@
         <translation>赤外線: グレー、高温が白(&amp;H)</translation>
     </message>
     <message>
-        <source>Infrared in grey, &amp;hot is black</source>
-        <translation>赤外線: グレー、高温が黒(&amp;H)</translation>
-    </message>
-    <message>
         <source>Infrared colours &amp;follow the picture</source>
         <translation>赤外線配色を映像に追従(&amp;F)</translation>
     </message>
@@ -704,6 +790,14 @@
     <message>
         <source>The camera sees nothing there: nothing was filed</source>
         <translation>カメラはそこを写していない: 登録なし</translation>
+    </message>
+    <message>
+        <source>Help in the d&amp;ark</source>
+        <translation>暗所の補助(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Infrared in grey, hot is &amp;black</source>
+        <translation>赤外線を灰色で、高温は黒(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -1831,6 +1925,38 @@ Link: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>leitstand::FindMoves</name>
+    <message>
+        <source>scans were registered anew</source>
+        <translation>スキャンの再位置合わせ</translation>
+    </message>
+    <message>
+        <source>a loop was closed</source>
+        <translation>ループの閉合</translation>
+    </message>
+    <message>
+        <source>the operator corrected scans</source>
+        <translation>オペレータによるスキャンの修正</translation>
+    </message>
+    <message>
+        <source>a decision was taken back</source>
+        <translation>操作の取り消し</translation>
+    </message>
+    <message>
+        <source>moved %1 m at %2, since %3</source>
+        <translation>%2 に %1 m 移動（理由: %3）</translation>
+    </message>
+    <message>
+        <source>%1 %2 m</source>
+        <comment>V1 0.32 m</comment>
+        <translation>%1 %2 m</translation>
+    </message>
+    <message>
+        <source>%1 moved, since %2</source>
+        <translation>%1 移動（理由: %2）</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FindPointing</name>
     <message>
         <source>Victim where I &amp;click</source>
@@ -1851,6 +1977,30 @@ Link: %4 %5</source>
     <message>
         <source>The robot is not in the map yet: nothing was filed</source>
         <translation>ロボットがまだ地図にない: 登録なし</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map</source>
+        <translation>続けて画像、仮想スキャン、または地図上でクリック</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>クリックした場所の危険物</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>クリックした場所の QR コード</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>クリックした場所の物体</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>Click on it: in a picture, in the virtual scan or on the map</source>
+        <translation>クリック: 画像、仮想スキャン、または地図上で</translation>
     </message>
 </context>
 <context>
@@ -2059,6 +2209,33 @@ Link: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>leitstand::HandInFeature</name>
+    <message>
+        <source>Score</source>
+        <translation>得点</translation>
+    </message>
+    <message>
+        <source>R&amp;eport into a folder…</source>
+        <translation>フォルダーへ報告(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Writes the judges' folder of this mission, with what was corrected in the review</source>
+        <translation>このミッションの審判用フォルダーを、レビューでの訂正を含めて書き出す</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>報告書のフォルダー</translation>
+    </message>
+    <message>
+        <source>Report: %1 %</source>
+        <translation>報告書：%1 %</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::HelpCommands</name>
     <message>
         <source>Left button</source>
@@ -2155,6 +2332,205 @@ Apache License 2.0</source>
         <translation>救助ロボット用の操作卓: 3D レーザースキャンを 1 つの地図に位置合わせして表示する。RoboCup Rescue チーム Deutschland1 の手法に基づく。
 
 Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::KeyColumns</name>
+    <message>
+        <source>Left button</source>
+        <translation>左ボタン</translation>
+    </message>
+    <message>
+        <source>turns the map; while measuring, picks a point</source>
+        <translation>地図を回す。計測中は点を選ぶ</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left</source>
+        <translation>中ボタン、Shift+左</translation>
+    </message>
+    <message>
+        <source>shifts the map</source>
+        <translation>地図をずらす</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>ホイール、右ボタン</translation>
+    </message>
+    <message>
+        <source>zooms the map</source>
+        <translation>地図をズーム</translation>
+    </message>
+    <message>
+        <source>Arrows, +, −</source>
+        <translation>矢印、+、−</translation>
+    </message>
+    <message>
+        <source>in the map that has the keyboard: turn and zoom; with Shift they shift</source>
+        <translation>キーボードが地図にあるとき: 回転とズーム。Shift で移動</translation>
+    </message>
+    <message>
+        <source>+, −</source>
+        <translation>+, −</translation>
+    </message>
+    <message>
+        <source>zoom the virtual scan that has the keyboard</source>
+        <translation>キーボードが仮想スキャンにあるとき: ズーム</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Ctrl+C</translation>
+    </message>
+    <message>
+        <source>copies the chosen message</source>
+        <translation>選んだメッセージをコピー</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab、Shift+Tab</translation>
+    </message>
+    <message>
+        <source>next and previous field</source>
+        <translation>次と前の欄</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stops all robots, always and everywhere</source>
+        <translation>いつでもどこでも全ロボットを停止</translation>
+    </message>
+    <message>
+        <source>Space or Return, held</source>
+        <translation>スペースまたは Return を押し続ける</translation>
+    </message>
+    <message>
+        <source>on the handle beside STOP: releases the robot</source>
+        <translation>停止の横のハンドルで: ロボットを解放</translation>
+    </message>
+    <message>
+        <source>Click into the camera</source>
+        <translation>カメラ画像をクリック</translation>
+    </message>
+    <message>
+        <source>drives with keys, as F2</source>
+        <translation>F2 と同じくキーで運転</translation>
+    </message>
+    <message>
+        <source>W S A D, arrows</source>
+        <translation>W S A D、矢印</translation>
+    </message>
+    <message>
+        <source>drive, while driving with keys; a robot's file may bind others</source>
+        <translation>キー運転中に走る。ロボットのファイルで変更可</translation>
+    </message>
+    <message>
+        <source>Shift, Ctrl</source>
+        <translation>Shift、Ctrl</translation>
+    </message>
+    <message>
+        <source>while driving: a quarter of the robot's speed, all of it</source>
+        <translation>運転中: ロボットの速度の四分の一、全速</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>スペース</translation>
+    </message>
+    <message>
+        <source>while driving: halts the robot</source>
+        <translation>運転中: ロボットを止める</translation>
+    </message>
+    <message>
+        <source>G, held</source>
+        <translation>G を押し続ける</translation>
+    </message>
+    <message>
+        <source>while driving: drives without eyes</source>
+        <translation>運転中: 視界なしで走る</translation>
+    </message>
+    <message>
+        <source>Q E, Page Up, Page Down</source>
+        <translation>Q E、Page Up、Page Down</translation>
+    </message>
+    <message>
+        <source>turn the large camera while they are held, with Shift slowly</source>
+        <translation>押している間、大きいカメラを回す。Shift でゆっくり</translation>
+    </message>
+    <message>
+        <source>Number pad 4 6 8 2, 5</source>
+        <translation>テンキー 4 6 8 2、5</translation>
+    </message>
+    <message>
+        <source>turn the large camera; all cameras look ahead</source>
+        <translation>大きいカメラを回す。全カメラを正面へ</translation>
+    </message>
+    <message>
+        <source>Dragging the large picture</source>
+        <translation>大きい画像をドラッグ</translation>
+    </message>
+    <message>
+        <source>turns its camera</source>
+        <translation>そのカメラを回す</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Shift+クリック</translation>
+    </message>
+    <message>
+        <source>into a picture or the virtual scan: files the victim that is there</source>
+        <translation>画像か仮想スキャンで: そこの被災者を登録</translation>
+    </message>
+    <message>
+        <source>Double click on the floor</source>
+        <translation>床をダブルクリック</translation>
+    </message>
+    <message>
+        <source>sends the selected robot there, if it takes goals</source>
+        <translation>目標を受けるなら、選んだロボットをそこへ送る</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>右ボタン</translation>
+    </message>
+    <message>
+        <source>while something is placed on the map: ends that, takes a corner back</source>
+        <translation>地図に置いている間: やめる、角を一つ戻す</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Return</translation>
+    </message>
+    <message>
+        <source>in a list: acknowledges the alarm, fills in the find's form, shows what was missed</source>
+        <translation>一覧で: 警報を確認、発見物の記入、見落としを表示</translation>
+    </message>
+    <message>
+        <source>Besides the commands</source>
+        <translation>コマンドのほかに</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>in the timeline: a second back, on; with Shift ten</source>
+        <translation>タイムラインで: 一秒戻る、進む。Shift で十秒</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Home、End</translation>
+    </message>
+    <message>
+        <source>in the timeline: to the start, to the end</source>
+        <translation>タイムラインで: 始めへ、終わりへ</translation>
+    </message>
+    <message>
+        <source>in the list of finds: goes to when the chosen one was found</source>
+        <translation>発見物の一覧で: 選んだものが見つかった時へ</translation>
+    </message>
+    <message>
+        <source>ends measuring</source>
+        <translation>計測を終える</translation>
     </message>
 </context>
 <context>
@@ -4345,25 +4721,17 @@ F1 でキー一覧</translation>
         <source>Report written into %1</source>
         <translation>報告書を %1 に書き出した</translation>
     </message>
+    <message>
+        <source>The report goes on into %1</source>
+        <translation>報告書を引き続き %1 に書き出す</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReportText</name>
-    <message>
-        <source>, 15 to 40 °C, hottest {:.1f} °C</source>
-        <translation>、15～40 °C、最高 {:.1f} °C</translation>
-    </message>
-    <message>
-        <source>CO₂ {:.0f} ppm at {} ({})</source>
-        <translation>CO₂ {:.0f} ppm、{}（{}）</translation>
-    </message>
-    <message>
-        <source>seen in scan {} of {} at {}</source>
-        <translation>スキャン {}（{}、{}）で観測</translation>
-    </message>
-    <message>
-        <source>{} stood at {:.2f} {:.2f} {:.2f} m of its odometry at {}</source>
-        <translation>{} の位置（オドメトリ）{:.2f} {:.2f} {:.2f} m、{}</translation>
-    </message>
     <message>
         <source>{}: its {} is missing: {}</source>
         <translation>{}: {} がありません: {}</translation>
@@ -4453,6 +4821,21 @@ F1 でキー一覧</translation>
     <message>
         <source>Alarms</source>
         <translation>警報</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReviewReport</name>
+    <message>
+        <source>The report is being written into %1</source>
+        <translation>報告書を %1 に書き出している</translation>
+    </message>
+    <message>
+        <source>The report in %1 is not whole: look at its messages</source>
+        <translation>%1 の報告書は不完全：メッセージを参照</translation>
+    </message>
+    <message>
+        <source>Report written into %1</source>
+        <translation>報告書を %1 に書き出した</translation>
     </message>
 </context>
 <context>
@@ -5089,6 +5472,10 @@ F1 でキー一覧</translation>
         <source>An estimate: judges look at the map, which counts as good here</source>
         <translation>見積もり: 地図は審判が評価する。ここでは良好とみなす</translation>
     </message>
+    <message>
+        <source>What each find adds, and what would bring more</source>
+        <translation>各発見物の点数と、さらに点になるもの</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>
@@ -5423,6 +5810,14 @@ F1 でキー一覧</translation>
         <source>its odometry began anew</source>
         <translation>オドメトリが初期化された</translation>
     </message>
+    <message>
+        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone's check</source>
+        <translation>このミッションの地図はどのステーションも作成していません: {1} 件中 {0} 件のスキャンを閲覧用に位置合わせしました（誰も確認していません）</translation>
+    </message>
+    <message>
+        <source>{}: no station of ours recorded it, so that it stays as it is; nothing can be written into it</source>
+        <translation>{}: Leitstand のステーションの記録ではないため、そのまま残します。書き込みはできません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -5724,6 +6119,10 @@ A function of this program, no certified emergency stop.</source>
         <comment>a victim, 72 %</comment>
         <translation>候補: %1、%2</translation>
     </message>
+    <message>
+        <source>%1 moved %2 m, since %3 (%4)</source>
+        <translation>%1 が %2 m 移動、理由: %3（%4）</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -5837,6 +6236,18 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Back to the victim, other find or candidate before, from the first to the last</source>
         <translation>前の被災者、その他の発見、候補へ。最初の前は最後</translation>
+    </message>
+    <message>
+        <source>Stop &amp;mapping</source>
+        <translation>地図作成を中止(&amp;M)</translation>
+    </message>
+    <message>
+        <source>No station made a map of this mission, so that its point clouds are registered first; stopped, the review has those that are registered by then</source>
+        <translation>このミッションの地図がないため、先に点群の位置合わせを行います。中止すると、それまでに位置合わせした分で閲覧します</translation>
+    </message>
+    <message>
+        <source>registers the point clouds, since no station made a map: %1 %</source>
+        <translation>地図がないため点群を位置合わせしています: %1 %</translation>
     </message>
 </context>
 <context>
@@ -6282,10 +6693,6 @@ A function of this program, no certified emergency stop.</source>
         <translation>破棄</translation>
     </message>
     <message>
-        <source>Takes the chosen find, or the newest, off the list; undo brings it back</source>
-        <translation>選択した発見、または最新の発見を一覧から外す。取り消しで戻る</translation>
-    </message>
-    <message>
         <source>&amp;Merge with the nearest</source>
         <translation>最寄りと統合(&amp;M)</translation>
     </message>
@@ -6376,6 +6783,18 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Choose the find that is part of another one</source>
         <translation>他の一部である発見を先に選択</translation>
+    </message>
+    <message>
+        <source>Takes the chosen find or candidate, or the newest find, off the list; undo brings it back</source>
+        <translation>選択した発見物または候補、あるいは最新の発見物をリストから外します。元に戻すと復帰します</translation>
+    </message>
+    <message>
+        <source>Choose a filed find, to fill in its form</source>
+        <translation>記入するには登録済みの発見物を選んでください</translation>
+    </message>
+    <message>
+        <source>This field has no choices: words are typed into it</source>
+        <translation>この欄に選択肢はありません。文字を入力します</translation>
     </message>
 </context>
 <context>
@@ -6506,6 +6925,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Click two points for their distance; Esc ends it</source>
         <translation>2 点をクリックして距離を計測。Esc で終了</translation>
+    </message>
+    <message>
+        <source>Click two points for their distance; the same key again ends it</source>
+        <translation>二点をクリックして距離を測る。同じキーで終える</translation>
     </message>
 </context>
 <context>
