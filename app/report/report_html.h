@@ -10,8 +10,8 @@ namespace leitstand {
 /// Names of the pictures within the pages' HTML.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
 
-/// The first pages, a section each: the mission, its robots, what was found, what was searched, the score, what
-/// was computed where, what is missing.
+/// The first pages, a section each: the mission, its robots, what was found, what was searched, the score,
+/// what was computed where, what is missing.
 [[nodiscard]] QStringList overviewHtml(const ReportContent& content);
 /// A find: form and evidence.
 [[nodiscard]] QString findHtml(const ReportContent& content, std::size_t find);

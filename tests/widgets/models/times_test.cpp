@@ -24,12 +24,12 @@ TEST_P(Times, OfTheDayAreWrittenAsTheLanguageDoes) {
     EXPECT_EQ(timeOfDayText(QTime(20, 1, 54, 370), true), QString::fromUtf8(GetParam().tenths));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Languages, Times,
-    testing::Values(Written{QLocale(QLocale::English, QLocale::UnitedStates), "8:01:54 PM", "8:01:54.3 PM"},
-                    Written{QLocale(QStringLiteral("de")), "20:01:54", "20:01:54,3"},
-                    Written{QLocale(QStringLiteral("ja")), "20:01:54", "20:01:54.3"}),
-    [](const auto& one) { return one.param.locale.name().toStdString(); });
+INSTANTIATE_TEST_SUITE_P(Languages, Times,
+                         testing::Values(Written{QLocale(QLocale::English, QLocale::UnitedStates),
+                                                 "8:01:54 PM", "8:01:54.3 PM"},
+                                         Written{QLocale(QStringLiteral("de")), "20:01:54", "20:01:54,3"},
+                                         Written{QLocale(QStringLiteral("ja")), "20:01:54", "20:01:54.3"}),
+                         [](const auto& one) { return one.param.locale.name().toStdString(); });
 
 }  // namespace
 }  // namespace leitstand
