@@ -47,8 +47,8 @@ TEST_F(EscStops, WhileAMenuIsOpen) {
     menu->popup(window().mapToGlobal(QPoint(20, 20)));
     ASSERT_TRUE(soon([&] { return QApplication::activePopupWidget() == menu; }));
     EXPECT_EQ(pressIn(window()), 1);
-    EXPECT_TRUE(station().robot("kurt3d").stop.sent);
-    EXPECT_TRUE(station().robot("crawler").stop.sent);
+    for (const char* robot : {"kurt3d", "crawler"})
+        EXPECT_TRUE(soon([&] { return station().robot(robot).stop.sent; })) << robot;
     EXPECT_EQ(pressIn(*menu), 1) << "and again";
     menu->close();
 }
