@@ -47,6 +47,22 @@ Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, 
     return second.doubts == 0 ? second : result;
 }
 
+void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess,
+                               const Step& step, std::span<const PlacedBody> others, ReadyScan& ready,
+                               Match& match) {
+    if (!settings.refinement.on || match.doubts != 0) return;
+    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, settings, others), localAt(guess),
+                                 match.scanInMap, settings.refinement);
+    if (!drift) return;
+    LiveScan straight = live;
+    straight.scan = std::make_shared<const Scan>(straightened(*live.scan, *drift));
+    ReadyScan second = readyScan(straight, robot.body, match.scanInMap, settings, others);
+    Match again = matched(straight, robot, second.reduced, guess, step);
+    if (again.doubts != 0 || again.icp.overlap < match.icp.overlap) return;
+    ready = std::move(second);
+    match = again;
+}
+
 bool LiveMapper::State::enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const {
     const KeyScanRule& rule = settings.keyScans;
     return distanceBetween(robot.keyInMap, scanInMap) >= rule.distance ||
@@ -101,6 +117,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     std::uint64_t nearest = 0;
     if (!first) {
         match = state.matched(live, robot, ready.reduced, guess, step);
+        state.refine(live, robot, guess, step, others, ready, match);
         const LocalMap& local = state.localAt(match.scanInMap);
         fresh = newGround(ready.reduced, local, match.scanInMap, state.settings.keyScans.newGroundFrom);
         if (!local.scans.empty()) nearest = local.scans.front();

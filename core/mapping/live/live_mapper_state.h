@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -38,6 +39,9 @@ struct LiveMapper::State {
     [[nodiscard]] const LocalMap& localAt(const Pose& place);
     [[nodiscard]] Match matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                 const Pose& guess, const Step& step);
+    /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
+    void refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
+                std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
     [[nodiscard]] LiveKeyScan* find(std::uint64_t id);

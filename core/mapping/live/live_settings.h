@@ -5,6 +5,7 @@
 #include "core/base/pose.h"
 #include "core/mapping/live/local_map.h"
 #include "core/mapping/live/scan_cleaning.h"
+#include "core/mapping/live/turn_refinement.h"
 
 namespace leitstand {
 
@@ -48,7 +49,8 @@ struct LiveSettings {
     KeyScanRule keyScans;
     LocalMapSettings local;
     MapCrop crop;
-    double kept = 0.02;  ///< key scans are thinned to this for the map [m]
+    double kept = 0.02;                 ///< key scans are thinned to this for the map [m]
+    TurnRefinementSettings refinement;  ///< of turns that fit, before they enter the map
 };
 
 }  // namespace leitstand

@@ -53,13 +53,18 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
 
 }  // namespace
 
-ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
-                    const LiveSettings& settings, std::span<const PlacedBody> others) {
+Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap, const LiveSettings& settings,
+             std::span<const PlacedBody> others) {
     Scan scan = *live.scan;
     leaveOutBody(scan, body, live.sensorInBase);
     leaveOutBodies(scan, others, scanInMap);
     leaveOutCropped(scan, settings.crop, scanInMap);
-    scan = withoutMixedPixels(std::move(scan));
+    return scan;
+}
+
+ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
+                    const LiveSettings& settings, std::span<const PlacedBody> others) {
+    Scan scan = withoutMixedPixels(cleaned(live, body, scanInMap, settings, others));
     LabelSettings labels;
     labels.up = live.up;
     scan.labels = labelScan(scan, labels);

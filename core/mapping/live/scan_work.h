@@ -22,6 +22,11 @@ struct ReadyScan {
     PointCloud reduced;  ///< for matching, with normals
 };
 
+/// @p live's scan, as the scanner gave it, without @p body and @p others, and without what @p settings crop,
+/// seen from @p scanInMap.
+[[nodiscard]] Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
+                           const LiveSettings& settings, std::span<const PlacedBody> others = {});
+
 /// Cleans @p live of @p body and @p others, of mixed pixels and of what @p settings crop, seen from
 /// @p scanInMap; labels and reduces it.
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,

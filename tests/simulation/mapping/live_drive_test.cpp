@@ -43,6 +43,12 @@ LiveSettings previousOnly() {
     return settings;
 }
 
+LiveSettings refined() {
+    LiveSettings settings;
+    settings.refinement.on = true;
+    return settings;
+}
+
 TEST(LiveDrive, AShortDriveIsMappedToTheTruth) {
     const RecordedDrive drive = exploredYellow(4, 45.0);
     const MappedDrive result = mapped(drive, cutScans(drive));
@@ -88,6 +94,11 @@ TEST(LiveDriveLong, FiveMinutesInThreeYellowArenas) {
         const double points = surfaceError(result, surfaces, false);
         tell("live mapping", live, points);
         tell("nearest scan, no level", errorOf(previous.live), surfaceError(previous, surfaces, false));
+        const MappedDrive refining = mapped(drive, scans, refined());
+        const TrajectoryError refinedError = errorOf(refining.live);
+        tell("velocity within turns estimated", refinedError, surfaceError(refining, surfaces, false));
+        EXPECT_LE(refinedError.distance, 0.08) << seed;
+        EXPECT_LE(inDegrees(refinedError.angle), 1.5) << seed;
         const Trajectory uos = fromUos(result);
         tell(FromUos, errorOf(uos), surfaceError(result, surfaces, uos));
         tell("odometry alone", errorOf(result.odometry), surfaceError(result, surfaces, true));
