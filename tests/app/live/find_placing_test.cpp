@@ -83,7 +83,7 @@ TEST_F(LiveFindPlacing, AFindIsMovedByAClickOnTheMapAndUndoPutsItBack) {
     station().finds().freezeAt("kurt3d", Kind::Victim, first);
     ASSERT_TRUE(soon([&] { return row("V1") >= 0; }));
     choose(row("V1"));
-    MapView& map = *m_window->findChild<MapView*>();
+    MapView& map = m_window->mapView();
     ASSERT_TRUE(soon([&] {
         const auto at = map.project(then);
         return at && map.rect().contains(at->toPoint()) && map.settled();

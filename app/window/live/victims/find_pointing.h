@@ -4,13 +4,13 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <QKeySequence>
 #include <QObject>
 
 #include "app/session/finds/freezing.h"
 #include "app/window/live/live_context.h"
 
 class QAction;
-class QKeySequence;
 
 namespace leitstand {
 

@@ -170,5 +170,31 @@ TEST(FindBook, ACandidateIsFiledWithItsCues) {
     EXPECT_EQ(sample.evidence[2].kind, "sighting");
 }
 
+TEST(FindBook, CandidatesBesideAPlaceAreThoseThatAreShownAndNoOtherFind) {
+    Mission mission;
+    const auto believe = [&](std::uint32_t id, double x, double confidence, std::uint32_t victim,
+                             bool dismissed) {
+        CandidateSample one;
+        one.id = id;
+        one.positionInMap = {x, 0.0, 0.3};
+        one.confidence = confidence;
+        one.victim = victim;
+        one.dismissed = dismissed;
+        mission.say(one);
+    };
+    mission.file(seenAt(9.0));
+    believe(1, 1.2, 0.8, 0, false);
+    believe(2, 1.2, 0.3, 0, false);  // not shown
+    believe(3, 1.2, 0.8, 0, true);   // none
+    believe(4, 1.2, 0.8, 1, false);  // V1
+    believe(5, 1.2, 0.8, 7, false);  // of a find that was taken back
+    believe(6, 2.2, 0.8, 0, false);  // elsewhere
+    std::vector<std::uint32_t> near;
+    for (const CandidateSample& one : candidatesNear(mission.state, Kind::Victim, {1.0, 0.0, 0.3}))
+        near.push_back(one.id);
+    EXPECT_THAT(near, testing::ElementsAre(1U, 5U));
+    EXPECT_THAT(candidatesNear(mission.state, Kind::Hazard, {1.0, 0.0, 0.3}), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace leitstand
