@@ -62,14 +62,16 @@ void addExport(CLI::App& app, int& exitCode) {
     command
         ->add_option(
             "--out", arguments->out,
-            "By its ending: .pcd .ply .xyz points, .bt OctoMap, .tif GeoTIFF, .tum trajectories, .csv list, "
-            "DIR/ uos scans with poses")
+            "By its ending: .pcd .ply .xyz points, .bt OctoMap, .tif GeoTIFF, .tum trajectory, .csv list "
+            "(NAME_victims.csv and NAME_qr.csv those, others all points of interest), DIR/ uos scans with "
+            "poses. Of several robots NAME.tum becomes NAME_ROBOT.tum for each; what is written is printed")
         ->required();
     command
         ->add_option("--reduce", arguments->options.reduce,
                      "Points: one for each cube of this edge [m]; 0: all")
         ->check(CLI::Range(0.0, 10.0));
-    command->add_option("--robot", arguments->options.robot, "Trajectory of this robot only");
+    command->add_option("--robot", arguments->options.robot,
+                        "Trajectory of this robot only, in the file that --out names");
     command
         ->add_option("--height", arguments->height,
                      "Of the GeoTIFF: low (0.25 to 0.35 m) or upper (0.9 to 1.1 m)")

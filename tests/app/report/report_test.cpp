@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -8,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/session/report/report_files.h"
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
-#include "core/io/report/octomap_file.h"
 #include "core/io/report/search_list.h"
 #include "core/io/tum.h"
 #include "tests/app/report/sample_mission.h"
@@ -166,6 +169,32 @@ TEST_F(Report, ThePdfTellsAllOfIt) {
     EXPECT_THAT(text, Not(HasSubstr("V3"))) << "discarded";
 }
 
+TEST_F(Report, ThePdfHasItsPicturesAndMapPages) {
+    const ProcessOutcome list = runProcess("/usr/bin/pdfimages", {"-list", file(".pdf").string()});
+    ASSERT_EQ(list.exitCode, 0) << "poppler-utils is missing? " << list.err;
+    std::istringstream lines(list.out);
+    std::string line;
+    std::multiset<std::string> sizes;
+    for (int number = 0; std::getline(lines, line); ++number) {
+        std::istringstream fields(line);
+        std::string page, image, type, width, height;
+        if (number >= 2 && fields >> page >> image >> type >> width >> height && type == "image")
+            sizes.insert(width + "x" + height);
+    }
+    // Of V1 a picture of the camera, one of the infrared camera, the scan from above; a way for each find;
+    // two maps.
+    EXPECT_EQ(sizes.count("160x120"), 1U) << list.out;
+    EXPECT_EQ(sizes.count("80x60"), 1U) << list.out;
+    EXPECT_EQ(sizes.count("600x600"), 1U) << list.out;
+    EXPECT_EQ(sizes.size(), 3U + 5U + 2U) << list.out;
+    const std::string text = pdfText(file(".pdf"));
+    std::size_t maps = 0;
+    std::istringstream pages(text);
+    for (std::string page; std::getline(pages, page, '\f');)
+        maps += page.find(std::string(Name) + ": map at ") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(maps, 2U) << "a page for each height";
+}
+
 TEST_F(Report, TheSameMissionMakesTheSameBytes) {
     const auto at = [](const char* seconds, const fs::path& folder) {
         const ProcessOutcome made =
@@ -184,29 +213,6 @@ TEST_F(Report, TheSameMissionMakesTheSameBytes) {
         EXPECT_TRUE(timed || readText(entry.path()) == again) << name;
     }
     EXPECT_THAT(readText(second / (std::string(Name) + ".pdf")), HasSubstr("/CreationDate (D:202311"));
-}
-
-TEST_F(Report, ExportsWhatItsEndingSays) {
-    const auto exported = [&](const std::string& name, std::vector<std::string> more = {}) {
-        more.insert(more.begin(), {"export", mission(), "--out", (*s_folder / name).string()});
-        const ProcessOutcome outcome = ctl(more);
-        EXPECT_EQ(outcome.exitCode, 0) << name << ": " << outcome.err;
-        return *s_folder / name;
-    };
-    EXPECT_TRUE(readOctomap(exported("map.bt")));
-    EXPECT_TRUE(readGeoTiff(exported("map.tif", {"--height", "upper"})));
-    EXPECT_TRUE(readTum(exported("way.tum")));
-    EXPECT_EQ(readFindList(exported("all.csv"))->finds.size(), 4u);
-    EXPECT_EQ(readFindList(exported("x_victims.csv"))->finds.size(), 1u);
-    const auto whole = fs::file_size(exported("map.pcd")),
-               thin = fs::file_size(exported("thin.pcd", {"--reduce", "0.1"}));
-    EXPECT_GT(whole, 3 * thin);
-    exported("map.ply");
-    exported("uos/");
-    EXPECT_TRUE(fs::exists(*s_folder / "uos" / "scan002.3d"));
-    EXPECT_TRUE(fs::exists(*s_folder / "uos" / "scan002.pose"));
-    const ProcessOutcome json = ctl({"export", mission(), "--out", (*s_folder / "j.tum").string(), "--json"});
-    EXPECT_EQ(nlohmann::json::parse(json.out)["files"].size(), 1u);
 }
 
 TEST_F(Report, WrongUseIsTwoAndFailuresAreOne) {
@@ -325,10 +331,27 @@ TEST(ReportOfLittle, ADamagedMissionIsReportedAsFarAsItGoes) {
         ctl({"report", (folder / "torn").string(), "--out", (folder / "out").string()});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("torn_0.db3"));
+    std::set<std::string> endings;
+    for (const auto& entry : fs::directory_iterator(folder / "out")) {
+        const std::string name = entry.path().filename().string();
+        endings.insert(name.substr(std::min(name.size(), name.find_first_of("_.", name.rfind('-') + 1))));
+        const auto check = checkFile(entry.path());
+        EXPECT_TRUE(check.ok()) << check.error().text;
+    }
+    EXPECT_GE(endings.size(), 7U);
+    for (const char* name : {"tif", "csv", "pdf"}) {
+        EXPECT_TRUE(std::any_of(endings.begin(), endings.end(),
+                                [&](const std::string& ending) { return ending.ends_with(name); }))
+            << name << " is made of what is left";
+    }
+    EXPECT_TRUE(fs::exists(folder / "out" / "SHA256SUMS"));
     writeText(log, "no database");
     const ProcessOutcome nothing =
         ctl({"report", (folder / "torn").string(), "--out", (folder / "out2").string()});
     EXPECT_NE(nothing.err, "") << "an error, or the warning that nothing is left";
+    EXPECT_TRUE(nothing.exitCode == 0 || nothing.exitCode == 1) << "it ended by itself";
+    EXPECT_EQ(fs::exists(folder / "out2" / "SHA256SUMS"), nothing.exitCode == 0)
+        << "a report is whole, or there is none";
 }
 
 }  // namespace
