@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int Side = 600;                       ///< of the picture [px]
+constexpr int Side = 560;                       ///< of the picture [px]
 constexpr double LeastHalf = 2.5;               ///< of the area that is shown [m]
 constexpr double MostHalf = 6.0;                ///< likewise; a robot farther off is not in it [m]
 constexpr double Lowest = -0.2, Highest = 1.8;  ///< of the colours, above the robot's base [m]

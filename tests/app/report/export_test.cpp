@@ -156,6 +156,23 @@ TEST_F(Export, UosScansHaveTheirPointsAndPlaces) {
     EXPECT_FALSE(fs::exists(folder / "scan003.3d"));
 }
 
+TEST_F(Export, OfSeveralRobotsEachHasATrajectoryAndTheNamesAreTold) {
+    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const fs::path asked = m_folder / "way.tum";
+    const ProcessOutcome all = runProcess(LEITSTANDCTL, {"export", sample.string(), "--out", asked.string()});
+    ASSERT_EQ(all.exitCode, 0) << all.err;
+    EXPECT_FALSE(fs::exists(asked)) << "whose would it be?";
+    for (const char* robot : {"kurt3d", "crawler"}) {
+        const fs::path file = m_folder / (std::string("way_") + robot + ".tum");
+        EXPECT_TRUE(readTum(file)) << robot;
+        EXPECT_THAT(all.out, HasSubstr(file.string() + ": "));
+    }
+    const ProcessOutcome one =
+        runProcess(LEITSTANDCTL, {"export", sample.string(), "--out", asked.string(), "--robot", "crawler"});
+    ASSERT_EQ(one.exitCode, 0) << one.err;
+    EXPECT_EQ(readText(asked), readText(m_folder / "way_crawler.tum"));
+}
+
 TEST_F(Export, TheHelpSaysHowTrajectoriesOfSeveralRobotsAreNamed) {
     const ProcessOutcome help = runProcess(LEITSTANDCTL, {"export", "--help"});
     EXPECT_EQ(help.exitCode, 0);

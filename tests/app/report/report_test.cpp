@@ -185,7 +185,7 @@ TEST_F(Report, ThePdfHasItsPicturesAndMapPages) {
     // two maps.
     EXPECT_EQ(sizes.count("160x120"), 1U) << list.out;
     EXPECT_EQ(sizes.count("80x60"), 1U) << list.out;
-    EXPECT_EQ(sizes.count("600x600"), 1U) << list.out;
+    EXPECT_EQ(sizes.count("560x560"), 1U) << list.out;
     EXPECT_EQ(sizes.size(), 3U + 5U + 2U) << list.out;
     const std::string text = pdfText(file(".pdf"));
     std::size_t maps = 0;
