@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/pose.h"
 #include "core/mission/report/map_painter.h"
 
 namespace leitstand::test {
