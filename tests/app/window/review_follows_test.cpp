@@ -88,12 +88,14 @@ protected:
         goTo(12.0);
         QImage first = pane.grab().toImage();
         // Pictures are decoded on a thread: what is shown settles a moment after.
-        for (int same = 0; same < 3;) {
+        int same = 0;
+        for (int i = 0; i < 100 && same < 3; ++i) {
             QTest::qWait(100);
             const QImage now = pane.grab().toImage();
             same = now == first ? same + 1 : 0;
             first = now;
         }
+        ASSERT_EQ(same, 3) << name << ": never settles";
         goTo(32.0);
         EXPECT_TRUE(soon([&] { return pane.grab().toImage() != first; })) << name << ": stays as it was";
         goTo(12.0);
