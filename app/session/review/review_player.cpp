@@ -12,7 +12,6 @@ using Nanoseconds = std::chrono::nanoseconds;
 
 constexpr std::chrono::milliseconds Tick(33), TickAround(200);  ///< the latter while it goes backwards
 constexpr std::chrono::seconds LongestTick(1);                  ///< a busy computer makes no leaps
-constexpr double MapPart = 0.9;                                 ///< of opening a mission that has no map
 
 /// @p at, or where what was recorded goes on from there in the direction of @p rate.
 Time passedOver(const std::vector<TimelineStretch>& stretches, Time at, double rate) {
@@ -37,7 +36,7 @@ ReviewPlayer::ReviewPlayer(std::unique_ptr<ReviewLog> log, ReviewListener listen
       m_listener(std::move(listener)),
       m_first(m_log->first()),
       m_last(m_log->last()),
-      m_maps(m_log->lacksMap()),
+      m_mapsOffline(m_log->lacksMap()),
       m_position(m_first) {
     if (!robots().empty()) m_watched = robots().front().name;
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -123,11 +122,10 @@ ReviewIndexPtr ReviewPlayer::opened(const std::stop_token& stop) {
     const auto tell = [&](double fraction) {
         if (m_listener.onOpening) m_listener.onOpening(begin + share * fraction);
     };
-    if (m_maps) {
+    if (m_mapsOffline) {
         const std::stop_callback both(stop, [this] { m_mapping.request_stop(); });
         share = MapPart;
         m_log->makeMap({tell, m_mapping.get_token()});
-        m_maps = false;
         begin = MapPart;
         share = 1.0 - MapPart;
     }

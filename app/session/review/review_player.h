@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
@@ -31,6 +30,7 @@ struct ReviewListener {
 class ReviewPlayer {
 public:
     static constexpr double Slowest = 0.1, Fastest = 32.0;  ///< of mission's time to real time
+    static constexpr double MapPart = 0.9;                  ///< of opening a mission that has no map
 
     /// Opens the mission. Errors as of ReviewLog::open().
     [[nodiscard]] static Result<std::unique_ptr<ReviewPlayer>> open(const std::filesystem::path& mission,
@@ -58,8 +58,9 @@ public:
     [[nodiscard]] Time position() const;
     /// The newest that was made; null before the mission was read through.
     [[nodiscard]] ReviewMomentPtr moment() const;
-    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()).
-    [[nodiscard]] bool maps() const { return m_maps; }
+    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()):
+    /// opening up to MapPart.
+    [[nodiscard]] bool mapsOffline() const { return m_mapsOffline; }
     /// Ends that: it opens with what is registered by now.
     void stopMapping() { m_mapping.request_stop(); }
 
@@ -76,7 +77,7 @@ private:
     const ReviewListener m_listener;
     const Time m_first, m_last;
     std::stop_source m_mapping;
-    std::atomic<bool> m_maps;
+    const bool m_mapsOffline;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_woken;
     Time m_position;  ///< under the mutex, as all that follows

@@ -33,7 +33,7 @@ TimelineFeature::TimelineFeature(const ViewContext& context, ReviewBridge& bridg
     rows->addWidget(m_transport);
     rows->addWidget(m_bar);
     addCommands();
-    if (bridge.player().maps()) addMapping();
+    if (bridge.player().mapsOffline()) addMapping();
     connect(m_bar, &TimelineBar::sought, this, [this](Time at) { m_bridge.player().seek(at); });
     connect(m_bar, &TimelineBar::stepped, this, [this](double seconds) {
         m_bridge.player().step(std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9)));
@@ -112,13 +112,14 @@ void TimelineFeature::addMapping() {
         m_bridge.player().stopMapping();
         stop.setEnabled(false);
     });
+    stop.setEnabled(!m_bridge.index());
     connect(&m_bridge, &ReviewBridge::opened, &stop, [&stop] { stop.setEnabled(false); });
 }
 
 void TimelineFeature::showOpening(double fraction) {
     const int percent = static_cast<int>(100.0 * fraction);
     m_bar->setOpening(fraction,
-                      m_bridge.player().maps()
+                      fraction < ReviewPlayer::MapPart && m_bridge.player().mapsOffline()
                           ? tr("registers the point clouds, since no station made a map: %1 %").arg(percent)
                           : QString());
 }

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/review/review_pen.h"
+#include "app/session/review/review_player.h"
+#include "core/mission/checkpoint.h"
+#include "tests/app/report/foreign_bag.h"
+#include "tests/io/bag/sample_bags.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr std::size_t Scans = ForeignBag::Steps / 2 + 1;
+
+/// A drive of somebody else's robot, recorded by somebody else's recorder.
+class ForeignReview : public testing::Test {
+protected:
+    void SetUp() override { ForeignBag(m_bag).drive(); }
+    const TemporaryFolder m_folder;
+    const std::filesystem::path m_bag = m_folder / "rover";
+};
+
+TEST_F(ForeignReview, MapPicturesAndWayAreThoseOfTheMoment) {
+    ASSERT_TRUE(isReviewable(m_bag));
+    const std::string before = fingerprint(m_bag);
+    const auto log = ReviewLog::open(m_bag).value();
+    ASSERT_TRUE(log->lacksMap());
+    log->makeMap({});
+    EXPECT_FALSE(log->lacksMap());
+    const ReviewIndexPtr index = indexOf(*log);
+    EXPECT_EQ(index->keyScans.size(), Scans);
+    ReviewScene scene(*log, *index);
+    // To and fro: a moment is the same whichever was looked at before.
+    for (const int step : {ForeignBag::Steps, 3, 9, 0, 6}) {
+        const Time now = ForeignBag::at(step + 0.9);
+        const ReviewMomentPtr moment = scene.at(now);
+        EXPECT_EQ(moment->map->scans.size(), static_cast<std::size_t>(step / 2 + 1)) << step;
+        EXPECT_EQ(moment->scans->scans.size(), moment->map->scans.size()) << step;
+        ASSERT_EQ(moment->pictures.size(), 1U) << step;
+        EXPECT_EQ(moment->pictures.front().received, ForeignBag::at(step + 0.8));
+        const auto* picture = std::get_if<PictureSample>(&moment->pictures.front().sample);
+        ASSERT_TRUE(picture);
+        EXPECT_EQ(std::to_integer<int>(picture->content.bytes.front()), ForeignBag::greyOf(step));
+        ASSERT_EQ(moment->places->size(), 1U);
+        const RobotInMap& place = moment->places->front();
+        ASSERT_TRUE(place.placed) << step;
+        // Its start is the map's origin, its heading odometry's.
+        const Pose way = ForeignBag::baseInRoom(0).inverse() * ForeignBag::baseInRoom(step);
+        const Pose turned = poseFrom(Eigen::Vector3d::Zero(), 0, 0, degrees(30));
+        EXPECT_LT((place.baseInMap.translation() - turned * way.translation()).norm(), 0.06) << step;
+        EXPECT_FALSE(place.trail->empty()) << step;
+    }
+    EXPECT_THAT(log->problems(), Contains(HasSubstr("7 of its 7 scans")));
+    EXPECT_EQ(fingerprint(m_bag), before);
+}
+
+TEST_F(ForeignReview, EveryStateIsTheSameFromWhereverOneCameToIt) {
+    const auto there = ReviewLog::open(m_bag).value(), back = ReviewLog::open(m_bag).value();
+    there->makeMap({});
+    back->makeMap({});
+    const auto moment = [](int number) { return ForeignBag::at(0.43 * number); };
+    constexpr int Moments = 30;
+    std::vector<std::vector<std::byte>> forwards;
+    for (int i = 0; i < Moments; ++i) forwards.push_back(serialised(there->stateAt(moment(i))));
+    for (int i = Moments; i-- > 0;)
+        EXPECT_TRUE(forwards[static_cast<std::size_t>(i)] == serialised(back->stateAt(moment(i)))) << i;
+}
+
+TEST_F(ForeignReview, TellsHowFarItIs) {
+    std::mutex mutex;
+    std::vector<double> told;
+    ReviewIndexPtr index;
+    ReviewListener listener;
+    listener.onOpening = [&](double fraction) {
+        const std::lock_guard lock(mutex);
+        told.push_back(fraction);
+    };
+    listener.onIndex = [&](const ReviewIndexPtr& made) {
+        const std::lock_guard lock(mutex);
+        index = made;
+    };
+    const auto player = ReviewPlayer::open(m_bag, listener).value();
+    ASSERT_TRUE(waitUntil([&] { return player->moment() != nullptr; }, std::chrono::seconds(60)));
+    EXPECT_TRUE(player->mapsOffline());
+    const std::lock_guard lock(mutex);
+    ASSERT_GT(told.size(), 2 * Scans);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_LT(told.front(), 0.1);
+    EXPECT_GT(told.back(), 0.99);
+    EXPECT_EQ(index->keyScans.size(), Scans);
+}
+
+TEST_F(ForeignReview, StoppedItHasWhatIsRegisteredByThen) {
+    const auto log = ReviewLog::open(m_bag).value();
+    std::stop_source stop;
+    double furthest = 0.0;
+    log->makeMap({[&](double fraction) {
+                      furthest = std::max(furthest, fraction);
+                      if (fraction > 0.6) stop.request_stop();
+                  },
+                  stop.get_token()});
+    EXPECT_LT(furthest, 1.0);
+    const std::size_t scans = indexOf(*log)->keyScans.size();
+    EXPECT_GE(scans, 1U);
+    EXPECT_LT(scans, Scans);
+    EXPECT_EQ(log->stateAt(log->last()).keyScans->size(), scans);
+}
+
+TEST_F(ForeignReview, NothingIsWrittenIntoIt) {
+    const std::string before = fingerprint(m_bag);
+    ReviewPen pen(m_bag, {}, "test", "test");
+    const auto written = pen.note(ForeignBag::at(3.0), "rover", "a door");
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.error().text, HasSubstr("nothing can be written into it"));
+    EXPECT_EQ(fingerprint(m_bag), before);
+}
+
+TEST_F(ForeignReview, CloudsAloneAreForAWindowOnScans) {
+    const auto clouds = m_folder / "clouds", way = m_folder / "way";
+    ForeignBag(clouds).sayCloud(0);
+    EXPECT_FALSE(isReviewable(clouds));
+    {
+        ForeignBag bag(way);
+        OdometrySample odometry;
+        odometry.header = {ForeignBag::at(0.0), "odom"};
+        bag.write(0.0, "/rover/odom", odometry);
+    }
+    EXPECT_FALSE(isReviewable(way)) << "there is nothing to map";
+}
+
+}  // namespace
+}  // namespace leitstand::test
