@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/bag/bag_writer.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
@@ -51,7 +52,7 @@ TEST(BagPeer, ListsOurBagAndDecodesEveryMessage) {
     const auto outcome = runProcess(
         tests / "npm" / "run", {(tests / "bag_peer" / "read_bag.js").string(),
                                 (mission / "mission_0.db3").string(), (mission / "metadata.yaml").string()});
-    if (outcome.exitCode == Skipped) GTEST_SKIP() << "SKIPPED: " << outcome.err;
+    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
     ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
     EXPECT_THAT(outcome.out, testing::HasSubstr(fmt::format("\"messages\":{}", types * Rounds)));
     EXPECT_THAT(outcome.out, testing::HasSubstr("\"file\":\"mission_0.db3\""));

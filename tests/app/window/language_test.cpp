@@ -13,6 +13,7 @@
 #include <QXmlStreamReader>
 
 #include "core/base/words.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/models/numbers.h"
 
@@ -76,7 +77,7 @@ TEST_P(Translation, IsWholeAndKeepsWhatIsFilledIn) {
 
 TEST_P(Translation, HasEveryTextOfTheProgram) {
     const QString lupdate = QStringLiteral("/usr/lib/qt6/bin/lupdate");
-    if (!QFile::exists(lupdate)) GTEST_SKIP() << "SKIPPED: Qt's lupdate is not installed (qt6-l10n-tools)";
+    if (!QFile::exists(lupdate)) LEITSTAND_MISSING_TOOL("Qt's lupdate is not installed (qt6-l10n-tools)");
     const TemporaryFolder folder;
     const QString copy = QString::fromStdString((folder / "texts.ts").string());
     ASSERT_TRUE(QFile::copy(file(), copy));

@@ -16,6 +16,7 @@
 #include "app/language/language.h"
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_writer.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -68,7 +69,7 @@ TEST_P(ReportLanguage, IsTheWindows) {
     ASSERT_TRUE(written) << written.error().text;
     EXPECT_TRUE(written->whole());
     const ProcessOutcome text = readByPoppler(pages);
-    if (text.exitCode == NotInstalled) GTEST_SKIP() << "SKIPPED: " << text.err;
+    if (text.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(text.err);
     for (const std::string& word : GetParam().words) EXPECT_THAT(text.out, HasSubstr(word));
     EXPECT_GT(blackPixelsOf(pages, folder / "first"), 2000U)
         << "is read on white paper, in a dark window too";
@@ -115,7 +116,7 @@ TEST(ReportPages, NoHeadingIsLeftAloneAtAPagesEnd) {
         ASSERT_TRUE(bytes) << bytes.error().text;
         writeText(folder / "report.pdf", *bytes);
         const ProcessOutcome text = readByPoppler(folder / "report.pdf");
-        if (text.exitCode == NotInstalled) GTEST_SKIP() << "SKIPPED: " << text.err;
+        if (text.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(text.err);
         std::istringstream pages(text.out);
         std::string page;
         for (std::size_t number = 1; std::getline(pages, page, '\f'); ++number) {

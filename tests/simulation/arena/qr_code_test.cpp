@@ -6,6 +6,7 @@
 
 #include "robots/simulation/arena/mesh/qr_code.h"
 #include "robots/simulation/arena/mesh/sign_pictures.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -42,7 +43,7 @@ TEST(QrCode, HasItsFinders) {
 TEST(QrCode, IsReadByAnIndependentDecoder) {
     const std::filesystem::path decoder = "/usr/bin/zbarimg";
     if (!std::filesystem::exists(decoder))
-        GTEST_SKIP() << "SKIPPED: no zbarimg here: needs Debian's zbar-tools";
+        LEITSTAND_MISSING_TOOL("no zbarimg here: needs Debian's zbar-tools");
     const test::TemporaryFolder folder;
     const std::string alphabet = "V-07 yellow/3: Hello, World! 0123456789 abcdefghijklmnopqrstuvwx";
     for (const std::size_t length : {1U, 4U, 14U, 15U, 26U, 27U, 42U, 43U, 61U, 62U}) {

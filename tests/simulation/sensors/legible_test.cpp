@@ -9,6 +9,7 @@
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/sensors/camera/camera.h"
 #include "tests/simulation/sensors/room.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,7 +41,7 @@ std::string readFrom(World& world, const std::shared_ptr<SharedLight>& light, co
 /// As sent: 320 x 240 pixels, JPEG of quality 70.
 TEST(Legible, TagsOfVictimsAndCodesOfSignsFromNearby) {
     if (!std::filesystem::exists(Decoder))
-        GTEST_SKIP() << "SKIPPED: no zbarimg here: needs Debian's zbar-tools";
+        LEITSTAND_MISSING_TOOL("no zbarimg here: needs Debian's zbar-tools");
     const leitstand::test::TemporaryFolder folder;
     const auto file = folder.path() / "picture.jpg";
     int tags = 0, readTags = 0, codes = 0, readCodes = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/convert/conversion.h"
@@ -56,7 +57,7 @@ ProcessOutcome runScript(const std::string& script, const std::vector<std::strin
 TEST(NpmPeer, AgreesOnTheLayoutOfEveryStandardMessage) {
     const TemporaryFolder folder;
     const auto outcome = runScript("layouts.js", {writeCatalog(folder).string()});
-    if (outcome.exitCode == Skipped) GTEST_SKIP() << outcome.err;
+    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }
 
@@ -70,14 +71,14 @@ TEST(NpmPeer, ReadsWhatOurEncoderWrites) {
             .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
     const auto outcome = runScript("read.js", {writeCatalog(folder).string(), samples.string()});
-    if (outcome.exitCode == Skipped) GTEST_SKIP() << outcome.err;
+    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }
 
 TEST(NpmPeer, WritesWhatOurDecoderReads) {
     const TemporaryFolder folder;
     const auto outcome = runScript("write.js", {writeCatalog(folder).string(), folder.path().string()});
-    if (outcome.exitCode == Skipped) GTEST_SKIP() << outcome.err;
+    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
     ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
     for (const MessageType& type : messageTypes()) {
         const auto theirs = readBytes(fileOf(folder.path(), type.rosName));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/missing_tool.h"
 #include "tests/transport/cyclone/our_types.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/message_catalog.h"
@@ -27,8 +28,8 @@ class cyclone : public testing::Test {
 protected:
     void SetUp() override {
         if (std::string(CYCLONE_PEER).empty()) {
-            GTEST_SKIP()
-                << "SKIPPED: Cyclone DDS was not found at build (Debian: cyclonedds-dev, cyclonedds-tools)";
+            LEITSTAND_MISSING_TOOL(
+                "Cyclone DDS was not found at build (Debian: cyclonedds-dev, cyclonedds-tools)");
         }
         m_peer = std::make_unique<ChildProcess>(
             CYCLONE_PEER, std::vector{std::to_string(m_domain.number()), std::to_string(Seeds)},

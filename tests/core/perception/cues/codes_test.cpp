@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/core/perception/cues/cue_pictures.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -76,7 +77,7 @@ TEST(Codes, NothingInNoiseAndStrangePictures) {
 
 TEST(Codes, PicturesOfAnotherProgram) {
     const std::filesystem::path writer = "/usr/bin/qrencode";
-    if (!std::filesystem::exists(writer)) GTEST_SKIP() << "SKIPPED: no qrencode here: needs Debian's package";
+    if (!std::filesystem::exists(writer)) LEITSTAND_MISSING_TOOL("no qrencode here: needs Debian's package");
     const TemporaryFolder folder;
     CodeReader reader;
     int read = 0, all = 0;

@@ -77,13 +77,14 @@ TEST(Hazard, StrangePicturesAreTaken) {
     EXPECT_TRUE(findHazards({2000, 17, Picture::Pixel::Rgb8, std::vector<std::byte>(102'000)}).empty());
 }
 
-/// Pictures of the LaTeX package ghsystem (Debian's texlive-science; or LEITSTAND_GHSYSTEM names its folder).
+/// Pictures of the LaTeX package ghsystem, of Debian's texlive-science; LEITSTAND_GHSYSTEM names the folder
+/// into which packaging/placards.sh got them.
 TEST(Hazard, PicturesOfAnotherProject) {
     const char* named = std::getenv("LEITSTAND_GHSYSTEM");
     const std::filesystem::path folder =
         named != nullptr ? named : "/usr/share/texlive/texmf-dist/tex/latex/ghsystem/pictures";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "SKIPPED: no ghsystem here: needs Debian's texlive-science";
+        GTEST_SKIP() << "SKIPPED: no pictures of ghsystem here: packaging/placards.sh gets them";
     const std::map<std::string, std::string> all = {{"explos", "GHS"},
                                                     {"flame", "GHS"},
                                                     {"flame-O", "GHS"},
