@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -12,14 +14,20 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <QLineEdit>
+#include <QTableView>
+#include <QToolButton>
 
 #include "app/session/station/station_clock.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/report/report_feature.h"
+#include "app/window/review/review_bridge.h"
+#include "app/window/review/review_window.h"
 #include "core/io/report/find_lists.h"
 #include "core/mission/mission_state.h"
 #include "robots/simulation/arena/arena_generator.h"
+#include "robots/simulation/scene/scene.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/others_tools.h"
@@ -146,12 +154,13 @@ protected:
         const bool came = QTest::qWaitFor([&] { return enough(toldBy(station)); }, 1000 * seconds);
         EXPECT_TRUE(came) << station.out();
         station.signal(SIGKILL);
+        m_killed = std::chrono::steady_clock::now();
         EXPECT_EQ(station.wait(), -1) << station.out();
         return toldBy(station);
     }
-    /// Opens a station on what the killed one left; how long it took until all of @p before was there [s].
+    /// Opens a station on what the killed one left; how long it took from the kill until all of @p before was
+    /// there [s].
     [[nodiscard]] double resume(const Had& before) {
-        const auto began = std::chrono::steady_clock::now();
         m_live = openLiveStation(m_folder.path(), m_domain.number());
         const bool back = soon([&] {
             return m_live.window->missing().isEmpty() && Had::of(station()).holds(before) &&
@@ -160,13 +169,28 @@ protected:
         EXPECT_TRUE(back) << "before: " << before << "; now: " << Had::of(station()) << "; "
                           << m_live.window->missing().toStdString();
         const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - m_killed).count();
         EXPECT_EQ(station().clock().now().limit, Limit);
         EXPECT_FALSE(m_live.window->driving()) << "motion does not resume by itself";
-        std::cout << "  killed with " << before << "; all was back after " << seconds << " s\n";
+        std::cout << "  killed with " << before << "; all was back " << seconds << " s after it\n";
         return seconds;
     }
+    /// Robots begin where the arena says, and the first scan is taken there.
+    void placeMap() {
+        m_arena = simulation::generateArena(simulation::Grade::Yellow, Seed);
+        const auto scans = station().mission()->keyScans;
+        const KeyScanEntry& first = scans->begin()->second.entry;
+        m_mapInArena =
+            m_arena.starts.at(first.robot) * (first.scanInMap * first.sensorInBase.inverse()).inverse();
+    }
     [[nodiscard]] Station& station() const { return m_live.bridge->station(); }
+    /// The program's own picture of the review of what was recorded.
+    void pictureReview() const {
+        const ProcessOutcome review =
+            runProcess(LEITSTAND, {mission().string(), "--screenshot", (m_folder / "review.png").string()});
+        EXPECT_EQ(review.exitCode, 0) << review.err;
+        EXPECT_GT(fs::file_size(m_folder / "review.png"), 10'000u);
+    }
     [[nodiscard]] fs::path mission() const { return m_folder / "mission"; }
     [[nodiscard]] fs::path out() const { return m_folder / "out"; }
     /// Closes the station and writes the hand-in of what it recorded; where the files begin.
@@ -183,7 +207,25 @@ protected:
     const TemporaryFolder m_folder;
     std::unique_ptr<DemoRobots> m_robots;
     LiveStation m_live;
+    std::chrono::steady_clock::time_point m_killed;
+    static constexpr int Seed = 7;  ///< of the yellow arena that the robots are in
+    simulation::Arena m_arena;
+    Pose m_mapInArena = Pose::Identity();
 };
+
+/// How far @p place is from the nearest thing in @p scene [m].
+double fromThings(const simulation::Scene& scene, const Eigen::Vector3d& place) {
+    constexpr int Rays = 400;
+    double nearest = 99.0;
+    for (int i = 0; i < Rays; ++i) {  // evenly over all directions
+        const double up = 1.0 - (2.0 * i + 1.0) / Rays, flat = std::sqrt(1.0 - up * up), turn = 2.4 * i;
+        const Eigen::Vector3d direction(flat * std::cos(turn), flat * std::sin(turn), up);
+        const simulation::Ray ray{.origin = place.cast<float>(), .direction = direction.cast<float>()};
+        const simulation::Hit hit = scene.cast(ray, simulation::RayKind::Laser);
+        if (hit.there()) nearest = std::min(nearest, static_cast<double>(hit.distance));
+    }
+    return nearest;
+}
 
 TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     if (const char* folder = std::getenv(FolderTold))
@@ -191,7 +233,8 @@ TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     robots();
     const Had had = runAndKill([](const Had& now) { return now.victims >= 1 && now.scans >= 1; }, 120);
     ASSERT_GE(had.victims, 1u);
-    (void)resume(had);  // how long it takes is the machine's affair here; LiveRestart and LongKill ask
+    EXPECT_LT(resume(had), 10.0);
+    placeMap();
     EXPECT_TRUE(m_live.window->commands().find("mission.report")->isChecked()) << "the report goes on";
     fs::remove_all(m_folder / "hand-in");
     m_live.window->findChild<ReportFeature*>()->setInterval(std::chrono::milliseconds(300));
@@ -200,6 +243,15 @@ TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     const auto victims = readFindList(files.string() + "_victims.csv");
     ASSERT_TRUE(victims) << victims.error().text;
     EXPECT_GE(victims->finds.size(), had.victims) << "one may have been filed while it was killed";
+    // Nobody need lie before the robots where they begin: the operator files what the camera looks at. True
+    // is that something is there.
+    const simulation::Scene world(m_arena);
+    for (const ListedFind& one : victims->finds) {
+        const double off = fromThings(world, m_mapInArena * one.position);
+        std::printf("  %s is %.0f cm off the nearest thing of the arena\n", one.text.c_str(), 100.0 * off);
+        EXPECT_LE(off, 0.2) << one.text << " at " << one.position.transpose();
+    }
+    pictureReview();
 }
 
 /// How far @p place is from the body of @p victim, from above [m].
@@ -211,16 +263,6 @@ double fromBody(const simulation::Element& victim, const Eigen::Vector3d& place)
 /// The mission of a seeded yellow arena.
 class LongKill : public KilledStation {
 protected:
-    static constexpr int Seed = 7;
-
-    /// Robots begin where the arena says, and the first scan is taken there.
-    void placeMap() {
-        m_arena = simulation::generateArena(simulation::Grade::Yellow, Seed);
-        const auto scans = station().mission()->keyScans;
-        const KeyScanEntry& first = scans->begin()->second.entry;
-        m_mapInArena =
-            m_arena.starts.at(first.robot) * (first.scanInMap * first.sensorInBase.inverse()).inverse();
-    }
     /// Every listed victim against the arena's.
     void compare(const FindList& victims) const {
         for (const ListedFind& one : victims.finds) {
@@ -235,29 +277,60 @@ protected:
             }
             std::printf("  %s is %.0f cm off the body of %s\n", one.text.c_str(), 100.0 * nearest,
                         name.c_str());
-            EXPECT_LE(nearest, 0.3) << one.text;
+            EXPECT_LE(nearest, 0.2) << one.text;
         }
     }
-    /// Returns what could not be asked, since it is not installed.
-    std::string readByOthers(const std::string& files) const {
-        std::string missing;
+    /// In the review: to the victim, its form corrected, the map as finished.
+    void correctInReview() {
+        m_live.window.reset();
+        m_live.bridge.reset();
+        const auto bridge = ReviewBridge::open(mission()).value();
+        ReviewWindow window(*bridge, MapViewSettings{});
+        window.resize(1280, 800);
+        window.show();
+        ASSERT_TRUE(soon([&] { return bridge->reviewed() != nullptr; }));
+        window.commands().trigger(QStringLiteral("review.nextVictim"));
+        EXPECT_GT(bridge->player().position(), bridge->player().first());
+        window.commands().trigger(QStringLiteral("review.finished"));
+        auto& list = *window.findChild<QTableView*>(QStringLiteral("finds"));
+        const auto cell = [&list](int row, int column) {
+            return list.model()->index(row, column).data().toString();
+        };
+        const auto rowWith = [&](int column, const QString& text) {
+            for (int row = 0; row < list.model()->rowCount(); ++row) {
+                if (cell(row, column).contains(text)) return row;
+            }
+            return -1;
+        };
+        const auto confirmed = [&] { return rowWith(0, QStringLiteral("V1")); };
+        ASSERT_TRUE(soon([&] { return confirmed() >= 0; }));
+        list.selectRow(confirmed());
+        window.findChild<QToolButton*>(QStringLiteral("review.form"))->click();
+        auto& tag = *window.findChild<QLineEdit*>(QStringLiteral("tag"));
+        ASSERT_TRUE(soon([&] { return tag.isEnabled(); }));
+        tag.setFocus();
+        QTest::keyClicks(&tag, QStringLiteral("Anna"));
+        emit tag.editingFinished();
+        EXPECT_TRUE(soon([&] { return rowWith(3, QStringLiteral("Anna")) >= 0; }));
+        const MissionStatePtr written = bridge->pen().state();
+        ASSERT_TRUE(written) << "it is an event of a session of its own";
+        EXPECT_TRUE(std::any_of(written->victims->begin(), written->victims->end(), [](const auto& one) {
+            return one.second.victim.tag.find("Anna") != std::string::npos;
+        }));
+    }
+    void readByOthers(const std::string& files) const {
         const ProcessOutcome tiff = readByGdal(files + ".tif"), tree = readByOctomap(files + ".bt"),
                              points = readByPcl(files + ".ply", m_folder / "points.pcd"),
                              pages = readByPoppler(files + ".pdf");
-        for (const ProcessOutcome* one : {&tiff, &tree, &points, &pages}) {
-            if (one->exitCode == NotInstalled) missing += one->err;
-            EXPECT_THAT(one->exitCode, testing::AnyOf(0, NotInstalled)) << one->out << one->err;
-        }
+        for (const ProcessOutcome* one : {&tiff, &tree, &points, &pages})
+            EXPECT_EQ(one->exitCode, 0) << one->out << one->err;
+        // The reader takes one file into memory, and no write-ahead log of a writer that was killed: the
+        // sessions of this mission are made one. The shipped mission it reads as it was recorded.
         const fs::path thin = m_folder / "thin";
         EXPECT_EQ(runProcess(LEITSTANDCTL, {"thin", mission().string(), "--out", thin.string()}).exitCode, 0);
         const ProcessOutcome log = readByNpm(thin);
-        if (log.exitCode == NotInstalled) missing += log.err;
-        EXPECT_THAT(log.exitCode, testing::AnyOf(0, NotInstalled)) << log.out << log.err;
-        return missing;
+        EXPECT_EQ(log.exitCode, 0) << log.out << log.err;
     }
-
-    simulation::Arena m_arena;
-    Pose m_mapInArena = Pose::Identity();
 };
 
 TEST_F(LongKill, WhatTheRobotsFindByThemselvesOutlastsTheKillAndIsTrue) {
@@ -273,18 +346,19 @@ TEST_F(LongKill, WhatTheRobotsFindByThemselvesOutlastsTheKillAndIsTrue) {
         fileNextFind(*m_live.window);
     }
     const Had end = Had::of(station());
+    ASSERT_NO_FATAL_FAILURE(correctInReview());
     const fs::path files = report();
     const auto victims = readFindList(files.string() + "_victims.csv");
     ASSERT_TRUE(victims) << victims.error().text;
     EXPECT_EQ(victims->finds.size(), end.victims);
     std::cout << "  in the end " << end << '\n';
+    // One is enough here: which victims the robots come past in two minutes differs from run to run. That
+    // each one that they looked at is found is asked where it is known what they looked at
+    // (VictimSearchLong).
+    EXPECT_GE(victims->finds.size(), 1u);
     compare(*victims);
-    const std::string missing = readByOthers(files.string());
-    const ProcessOutcome review =
-        runProcess(LEITSTAND, {mission().string(), "--screenshot", (m_folder / "review.png").string()});
-    EXPECT_EQ(review.exitCode, 0) << review.err;
-    EXPECT_GT(fs::file_size(m_folder / "review.png"), 10'000u);
-    if (!HasFailure() && !missing.empty()) GTEST_SKIP() << "SKIPPED: readers of the report: " << missing;
+    readByOthers(files.string());
+    pictureReview();
 }
 
 }  // namespace
