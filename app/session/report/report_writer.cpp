@@ -126,7 +126,7 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
         content.profile = *profile;
         content.score = score(*profile, source.input().state);
         if (!model.facts.profile.empty() && profile->name != model.facts.profile) {
-            warnings.push_back(fill(
+            warnings.push_back(leitstand::fill(
                 translate("leitstand::ReportText", "the score's profile \"{}\" is not there: \"{}\" is used"),
                 model.facts.profile, profile->name));
         }

@@ -15,7 +15,7 @@ Time at(double seconds) {
 
 /// A book of the station "us", what it told of each candidate last, and whether it told anything.
 struct Reader {
-    CandidateBook book{"us"};
+    CandidateBook book{"us", CandidateSettings{}};
     std::map<std::uint32_t, CandidateSample> told;
     int updates = 0;
     double time = 0.0;
