@@ -3,7 +3,7 @@
 # of Debian's texlive-science. That is 4 MB to fetch; installed, it would bring half of TeX.
 set -euo pipefail
 
-folder=$1
+folder=$(realpath -m "$1")
 package=texlive-science
 [ -e "$folder/ghsystem_flame.jpg" ] && exit 0
 work=$(mktemp -d)
