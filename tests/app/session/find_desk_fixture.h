@@ -33,9 +33,9 @@ inline SharedBytes raw(int blur) {
 }
 
 /// What a robot says: pictures of which one is sharp, gas that rises.
-class Robot {
+class FindingRobot {
 public:
-    Robot() {
+    FindingRobot() {
         m_robot.name = "kurt3d";
         m_robot.title = "Kurt3D";
         StreamDescription infrared;
@@ -162,11 +162,11 @@ protected:
 
     /// Waits until all that was asked for is filed.
     void finish() { m_desk.reset(); }
-    const VictimSample& find(std::uint32_t number, Kind kind = Kind::Victim) {
+    const VictimSample& find(std::uint32_t number, VictimSample::Kind kind = VictimSample::Kind::Victim) {
         return m_state.victims->at({kind, number}).victim;
     }
 
-    Robot m_robot;
+    FindingRobot m_robot;
     std::mutex m_mutex;
     MissionState m_state;
     std::optional<PlacedFind> m_place = PlacedFind{0, {2.0, 1.0, 0.4}, 0.1};

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/victims/dismissal.h"
 #include "core/perception/picture_encoding.h"
 #include "tests/app/session/find_desk_fixture.h"
 
