@@ -101,7 +101,8 @@ private:
 };
 
 RobotDescription shipped(const char* name) {
-    return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml"));
+    return must(
+        readRobot(std::string(LEITSTAND_SOURCE_DIR "/resources/robots/").append(name).append(".yaml")));
 }
 
 double share(std::vector<double> values, double part) {

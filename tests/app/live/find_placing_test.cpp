@@ -62,8 +62,7 @@ protected:
         const std::filesystem::path folder = m_folder.path().toStdString();
         LiveMissionSettings settings;
         settings.folder = folder / "mission";
-        settings.robots.push_back(
-            readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml").value());
+        settings.robots.push_back(readRobot(LEITSTAND_SOURCE_DIR "/resources/robots/kurt3d.yaml").value());
         auto mission = LiveMission::open(settings);
         ASSERT_TRUE(mission) << mission.error().text;
         ASSERT_TRUE((*mission)->say(candidate, station_topic::Candidates));

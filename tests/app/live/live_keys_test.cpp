@@ -81,7 +81,7 @@ TEST_F(LiveKeys, MeasuringEndsByItsOwnKeysAndNotByEsc) {
 }
 
 TEST_F(LiveKeys, TheManualListsTheKeysOfAllCommands) {
-    std::ifstream manual(std::string(LEITSTAND_SOURCE_DIR) + "/docs/operator.md");
+    std::ifstream manual(LEITSTAND_SOURCE_DIR "/docs/operator.md");
     std::set<std::string> listed;
     for (std::string line; std::getline(manual, line);) {
         if (line.rfind("| ", 0) != 0) continue;

@@ -95,8 +95,9 @@ TEST_P(ReportWords, TheLogsWordsAreTranslated) {
         for (const char* english : {"trapped", "yellow", "areas", "minutes", "time of day", "measured by"})
             EXPECT_THAT(pages, Not(HasSubstr(english)));
     }
-    if (GetParam().code == std::string("de"))
+    if (GetParam().code == std::string("de")) {
         EXPECT_THAT(pages, AllOf(HasSubstr("eingeklemmt"), HasSubstr("gelb"), HasSubstr("rot")));
+    }
     EXPECT_THAT(pages, HasSubstr("[ppm]")) << "the curve's axis";
 }
 
