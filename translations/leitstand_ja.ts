@@ -5812,7 +5812,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone's check</source>
-        <translation>このミッションの地図はどのステーションも作成していません: {1} 件中 {0} 件のスキャンを閲覧用に位置合わせしました（誰も確認していません）</translation>
+        <translation>このミッションの地図はどのステーションも作成していません: {} / {} スキャンを閲覧用に位置合わせしました（誰も確認していません）</translation>
     </message>
     <message>
         <source>{}: no station of ours recorded it, so that it stays as it is; nothing can be written into it</source>

@@ -8,7 +8,6 @@
 #include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "core/io/robot/robot_file.h"
 #include "core/mission/mission_state.h"
 #include "core/mission/station_topics.h"
 #include "core/mission/victims/dismissal.h"
@@ -57,20 +56,15 @@ protected:
     void choose(int row) { m_window->findChild<QTableView*>("finds")->selectRow(row); }
     /// Ends the station, lets the log say @p candidate, and resumes the mission.
     void believe(const CandidateSample& candidate) {
-        m_window.reset();
-        m_bridge.reset();
-        const std::filesystem::path folder = m_folder.path().toStdString();
-        LiveMissionSettings settings;
-        settings.folder = folder / "mission";
-        settings.robots.push_back(readRobot(LEITSTAND_SOURCE_DIR "/resources/robots/kurt3d.yaml").value());
-        auto mission = LiveMission::open(settings);
-        ASSERT_TRUE(mission) << mission.error().text;
-        ASSERT_TRUE((*mission)->say(candidate, station_topic::Candidates));
-        ASSERT_TRUE((*mission)->close());
-        LiveStation live = openLiveStation(folder, m_domain.number());
-        m_bridge = std::move(live.bridge);
-        m_window = std::move(live.window);
-        ASSERT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
+        restart([&] {
+            LiveMissionSettings settings;
+            settings.folder = std::filesystem::path(m_folder.path().toStdString()) / "mission";
+            settings.robots.push_back(shippedRobot("kurt3d"));
+            const auto mission = LiveMission::open(settings);
+            ASSERT_TRUE(mission) << mission.error().text;
+            ASSERT_TRUE((*mission)->say(candidate, station_topic::Candidates));
+            ASSERT_TRUE((*mission)->close());
+        });
     }
 };
 

@@ -94,6 +94,8 @@ void keepReport(LiveWindow& window, const fs::path& out) {
     ASSERT_NE(dialog, nullptr);
     emit dialog->fileSelected(QString::fromStdString(out.string()));
     dialog->close();
+    window.activateWindow();  // no window manager does
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
 }
 
 /// In the process that is killed: an operator at the window of @p folder's mission, who tells what there is.
