@@ -60,14 +60,26 @@ bool hasKey(const QAbstractButton& button) {
            !tool->defaultAction()->shortcut().isEmpty();
 }
 
+std::string nameOf(const QWidget& one) {
+    std::string name = one.metaObject()->className();
+    for (const QWidget* part = &one; part != nullptr; part = part->parentWidget()) {
+        if (part->objectName().isEmpty()) continue;
+        return name + " in " + part->objectName().toStdString();
+    }
+    return name;
+}
+
 /// What Tab comes to, one after the other, until it is where it began.
-std::set<const QWidget*> reachedByTab(const QWidget& window) {
+std::set<const QWidget*> reachedByTab(QWidget& window) {
     constexpr int Most = 400;
     std::set<const QWidget*> reached;
+    window.activateWindow();
+    // A dialog counts as active where its parent is: qWaitForWindowActive() would not wait.
+    if (!QTest::qWaitFor([&window] { return QApplication::activeWindow() == &window; })) return reached;
     for (int i = 0; i < Most; ++i) {
         QWidget* const now = QApplication::focusWidget();
         if (now != nullptr && now->window() == &window && !reached.insert(now).second && i > 1) break;
-        QTest::keyClick(now == nullptr ? const_cast<QWidget*>(&window) : now, Qt::Key_Tab);
+        QTest::keyClick(now == nullptr || now->window() != &window ? &window : now, Qt::Key_Tab);
     }
     return reached;
 }
@@ -83,15 +95,6 @@ bool isReached(const QWidget& one, const std::set<const QWidget*>& reached) {
     const auto all = group->buttons();
     return std::any_of(all.begin(), all.end(),
                        [&reached](const QAbstractButton* other) { return reached.contains(other); });
-}
-
-std::string nameOf(const QWidget& one) {
-    std::string name = one.metaObject()->className();
-    for (const QWidget* part = &one; part != nullptr; part = part->parentWidget()) {
-        if (part->objectName().isEmpty()) continue;
-        return name + " in " + part->objectName().toStdString();
-    }
-    return name;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "widgets/coverage/missed_panel.h"
 
 #include <QComboBox>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTableView>
@@ -22,7 +23,6 @@ MissedPanel::MissedPanel(QWidget* parent)
       m_table(new QTableView(this)),
       m_buttons(new ButtonFlow) {
     setAccessibleName(tr("What was missed"));
-    setFocusProxy(m_table);
     for (const SearchSensor sensor : SearchSensors)
         m_sensor->addItem(sensorText(sensor), static_cast<int>(sensor));
     m_sensor->setObjectName(QStringLiteral("missedSensor"));
@@ -58,6 +58,12 @@ MissedPanel::MissedPanel(QWidget* parent)
     rows->addLayout(m_buttons);
     setSensor(SearchSensor::Camera);
     show(nullptr, std::nullopt);
+}
+
+void MissedPanel::focusInEvent(QFocusEvent* event) {
+    // No proxy: while it is hidden, nobody could leave by Tab what stands before it.
+    QWidget& taken = m_table->isVisibleTo(this) ? static_cast<QWidget&>(*m_table) : *m_sensor;
+    taken.setFocus(event->reason());
 }
 
 void MissedPanel::show(const SearchedFloorPtr& searched, const std::optional<Pose>& robotInMap) {

@@ -40,6 +40,9 @@ signals:
     void chosenChanged();
     void activated();  ///< double click or Return on a row
 
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+
 private:
     MissedModel m_model;
     QComboBox* m_sensor;

@@ -1,7 +1,10 @@
 #include "tests/app/reach.h"
 
+#include <vector>
+
 #include <QAction>
 #include <QApplication>
+#include <QPointer>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,8 +36,10 @@ TEST_F(LiveReach, EverythingInEveryDialogHasANameAndIsReachedByKeys) {
                            "pad.controls"}) {
         command(id).trigger();
         int dialogs = 0;
-        for (QWidget* top : QApplication::topLevelWidgets()) {
-            if (top == &window() || !top->isVisible() || top->parentWidget() == nullptr) continue;
+        std::vector<QPointer<QWidget>> tops;  // a dialog that is closed takes its own with it
+        for (QWidget* top : QApplication::topLevelWidgets()) tops.emplace_back(top);
+        for (const QPointer<QWidget>& top : tops) {
+            if (!top || top == &window() || !top->isVisible() || top->parentWidget() == nullptr) continue;
             top->activateWindow();
             ASSERT_TRUE(QTest::qWaitForWindowActive(top)) << id;
             EXPECT_GT(thingsToUse(*top), 0) << id;
