@@ -11,6 +11,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/live/pane_docks.h"
+#include "app/window/live/report/folder_dialog.h"
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_report.h"
@@ -59,15 +60,9 @@ bool HandInFeature::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void HandInFeature::askForFolder() {
-    auto* dialog = new QFileDialog(&m_context.window, tr("Folder for the report"));
-    dialog->setObjectName(QStringLiteral("reportFolder"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    dialog->setModal(false);
-    connect(dialog, &QFileDialog::fileSelected, this,
+    const QFileDialog& dialog = openFolderDialog(m_context.window, tr("Folder for the report"));
+    connect(&dialog, &QFileDialog::fileSelected, this,
             [this](const QString& folder) { m_bridge.reportInto(folder); });
-    dialog->show();
 }
 
 void HandInFeature::showProgress() {

@@ -22,8 +22,8 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
 #include "app/window/live/selection.h"
-#include "core/io/robot/robot_file.h"
 #include "core/mission/mission_state.h"
+#include "tests/app/live/live_page.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 #include "widgets/camera/camera_pane.h"
@@ -101,11 +101,6 @@ private:
     const CameraFeature& m_cameras;
     Time m_painted{};
 };
-
-RobotDescription shipped(const char* name) {
-    return must(
-        readRobot(std::string(LEITSTAND_SOURCE_DIR "/resources/robots/").append(name).append(".yaml")));
-}
 
 double share(std::vector<double> values, double part) {
     std::sort(values.begin(), values.end());
@@ -192,7 +187,7 @@ private:
 };
 
 TEST_F(CameraLatency, FromTheSampleToThePaintedPixel) {
-    ASSERT_NO_FATAL_FAILURE(open({shipped("kurt3d")}));
+    ASSERT_NO_FATAL_FAILURE(open({shippedRobot("kurt3d")}));
     expectSoon("alone", Attempts, Bound);
 }
 
@@ -202,7 +197,8 @@ TEST_F(CameraLatency, BesideBothRobotsFromTheSampleToThePaintedPixel) {
     demo.domain = m_domain.number();
     DemoRobots robots(demo);
     robots.start();
-    ASSERT_NO_FATAL_FAILURE(open({shipped("kurt3d"), shipped("crawler"), filmed(shipped("kurt3d"))}));
+    ASSERT_NO_FATAL_FAILURE(
+        open({shippedRobot("kurt3d"), shippedRobot("crawler"), filmed(shippedRobot("kurt3d"))}));
     // Both are seen, and the map has begun.
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {

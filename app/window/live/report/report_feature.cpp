@@ -13,6 +13,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/pane_docks.h"
+#include "app/window/live/report/folder_dialog.h"
 #include "widgets/mission/mission_form.h"
 #include "widgets/score/score_pane.h"
 
@@ -111,16 +112,8 @@ void ReportFeature::askForData() {
 
 void ReportFeature::askForFolder() {
     m_keep->setChecked(false);
-    // Not modal and not the desktop's own: STOP, by Esc and by its button, works while it is open.
-    auto* dialog = new QFileDialog(&m_context.window, tr("Folder for the report"));
-    dialog->setOption(QFileDialog::DontUseNativeDialog);
-    dialog->setObjectName(QStringLiteral("reportFolder"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    dialog->setModal(false);
-    connect(dialog, &QFileDialog::fileSelected, this, &ReportFeature::keep);
-    dialog->show();
+    const QFileDialog& dialog = openFolderDialog(m_context.window, tr("Folder for the report"));
+    connect(&dialog, &QFileDialog::fileSelected, this, &ReportFeature::keep);
 }
 
 void ReportFeature::keep(const QString& folder) {

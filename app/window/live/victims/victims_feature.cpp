@@ -239,9 +239,9 @@ void VictimsFeature::show(const LiveMoment& moment) {
     for (const RobotInMap& one : *m_context.bridge.station().mapping().robots()) {
         if (one.robot == robot && one.placed) baseInMap = one.baseInMap;
     }
-    const bool resumed = std::exchange(m_following, true);
+    const bool following = std::exchange(m_following, true);
     const auto moved = m_moves.follow(*moment.mission);
-    if (resumed && !moved.empty()) emit told(movesText(moved));  // else of earlier sessions
+    if (following && !moved.empty()) emit told(movesText(moved));  // the first are of earlier sessions
     const auto rows = victimRows(*moment.mission, baseInMap, &m_moves);
     m_panel->show(rows);
     // What was filed last is what the next key is about, once the mission has it.
