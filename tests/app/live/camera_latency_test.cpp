@@ -24,6 +24,7 @@
 #include "app/window/live/selection.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
+#include "tests/support/latency.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 #include "widgets/camera/camera_pane.h"
@@ -34,9 +35,10 @@ namespace {
 constexpr int Pictures = 150, WarmUp = 20;
 constexpr int Attempts = 3;     ///< all of them count
 constexpr int Rhythm = 66;      ///< [ms]: 15 pictures a second
-constexpr double Bound = 80.0;  ///< of 99 in 100 [ms]
-/// With both simulated robots on the same processors, of which they take more than one.
-constexpr double BoundBesideRobots = 3.0 * Bound;
+constexpr double Asked = 80.0;  ///< of 99 in 100 [ms]
+constexpr double Bound = Generous * Asked;
+/// A third process beside both robots sends these pictures, and waits for its turn as they do.
+constexpr double BoundBesideRobots = 2.0 * Bound;
 
 Time wallClock() {
     return Time(std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -102,11 +104,6 @@ private:
     Time m_painted{};
 };
 
-double share(std::vector<double> values, double part) {
-    std::sort(values.begin(), values.end());
-    return values.at(static_cast<std::size_t>(part * static_cast<double>(values.size() - 1)));
-}
-
 /// Kurt3D's file under another name, with topics of its own: its camera is the test's.
 RobotDescription filmed(RobotDescription robot) {
     const std::string was = "/" + robot.name + "/";
@@ -151,7 +148,7 @@ protected:
             all.insert(all.end(), delays.begin(), delays.end());
         }
         print("of all attempts", all);
-        EXPECT_LE(share(all, 0.99), bound) << beside;
+        EXPECT_LE(quantile(all, 0.99), bound) << beside;
     }
 
     static constexpr int Patience = 60'000;  ///< [ms]
@@ -178,8 +175,9 @@ private:
     static void print(const char* beside, const std::vector<double>& delays) {
         std::printf(
             "camera sample to painted pixel, %s, %zu pictures of 640 x 480: median %.1f ms, p99 %.1f ms, "
-            "most %.1f ms (bound %.0f ms)\n",
-            beside, delays.size(), share(delays, 0.5), share(delays, 0.99), share(delays, 1.0), Bound);
+            "most %.1f ms (p99 asked %.0f ms)\n",
+            beside, delays.size(), quantile(delays, 0.5), quantile(delays, 0.99), quantile(delays, 1.0),
+            Asked);
         std::fflush(stdout);
     }
 

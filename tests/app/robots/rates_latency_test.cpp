@@ -112,7 +112,7 @@ TEST_F(RobotsLatency, BothInRealTimeHoldAllTheirRatesWithinOneCore) {
     }
     std::printf("both processes: %.2f of a core\n", count.processor / count.seconds);
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    EXPECT_LT(count.processor / count.seconds, 1.25) << "one core of a usual computer, and some are slower";
+    EXPECT_LT(count.processor / count.seconds, 1.5) << "one core of a usual computer, and some are slower";
 #endif
     EXPECT_THAT(m_kurt3dSaid.errors(), testing::IsEmpty());
     EXPECT_THAT(m_crawlerSaid.errors(), testing::IsEmpty());

@@ -8,9 +8,12 @@
 #include "core/mapping/live/scan_doubts.h"
 #include "tests/simulation/mapping/mapped_drive.h"
 #include "tests/simulation/mapping/uos_registration.h"
+#include "tests/support/latency.h"
 
 namespace leitstand::simulation::test {
 namespace {
+
+using leitstand::test::quantile;
 
 int uncertain(const MappedDrive& drive) {
     return static_cast<int>(
@@ -107,13 +110,6 @@ TEST(LiveDriveLong, FiveMinutesInThreeYellowArenas) {
         EXPECT_LE(inDegrees(live.angle), 1.5) << seed;
         EXPECT_LE(points, 0.04) << seed;
     }
-}
-
-/// The time that @p share of @p times is not above.
-double quantile(std::vector<double> times, double share) {
-    std::sort(times.begin(), times.end());
-    const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(times.size())));
-    return times.at(std::max<std::size_t>(place, 1) - 1);
 }
 
 TEST(LiveMappingLatency, ATurnTakesNoMoreTimeInALargeMap) {

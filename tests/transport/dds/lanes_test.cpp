@@ -5,19 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/latency.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// The @p share (0..1) quantile [ms].
-double quantile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1,
-                           static_cast<std::size_t>(share * static_cast<double>(values.size())))];
-}
 
 // A consumer of scans that takes 400 ms for each must not hold up odometry at 100 Hz.
 TEST(LanesLatency, ASlowConsumerOfScansDelaysNoOdometry) {

