@@ -6,10 +6,12 @@
 #include <QDir>
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
 
 namespace leitstand {
 namespace {
 
+constexpr int Nice = 3;
 constexpr int Patience = 2'000;  ///< for a robot to end when it is asked to [ms]
 
 /// The last line that a program said, as the reason why it ended.
@@ -39,7 +41,6 @@ DemoRobots::~DemoRobots() {
 
 void DemoRobots::start() {
     if (!m_robots.empty()) return;
-    if (!m_robots.empty()) return;
     for (const char* kind : {"kurt3d", "crawler"}) start(QString::fromLatin1(kind));
 }
 
@@ -57,7 +58,11 @@ void DemoRobots::start(const QString& kind) {
     if (!m_settings.interface.isEmpty()) arguments += {"--interface", m_settings.interface};
     robot->setArguments(arguments);
     robot->setProcessChannelMode(QProcess::MergedChannels);
-    robot->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
+    robot->setChildProcessModifier([] {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        // A robot brings computers of its own: this one serves the operator first.
+        if (::setpriority(PRIO_PROCESS, 0, Nice) != 0) return;  // as it is, then
+    });
     connect(robot, &QProcess::errorOccurred, this, [this, robot](QProcess::ProcessError error) {
         if (error != QProcess::FailedToStart) return;
         emit failed(tr("%1 cannot be started: %2").arg(robot->program(), robot->errorString()));
