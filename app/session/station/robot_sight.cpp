@@ -151,6 +151,11 @@ std::optional<VirtualScanView> RobotSight::look(SteadyTime now) const {
     return m_scan.view(m_base, *m_newest + (now - m_arrived));
 }
 
+std::optional<SteadyTime> RobotSight::scanned() const {
+    const std::lock_guard lock(m_mutex);
+    return m_scanned;
+}
+
 double RobotSight::spaceAhead() const {
     constexpr double Limit = 2.0, Old = 10.0, Speed = 0.1;  // [m], [s], [m/s]
     const auto around = view();

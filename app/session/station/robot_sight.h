@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::optional<VirtualScanView> view() const;
     [[nodiscard]] std::optional<VirtualScanView> view(SteadyTime now) const;
 
+    /// When anything of a scan came last; none: never.
+    [[nodiscard]] std::optional<SteadyTime> scanned() const;
     /// How far the robot can drive straight ahead until it touches something, at most 2 m; NaN where that was
     /// not looked at within 10 s.
     [[nodiscard]] double spaceAhead() const;

@@ -33,6 +33,11 @@ std::optional<VirtualScanView> Station::around(const std::string& robot) const {
     return line == nullptr ? std::nullopt : line->sight().view();
 }
 
+std::optional<SteadyTime> Station::scanned(const std::string& robot) const {
+    const RobotLine* const line = m_state->line(robot);
+    return line == nullptr ? std::nullopt : line->sight().scanned();
+}
+
 MissionStatePtr Station::mission() const {
     return m_state->mission->state();
 }

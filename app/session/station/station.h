@@ -67,6 +67,8 @@ public:
     [[nodiscard]] RobotView robot(const std::string& name) const;
     /// What is around it now: RobotView::around.
     [[nodiscard]] std::optional<VirtualScanView> around(const std::string& robot) const;
+    /// When anything of its scans came last, after which what is around it looks otherwise; none: never.
+    [[nodiscard]] std::optional<SteadyTime> scanned(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission

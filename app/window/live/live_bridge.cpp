@@ -11,7 +11,9 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Tick(33);
-constexpr int TicksAround = 3;  ///< what is around is made ten times a second
+/// What is around is made anew where nothing was scanned, and where something was, which slices are ten times
+/// a second: not in step with ticks, or some of them would wait for the next one's picture.
+constexpr int TicksAround = 3, TicksScanned = 2;
 
 }  // namespace
 
@@ -45,6 +47,14 @@ void LiveBridge::showAgain() {
     emit scansChanged(scans);
 }
 
+void LiveBridge::lookAround() {
+    const auto scanned = m_station->scanned(m_watched);
+    if (++m_sinceAround < (scanned == m_scanned ? TicksAround : TicksScanned)) return;
+    m_sinceAround = 0;
+    m_scanned = scanned;
+    m_around = m_station->around(m_watched);
+}
+
 void LiveBridge::tick() {
     m_moment.now = stationTime();
     m_moment.steady = std::chrono::steady_clock::now();
@@ -54,10 +64,7 @@ void LiveBridge::tick() {
     m_moment.robots.clear();
     for (const RobotDescription& robot : m_station->robots())
         m_moment.robots[robot.name] = m_station->robot(robot.name);
-    if (++m_sinceAround >= TicksAround) {
-        m_sinceAround = 0;
-        m_around = m_station->around(m_watched);
-    }
+    lookAround();
     if (const auto watched = m_moment.robots.find(m_watched); watched != m_moment.robots.end())
         watched->second.around = m_around;
     emit ticked(m_moment);

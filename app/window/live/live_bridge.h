@@ -32,6 +32,7 @@ public:
 private:
     LiveBridge();
     void tick();
+    void lookAround();  ///< where something was scanned, or the robot may have driven on
     template <class Call>
     void hop(Call call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
@@ -40,7 +41,8 @@ private:
     QTimer m_tick;
     std::string m_watched;
     std::optional<VirtualScanView> m_around;
-    int m_sinceAround = 0;  ///< ticks
+    int m_sinceAround = 0;                ///< ticks
+    std::optional<SteadyTime> m_scanned;  ///< when the newest of what is in m_around came
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<Station> m_station;  ///< last: its threads end first
 };
