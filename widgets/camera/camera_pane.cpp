@@ -14,6 +14,11 @@
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
+namespace {
+
+constexpr double Rhythm = 0.1;  ///< pictures that come faster than this are soon followed by another [s]
+
+}  // namespace
 
 CameraPane::CameraPane(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
@@ -72,6 +77,7 @@ void CameraPane::setAge(const DataAge& age, const QString& note) {
     m_head.age = age;
     m_head.note = note;
     setAccessibleDescription(ageText(age, m_head.limits));
+    if (sameLook && nextIsNear()) return;
     if (sameLook) {
         update(0, 0, width(), paneHeadHeight(font()));
     } else {
@@ -81,7 +87,11 @@ void CameraPane::setAge(const DataAge& age, const QString& note) {
 
 void CameraPane::setOverlay(const CameraOverlay& overlay) {
     m_overlay = overlay;
-    update();
+    if (!nextIsNear()) update();
+}
+
+bool CameraPane::nextIsNear() const {
+    return !m_picture.isNull() && m_head.age.arrival < Rhythm;
 }
 
 void CameraPane::setPanorama(const std::optional<PanoramaShape>& shape) {

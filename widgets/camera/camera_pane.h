@@ -84,6 +84,8 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    /// The next picture is about to come: what lies over this one is painted with it.
+    [[nodiscard]] bool nextIsNear() const;
     void showCursor();
     void paintPicture(QPainter& painter, Freshness freshness);
     void scalePicture(const QSize& size, bool grey);

@@ -16,6 +16,7 @@ namespace {
 constexpr double Lookahead = 3.0;  ///< of the predicted path [s]
 constexpr double OriginAt = 0.66;  ///< of the height below the head: more is seen ahead than behind
 constexpr double ZoomStep = 1.15;  ///< of a notch of the wheel
+constexpr double AgeStep = 0.1;    ///< an age that is written grows by so much before it is written anew [s]
 
 QRectF areaOf(const QWidget& pane) {
     return QRectF(pane.rect()).adjusted(6, paneHeadHeight(pane.font()), -4, -4);
@@ -42,8 +43,16 @@ void VirtualScanPane::setRobot(const RobotFace& face, const std::vector<Eigen::V
     update();
 }
 
+bool VirtualScanPane::shows(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded,
+                            double age) const {
+    if (view.has_value() != m_view.has_value() || (view && view->at != m_view->at)) return false;
+    const double before = m_head.age.arrival;
+    return commanded == m_commanded && (age == before || std::abs(age - before) < AgeStep);
+}
+
 void VirtualScanPane::show(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded,
                            double age) {
+    if (shows(view, commanded, age)) return;
     m_view = view;
     m_commanded = commanded;
     m_head.age = {.arrival = age};

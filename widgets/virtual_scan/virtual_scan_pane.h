@@ -20,7 +20,8 @@ public:
 
     /// Whose surroundings these are. @p footprint: base_link [m].
     void setRobot(const RobotFace& face, const std::vector<Eigen::Vector2d>& footprint);
-    /// Shows @p view at @p commanded; @p age [s]: since scans arrived last, infinite: never.
+    /// Shows @p view at @p commanded; @p age [s]: since scans arrived last, infinite: never. A view of the
+    /// same moment is not painted again until its age has grown by 0.1 s.
     void show(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded, double age);
     using QWidget::show;
 
@@ -50,6 +51,9 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
+    [[nodiscard]] bool shows(const std::optional<VirtualScanView>& view, const DriveVelocity& commanded,
+                             double age) const;
+
     PaneHead m_head;
     std::vector<Eigen::Vector2d> m_footprint;
     BodyBox m_body;

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstring>
 
 #include <gmock/gmock.h>
@@ -152,6 +153,7 @@ TEST_P(Panes, WhatWasLookedAtLongAgoIsFainter) {
     pane.setRobot(robot.face, robot.description.footprint);
     const auto wallPixels = [&](double age) {
         VirtualScanView view = corridor();
+        view.at += std::chrono::seconds(static_cast<int>(age));
         for (VirtualSector& sector : view.sectors) sector.age = age;
         view.obstacles.clear();
         pane.show(view, {}, 0.1);
