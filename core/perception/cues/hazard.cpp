@@ -146,6 +146,9 @@ std::pair<std::string, double> meaningOf(const Parts& parts) {
         return {"poison or infectious", parts.lower.of[Black] > 0.4 ? 0.0 : 0.75 * sure};
     }
     if (upper == White && drawn < 0.03) sure *= 0.6;
+    // A symbol is in the upper half of each, black or white: a patch of one colour without any is a thing.
+    const double symbol = drawn + parts.upper.of[Grey] + (upper == White ? 0.0 : parts.upper.of[White]);
+    if (upper == lower && symbol < 0.03) return {{}, 0.0};
     for (const Meaning& one : Meanings) {
         if (one.upper == upper && one.lower == lower) return {one.name, sure};
     }

@@ -64,6 +64,9 @@ TEST(Hazard, OtherThingsAreNone) {
                  White);  // an empty sheet
     cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{160, 120}, {260, 140}, {160, 160}, {60, 140}}},
                  Green);  // far too flat
+    // Upright, of one colour, and nothing is drawn on it: the edge of a board.
+    cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{290, 120}, {314, 144}, {290, 168}, {266, 144}}},
+                 Orange);
     for (const HazardPlacard& one : findHazards(pictureFrom(noisy(wall, 4.0, 1))))
         ADD_FAILURE() << one.name << " at " << one.centre.transpose() << ", " << one.confidence;
     EXPECT_TRUE(findHazards(pictureFrom(noisy(wall, 40.0, 1))).empty());
