@@ -28,7 +28,7 @@ bool PadMapping::isHeld(const PadControl& control, const PadState& state, bool b
     return amountOf(control, state) >= m_bindings.press * (before ? Hysteresis : 1.0);
 }
 
-PadWishes PadMapping::update(const PadState& state, bool allowed) {
+PadWishes PadMapping::update(const PadState& state, PadScope scope) {
     PadWishes wishes;
     if (!state.connected) {
         m_held.fill(false);
@@ -42,21 +42,23 @@ PadWishes PadMapping::update(const PadState& state, bool allowed) {
         held = isHeld(m_bindings.at(action), state, held);
     }
     wishes.stop = held(PadAction::Stop) && !stopWasHeld;
-    if (!allowed || wishes.stop) needNeutral();
-    readCommands(state, allowed, wishes);
-    if (!allowed) return wishes;
+    const bool moves = scope == PadScope::All;
+    if (!moves || wishes.stop) needNeutral();
+    readCommands(state, scope, wishes);
+    if (!moves) return wishes;
     readDrive(state, wishes);
     readCameras(state, wishes);
     return wishes;
 }
 
-void PadMapping::readCommands(const PadState& state, bool allowed, PadWishes& wishes) {
+void PadMapping::readCommands(const PadState& state, PadScope scope, PadWishes& wishes) {
     m_commandHeld.resize(m_bindings.commands.size(), false);
     for (std::size_t i = 0; i < m_bindings.commands.size(); ++i) {
         const bool before = m_commandHeld[i], now = isHeld(m_bindings.commands[i].control, state, before);
         m_commandHeld[i] = now;
         // What is held when the pad comes was not pressed for us.
-        if (now && !before && m_known && allowed) wishes.commands.push_back(m_bindings.commands[i].id);
+        if (now && !before && m_known && scope != PadScope::Nothing)
+            wishes.commands.push_back(m_bindings.commands[i].id);
     }
     m_known = true;
 }

@@ -28,11 +28,18 @@ struct PadWishes {
     friend bool operator==(const PadWishes&, const PadWishes&) = default;
 };
 
+/// What a gamepad may do now.
+enum class PadScope {
+    Nothing,   ///< another window has the operator
+    Commands,  ///< the robot is stopped: what files, looks or selects goes on
+    All,       ///< drive and turn cameras, too
+};
+
 /// From the state of a gamepad to what the operator wants (design, section 7). Pure.
 ///
 /// Nothing drives without the dead-man trigger; letting it go is zero at once. The sticks count from when
 /// they were neutral while the trigger was held: motion begins only with the operator's hand. After the pad
-/// came, and whenever it was not @p allowed (another window, a stop, another robot), the trigger must have
+/// came, and whenever it had not PadScope::All (another window, a stop, another robot), the trigger must have
 /// been let go first. Stop needs none of that.
 class PadMapping {
 public:
@@ -43,14 +50,13 @@ public:
     void setLimits(const DriveLimits& limits) { m_limits = limits; }
     void needNeutral();  ///< trigger and sticks have to be let go first
 
-    /// The wishes of the pad as it is now; to be asked with every change. @p allowed: this pad may drive,
-    /// turn cameras and command now.
-    [[nodiscard]] PadWishes update(const PadState& state, bool allowed);
+    /// The wishes of the pad as it is now; to be asked with every change.
+    [[nodiscard]] PadWishes update(const PadState& state, PadScope scope);
 
 private:
     [[nodiscard]] bool isHeld(const PadControl& control, const PadState& state, bool before) const;
     [[nodiscard]] bool held(PadAction action) const { return m_held[static_cast<std::size_t>(action)]; }
-    void readCommands(const PadState& state, bool allowed, PadWishes& wishes);
+    void readCommands(const PadState& state, PadScope scope, PadWishes& wishes);
     void readDrive(const PadState& state, PadWishes& wishes);
     void readCameras(const PadState& state, PadWishes& wishes);
 

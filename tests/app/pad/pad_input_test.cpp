@@ -36,7 +36,7 @@ protected:
         settings.onStop = [this] { ++m_stopsOnThread; };
         m_input = std::make_unique<PadInput>(settings);
         m_input->setLimits({.speed = 0.5, .turnRate = 1.0, .sideways = false});
-        m_input->setAllowed(true);
+        m_input->setScope(PadScope::All);
         QObject::connect(m_input.get(), &PadInput::sticks,
                          [this](const DriveVelocity& velocity, bool driving) {
                              m_sticks = velocity;
@@ -116,7 +116,7 @@ TEST_F(PadInputTest, AnUnpluggedPadStopsAndANewOneStartsNeutral) {
 }
 
 TEST_F(PadInputTest, StopIsToldAtOnceEvenWhileTheWindowIsBusy) {
-    m_input->setAllowed(false);
+    m_input->setScope(PadScope::Nothing);
     m_pad->press(button::B);
     // Nothing is done on this thread.
     ASSERT_TRUE(waitUntil([&] { return m_stopsOnThread == 1; }));
@@ -143,7 +143,7 @@ TEST_F(PadInputTest, AfterStopTriggerAndSticksHaveToBeLetGo) {
 
 TEST_F(PadInputTest, WithoutTheWindowsFocusOnlyStopWorks) {
     drive();
-    m_input->setAllowed(false);
+    m_input->setScope(PadScope::Nothing);
     EXPECT_TRUE(isZero(m_sticks)) << "at once";
     EXPECT_FALSE(m_driving);
     m_pad->press(button::Y);
@@ -153,7 +153,7 @@ TEST_F(PadInputTest, WithoutTheWindowsFocusOnlyStopWorks) {
     EXPECT_EQ(m_cameras, PanTiltRate{});
     m_pad->press(button::B);
     EXPECT_TRUE(soon([&] { return m_stops == 1; }));
-    m_input->setAllowed(true);
+    m_input->setScope(PadScope::All);
     EXPECT_FALSE(m_driving) << "all is held as it was";
 }
 

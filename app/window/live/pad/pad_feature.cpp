@@ -100,7 +100,9 @@ void PadFeature::useRobot() {
 
 void PadFeature::allow() {
     const RobotView& robot = m_context.bridge.moment().view(m_context.selection.name().toStdString());
-    m_input.setAllowed(isWorkedIn(m_context.window) && !isStopped(robot));
+    m_input.setScope(!isWorkedIn(m_context.window) ? PadScope::Nothing
+                     : isStopped(robot)            ? PadScope::Commands
+                                                   : PadScope::All);
 }
 
 bool PadFeature::eventFilter(QObject* watched, QEvent* event) {

@@ -35,7 +35,7 @@ void PadInput::says(int id, const PadState& state) {
     bool stop = false;
     {
         const std::lock_guard lock(m_mutex);
-        stop = m_stops[id].update(state, false).stop;
+        stop = m_stops[id].update(state, PadScope::Nothing).stop;
     }
     if (stop && m_settings.onStop) m_settings.onStop();
     hop([this, id, state, stop] {
@@ -118,7 +118,7 @@ const PadInput::Pad* PadInput::chosenPad() const {
 
 void PadInput::update() {
     const Pad* const pad = chosenPad();
-    tell(m_mapping.update(pad == nullptr ? PadState{} : pad->state, m_allowed));
+    tell(m_mapping.update(pad == nullptr ? PadState{} : pad->state, m_scope));
 }
 
 void PadInput::tell(const PadWishes& wishes) {
@@ -178,9 +178,9 @@ void PadInput::setLimits(const DriveLimits& limits) {
     m_mapping.setLimits(limits);
 }
 
-void PadInput::setAllowed(bool allowed) {
-    if (allowed == m_allowed) return;
-    m_allowed = allowed;
+void PadInput::setScope(PadScope scope) {
+    if (scope == m_scope) return;
+    m_scope = scope;
     update();
 }
 

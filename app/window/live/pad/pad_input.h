@@ -46,8 +46,8 @@ public:
     void setLayoutCommands(std::map<std::string, std::string> byButton);
 
     void setLimits(const DriveLimits& limits);
-    /// Whether pads may drive, turn cameras and command now: the window has the focus, no stop stands.
-    void setAllowed(bool allowed);
+    /// What pads may do now: nothing while another window has the focus, no motion while a stop stands.
+    void setScope(PadScope scope);
     void needNeutral();  ///< trigger and sticks have to be let go first
     /// Lets the chosen pad tremble, @p strength 0 to 1.
     void rumble(double strength, int milliseconds);
@@ -99,7 +99,7 @@ private:
     std::map<std::string, std::string> m_layout;  ///< commands by button
     PadMapping m_mapping;                         ///< of the chosen one
     PadWishes m_last;
-    bool m_allowed = false;
+    PadScope m_scope = PadScope::Nothing;
     std::unique_ptr<SdlPads> m_sdl;  ///< last: its thread ends first
 };
 

@@ -21,7 +21,7 @@ protected:
         m_pad.buttons.assign(button::Count, false);
         m_mapping.setLimits({.speed = 0.5, .turnRate = 1.0, .sideways = false});
     }
-    PadWishes now(bool allowed = true) { return m_mapping.update(m_pad, allowed); }
+    PadWishes now(PadScope scope = PadScope::All) { return m_mapping.update(m_pad, scope); }
     void push(int index, double value) { m_pad.axes[static_cast<std::size_t>(index)] = value; }
     void hold(int index, bool held = true) { m_pad.buttons[static_cast<std::size_t>(index)] = held; }
     /// The trigger, as an operator takes it who is about to drive.
@@ -113,8 +113,8 @@ TEST_F(PadMappingTest, AfterWhateverForbadeDrivingTriggerAndSticksWereNeutral) {
     takeHold();
     push(axis::LeftY, -1.0);
     ASSERT_GT(now().drive.forward, 0.0);
-    EXPECT_TRUE(isZero(now(false).drive)) << "another window";
-    EXPECT_FALSE(now(false).driving);
+    EXPECT_TRUE(isZero(now(PadScope::Nothing).drive)) << "another window";
+    EXPECT_FALSE(now(PadScope::Nothing).driving);
     EXPECT_TRUE(isZero(now().drive)) << "all is held as it was";
     EXPECT_FALSE(now().driving);
     push(axis::LeftTrigger, 0.0);
@@ -132,9 +132,9 @@ TEST_F(PadMappingTest, AfterWhateverForbadeDrivingTriggerAndSticksWereNeutral) {
 TEST_F(PadMappingTest, LettingTheTriggerGoInAnotherWindowDoesNotHelp) {
     takeHold();
     push(axis::LeftTrigger, 0.0);
-    (void)now(false);
+    (void)now(PadScope::Nothing);
     push(axis::LeftTrigger, 1.0);
-    (void)now(false);
+    (void)now(PadScope::Nothing);
     EXPECT_FALSE(now().driving) << "it was pressed for another window";
 }
 
@@ -151,8 +151,8 @@ TEST_F(PadMappingTest, APulledPlugIsZeroAndForgetsEverything) {
 
 TEST_F(PadMappingTest, StopIsOneEdgeAlwaysAndEverywhere) {
     hold(button::B);
-    EXPECT_TRUE(now(false).stop) << "without trigger and in another window";
-    EXPECT_FALSE(now(false).stop) << "held";
+    EXPECT_TRUE(now(PadScope::Nothing).stop) << "without trigger and in another window";
+    EXPECT_FALSE(now(PadScope::Nothing).stop) << "held";
     hold(button::B, false);
     EXPECT_FALSE(now().stop);
     takeHold();
@@ -179,7 +179,7 @@ TEST_F(PadMappingTest, TheRightStickTurnsCamerasWithoutTheTrigger) {
     push(axis::RightY, -1.0);
     const double rate = m_mapping.bindings().cameraRate;
     EXPECT_EQ(now().cameras, (PanTiltRate{rate, rate})) << "left and up";
-    EXPECT_EQ(now(false).cameras, PanTiltRate{});
+    EXPECT_EQ(now(PadScope::Nothing).cameras, PanTiltRate{});
     EXPECT_EQ(now().cameras, PanTiltRate{}) << "neutral first";
     push(axis::RightX, 0.0);
     push(axis::RightY, 0.0);
@@ -197,10 +197,25 @@ TEST_F(PadMappingTest, CommandsArePressedOnceAndOnlyHere) {
     EXPECT_THAT(now().commands, testing::ElementsAre("robot.next"));
     EXPECT_TRUE(now().commands.empty());
     hold(button::Y, false);
-    (void)now(false);
+    (void)now(PadScope::Nothing);
     hold(button::Y);
-    EXPECT_TRUE(now(false).commands.empty());
+    EXPECT_TRUE(now(PadScope::Nothing).commands.empty());
     EXPECT_TRUE(now().commands.empty()) << "pressed in another window";
+}
+
+TEST_F(PadMappingTest, WhileTheRobotIsStoppedCommandsGoOnAndNothingMoves) {
+    takeHold();
+    push(axis::LeftY, -1.0);
+    EXPECT_FALSE(isZero(now().drive));
+    push(axis::RightX, -1.0);
+    hold(button::Y);
+    const PadWishes stopped = now(PadScope::Commands);
+    EXPECT_THAT(stopped.commands, testing::ElementsAre("robot.next"));
+    EXPECT_TRUE(isZero(stopped.drive));
+    EXPECT_FALSE(stopped.driving);
+    EXPECT_EQ(stopped.cameras, PanTiltRate{});
+    EXPECT_TRUE(isZero(now().drive)) << "trigger and sticks first";
+    EXPECT_FALSE(now().driving);
 }
 
 TEST_F(PadMappingTest, SticksAreNothingAroundTheirRestAndFineBesideIt) {
