@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,6 +31,7 @@ constexpr std::chrono::seconds Again(15);     ///< until it is asked again
 constexpr double Gently = 0.1;                ///< [m/s]
 constexpr double Turn = 0.4;                  ///< [rad/s]
 constexpr double Aligned = 0.1;               ///< with how it stood at first [rad]
+constexpr std::chrono::seconds Stuck(4);      ///< a turn that gets nowhere for so long is blocked
 
 /// Where @p robot is by its odometry; the origin before it said so.
 Pose placeOf(const Station& station, const std::string& robot) {
@@ -60,21 +62,32 @@ void rock(Station& station, Clock::time_point until, Ended ended) {
         std::chrono::duration_cast<std::chrono::milliseconds>(until - began));
 }
 
-/// Turns Kurt3D until it heads as at @p home.
+/// How far Kurt3D's heading is from what it was at @p home, to the left [rad].
+double headingError(const Station& station, const Pose& home) {
+    const Pose off = home.inverse() * placeOf(station, "kurt3d");
+    return std::atan2(off(1, 0), off(0, 0));
+}
+
+/// Turns Kurt3D until it heads as at @p home; the other way round where something is in its way.
 bool align(Station& station, const Pose& home) {
-    const auto error = [&] {
-        const Pose off = home.inverse() * placeOf(station, "kurt3d");
-        return std::atan2(off(1, 0), off(0, 0));
-    };
     station.focus("kurt3d");
     if (!station.setMode("kurt3d", "teleoperation")) return false;
+    double before = headingError(station, home), way = before > 0.0 ? -1.0 : 1.0;
+    auto since = Clock::now();
     const bool aligned = waitUntil(
         [&] {
+            const double error = headingError(station, home);
+            if (station.robot("kurt3d").drive.needsNeutral) since = Clock::now();
+            if (Clock::now() - since > Stuck) {
+                if (std::abs(std::remainder(error - before, 2.0 * std::numbers::pi)) < Aligned) way = -way;
+                before = error;
+                since = Clock::now();
+            }
             const bool wait = station.robot("kurt3d").drive.needsNeutral;
-            station.push({0.0, 0.0, wait ? 0.0 : error() > 0.0 ? -Turn : Turn}, true);
-            return std::abs(error()) < Aligned;
+            station.push({0.0, 0.0, wait ? 0.0 : way * Turn}, true);
+            return std::abs(error) < Aligned;
         },
-        60s);
+        120s);
     station.push({});
     return aligned;
 }
@@ -132,7 +145,9 @@ void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length
     if (away() >= Near)
         throw std::runtime_error(fmt::format("kurt3d is {:.1f} m from where it began, was {:.1f}: {}", away(),
                                              farthest, doing(*station)));
-    if (!align(*station, home)) throw std::runtime_error("kurt3d did not turn back");
+    if (!align(*station, home))
+        throw std::runtime_error(fmt::format("kurt3d did not turn back, it is {:.0f} degrees off: {}",
+                                             inDegrees(headingError(*station, home)), doing(*station)));
 }
 
 }  // namespace leitstand::test
