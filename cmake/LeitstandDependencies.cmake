@@ -27,6 +27,8 @@ if(NOT LEITSTAND_CORE_ONLY)
     set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
     find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features registration io)
     unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
+    # For a test; VTK brings them.
+    pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
 endif()
 if(NOT LEITSTAND_CORE_ONLY AND NOT LEITSTAND_FUZZ)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui)  # the printed report

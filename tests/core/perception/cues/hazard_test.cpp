@@ -81,13 +81,13 @@ TEST(Hazard, StrangePicturesAreTaken) {
 }
 
 /// Pictures of the LaTeX package ghsystem, of Debian's texlive-science; LEITSTAND_GHSYSTEM names the folder
-/// into which packaging/placards.sh got them.
+/// into which packaging/others-pictures.sh got them.
 TEST(Hazard, PicturesOfAnotherProject) {
     const char* named = std::getenv("LEITSTAND_GHSYSTEM");
     const std::filesystem::path folder =
         named != nullptr ? named : "/usr/share/texlive/texmf-dist/tex/latex/ghsystem/pictures";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "SKIPPED: no pictures of ghsystem here: packaging/placards.sh gets them";
+        GTEST_SKIP() << "SKIPPED: no pictures of ghsystem here: packaging/others-pictures.sh gets them";
     const std::map<std::string, std::string> all = {{"explos", "GHS"},
                                                     {"flame", "GHS"},
                                                     {"flame-O", "GHS"},
