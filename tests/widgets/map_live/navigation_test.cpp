@@ -32,7 +32,7 @@ struct Driven {
 };
 
 constexpr double AskedRate = 10.0, LeastRate = AskedRate / Generous;  ///< pictures a second
-constexpr double MostTick = 20.0;                                     ///< [ms]
+constexpr double MostTick = 50.0;                                     ///< [ms]
 
 Driven drive(ShownView& view, double length) {
     RobotMark robot = kurt3d(onFloor(0, 0, 0));

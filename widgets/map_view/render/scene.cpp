@@ -20,11 +20,17 @@
 #include "widgets/map_view/render/detail_budget.h"
 #include "widgets/map_view/render/egl_context.h"
 #include "widgets/map_view/render/render_window.h"
+#include "widgets/map_view/scene/scene_sample.h"
 
 namespace leitstand {
 namespace {
 
 constexpr double PointSize = 2.0;  ///< [logical px]
+/// One that is overtaken soon. While a robot drives there are fifteen a second, beside all else that a
+/// station does.
+constexpr DetailBudget::Seconds QuickPicture(0.03);
+constexpr std::size_t Many = 40;              ///< scans; of more, a sample is drawn first
+constexpr std::size_t MostSampled = 300'000;  ///< points of it
 
 void addPlane(vtkPlaneCollection* planes, double height, double direction) {
     vtkNew<vtkPlane> plane;
@@ -64,18 +70,23 @@ struct Scene::State {
     vtkNew<RenderWindow> window;
     vtkNew<vtkRenderer> renderer;
     std::vector<ScanActor> scans;
+    std::vector<ScanActor*> shown;  ///< those of the scans that are to be seen
+    bool many = false;              ///< the first pass draws the sample, not the scans
+    ScanActor sample;
+    double sampled = 1.0;  ///< the share of every scan's points that is in the sample
     VoxelActor voxels;
     SceneContentPtr content = std::make_shared<const SceneContent>();
-    DetailBudget budget;  ///< of a pass over all scans, each of which costs something however few its points
+    DetailBudget budget{
+        QuickPicture};  ///< of a pass over all scans, each of which costs something however few its points
     DetailBudget refining;  ///< of a pass over some
     bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
 
     using Clock = std::chrono::steady_clock;
 
     void addScans(std::size_t count);
-    [[nodiscard]] std::vector<ScanActor*> shown();
-    double begin(const std::vector<ScanActor*>& all);
-    bool refine(const std::vector<ScanActor*>& all, double from, const std::function<bool()>& interrupted);
+    void choose();
+    double begin(bool full);
+    bool refine(double from, const std::function<bool()>& interrupted);
 };
 
 void Scene::State::addScans(std::size_t count) {
@@ -89,43 +100,53 @@ void Scene::State::addScans(std::size_t count) {
     }
 }
 
-std::vector<ScanActor*> Scene::State::shown() {
-    std::vector<ScanActor*> all;
+/// Which scans are to be seen, and whether the first pass draws them or a sample of them.
+void Scene::State::choose() {
+    shown.clear();
     for (ScanActor& scan : scans) {
-        if (scan.actor()->GetVisibility() != 0) all.push_back(&scan);
+        if (scan.actor()->GetVisibility() != 0) shown.push_back(&scan);
     }
-    return all;
+    many = shown.size() > Many;
+    SceneSample drawn;
+    drawn.scan.visible = false;
+    if (many) drawn = sampleOf(content->scans, MostSampled);
+    sampled = drawn.share;
+    sample.update(drawn.scan);
+    for (ScanActor* scan : shown) scan->actor()->SetVisibility(!many);
 }
 
-/// Draws the share of every scan's points that can be drawn quickly, and returns it.
-double Scene::State::begin(const std::vector<ScanActor*>& all) {
+/// Draws the share of every scan's points that can be drawn quickly, and returns it. Of many scans a sample
+/// is drawn instead: all of it where the picture is to be @p full.
+double Scene::State::begin(bool full) {
     const Clock::time_point start = Clock::now();
-    const auto points = static_cast<double>(pointsOf(all));
-    const double share = std::min(1.0, static_cast<double>(budget.points()) / std::max(points, 1.0));
+    const auto points = static_cast<double>(many ? sample.shownPoints() : pointsOf(shown));
+    double share = std::min(1.0, static_cast<double>(budget.points()) / std::max(points, 1.0));
+    if (many && full) share = 1.0;
     renderer->SetPreserveColorBuffer(false);
     renderer->SetPreserveDepthBuffer(false);
-    for (ScanActor* scan : all) scan->setRange(0.0, share);
+    sample.setRange(0.0, share);
+    for (ScanActor* scan : shown) scan->setRange(0.0, share);
     window->Render();
     window->WaitForCompletion();
     if (!std::exchange(fresh, false))
         budget.drawn(static_cast<std::size_t>(share * points), Clock::now() - start);
-    return share;
+    return share * sampled;
 }
 
 /// Draws the rest on top of what is there, some scans at a time; false when it was interrupted.
-bool Scene::State::refine(const std::vector<ScanActor*>& all, double from,
-                          const std::function<bool()>& interrupted) {
+bool Scene::State::refine(double from, const std::function<bool()>& interrupted) {
     renderer->SetPreserveColorBuffer(true);
     renderer->SetPreserveDepthBuffer(true);
-    for (ScanActor* scan : all) scan->actor()->VisibilityOff();
+    for (ScanActor* scan : shown) scan->actor()->VisibilityOff();
+    sample.actor()->VisibilityOff();
     const bool hasVoxels = voxels.actor()->GetVisibility() != 0;
     voxels.actor()->VisibilityOff();  // are there already
-    auto next = all.begin();
-    while (next != all.end() && !interrupted()) {
+    auto next = shown.begin();
+    while (next != shown.end() && !interrupted()) {
         const Clock::time_point start = Clock::now();
         std::vector<ScanActor*> some;
         double points = 0.0;
-        for (; next != all.end() && points < static_cast<double>(refining.points()); ++next) {
+        for (; next != shown.end() && points < static_cast<double>(refining.points()); ++next) {
             some.push_back(*next);
             points += (1.0 - from) * static_cast<double>((*next)->shownPoints());
         }
@@ -138,9 +159,10 @@ bool Scene::State::refine(const std::vector<ScanActor*>& all, double from,
         for (ScanActor* scan : some) scan->actor()->VisibilityOff();
         refining.drawn(static_cast<std::size_t>(points), Clock::now() - start);
     }
-    for (ScanActor* scan : all) scan->actor()->VisibilityOn();
+    for (ScanActor* scan : shown) scan->actor()->SetVisibility(!many);
+    sample.actor()->SetVisibility(many);
     voxels.actor()->SetVisibility(hasVoxels);
-    return next == all.end();
+    return next == shown.end();
 }
 
 Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
@@ -150,6 +172,7 @@ Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
     state->context = std::move(context).value();
     state->window->start(*state->context);
     state->renderer->AddActor(state->voxels.actor());
+    state->renderer->AddActor(state->sample.actor());
     state->window->AddRenderer(state->renderer);
     state->window->OpenGLInitContext();
     if (!state->window->ready()) return Error{"OpenGL 3.2 is not available"};
@@ -174,6 +197,8 @@ void Scene::setContent(SceneContentPtr content) {
         state.scans[i].update(state.content->scans[i]);
         state.scans[i].setClip(planes);
     }
+    state.sample.setClip(planes);
+    state.choose();
     state.voxels.update(state.content->voxels);
     const Rgba background = mapColours(state.content->settings.theme).background;
     state.renderer->SetBackground(background.r / 255.0, background.g / 255.0, background.b / 255.0);
@@ -186,11 +211,11 @@ MapPicture Scene::draw(const DrawOrder& order, const std::function<bool()>& inte
     state.window->SetSize(size.width(), size.height());
     apply(order.camera, state.renderer);
     for (ScanActor& scan : state.scans) scan.setPointSize(PointSize * order.pixelRatio);
+    state.sample.setPointSize(PointSize * order.pixelRatio);
 
     MapPicture picture{{}, order, state.content, false};
-    const std::vector<ScanActor*> all = state.shown();
-    const double share = state.begin(all);
-    picture.complete = share >= 1.0 || (order.full && state.refine(all, share, interrupted));
+    const double share = state.begin(order.full);
+    picture.complete = share >= 1.0 || (order.full && state.refine(share, interrupted));
     picture.image = state.window->read();
     picture.image.setDevicePixelRatio(order.pixelRatio);
     return picture;
