@@ -39,6 +39,7 @@ void VirtualScanPane::setRobot(const RobotFace& face, const std::vector<Eigen::V
     m_body = boxAround(footprint);
     m_view.reset();
     m_head.age = {};
+    setAccessibleDescription(ageText(m_head.age));  // no more of the robot before
     setAccessibleName(QStringLiteral("%1 · %2").arg(face.letter, m_head.title));
     update();
 }

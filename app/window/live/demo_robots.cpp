@@ -61,7 +61,7 @@ void DemoRobots::start(const QString& kind) {
     robot->setChildProcessModifier([] {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         // A robot brings computers of its own: this one serves the operator first.
-        if (::setpriority(PRIO_PROCESS, 0, Nice) != 0) return;  // as it is, then
+        (void)::setpriority(PRIO_PROCESS, 0, Nice);
     });
     connect(robot, &QProcess::errorOccurred, this, [this, robot](QProcess::ProcessError error) {
         if (error != QProcess::FailedToStart) return;

@@ -38,8 +38,7 @@ MapPtr inOneScan(const MapPtr& map) {
 
 class ManyScans : public testing::Test {
 protected:
-    /// Nothing tells how many scans a complete picture is made of. A few points at one depth may change
-    /// places.
+    /// Nothing but a mark tells how many scans a complete picture is made of.
     void expectAlike(MapViewSettings settings) {
         settings.follow = MapFollow::Behind;  // from the same place, whatever there is to be framed
         for (ShownView* view : {&m_many, &m_one}) {

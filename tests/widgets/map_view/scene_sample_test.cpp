@@ -8,15 +8,15 @@
 namespace leitstand {
 namespace {
 
-/// A scan of @p count points at 1, 2, 3... times @p step along x, seen from @p place, shown from the last on;
-/// its red says which scan it is, its green which point.
+/// A scan of @p count points a millimetre apart along x, seen from @p place, shown from the last on; the red
+/// of its points is its @p number.
 SceneScan scanOf(int count, std::uint8_t number, const Eigen::Vector3d& place) {
     const auto owner = std::make_shared<Scan>();
     const auto colours = std::make_shared<std::vector<Rgba>>();
     const auto shown = std::make_shared<std::vector<std::int32_t>>();
     for (int i = 0; i < count; ++i) {
         owner->points.emplace_back(0.001F * static_cast<float>(i), 0.0F, 0.0F);
-        colours->push_back({number, static_cast<std::uint8_t>(i % 256), 0, 255});
+        colours->push_back({number, 0, 0, 255});
         shown->push_back(count - 1 - i);
     }
     const auto points = std::make_shared<ScanPoints>();

@@ -76,8 +76,8 @@ struct Scene::State {
     double sampled = 1.0;  ///< the share of every scan's points that is in the sample
     VoxelActor voxels;
     SceneContentPtr content = std::make_shared<const SceneContent>();
-    DetailBudget budget{
-        QuickPicture};  ///< of a pass over all scans, each of which costs something however few its points
+    /// Of the first pass, in which each scan that is drawn by itself costs something however few its points.
+    DetailBudget budget{QuickPicture};
     DetailBudget refining;  ///< of a pass over some
     bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
 
