@@ -38,7 +38,7 @@ constexpr int Rhythm = 66;      ///< [ms]: 15 pictures a second
 constexpr double Asked = 80.0;  ///< of 99 in 100 [ms]
 constexpr double Bound = Generous * Asked;
 /// A third process beside both robots sends these pictures, and waits for its turn as they do.
-constexpr double BoundBesideRobots = 2.0 * Bound;
+constexpr double BoundBesideRobots = 3.0 * Asked;
 
 Time wallClock() {
     return Time(std::chrono::duration_cast<std::chrono::nanoseconds>(
