@@ -1,19 +1,39 @@
 #include "widgets/drive/gas_cell.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <QPolygonF>
 
 #include "widgets/drive/gauge.h"
 
 namespace leitstand {
+namespace {
+
+/// Between two pictures of which only the trend's ages differ: it is two minutes long.
+constexpr std::chrono::milliseconds TrendEvery(250);
+
+bool sameWords(const GasFigures& a, const GasFigures& b) {
+    return a.alarm == b.alarm && a.fitted == b.fitted && a.value == b.value && a.arrow == b.arrow &&
+           a.caption == b.caption && a.samples.empty() == b.samples.empty();
+}
+
+}  // namespace
 
 GasCell::GasCell(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("CO₂"));
+    m_trendDue.setSingleShot(true);
+    m_trendDue.setInterval(TrendEvery);
+    connect(&m_trendDue, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
 void GasCell::show(const GasFigures& gas) {
+    const bool news = !sameWords(gas, m_gas);
     m_gas = gas;
+    if (!news) {
+        if (!m_trendDue.isActive()) m_trendDue.start();
+        return;
+    }
     const QString text = tr("CO₂ %1 %2 %3\n%4").arg(gas.value.value, gas.value.unit, gas.arrow, gas.caption);
     setAccessibleDescription(text);
     setToolTip(text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "widgets/models/live/drive_state.h"
@@ -24,6 +25,7 @@ private:
     void paintTrend(QPainter& painter, const QRectF& area) const;
 
     GasFigures m_gas;
+    QTimer m_trendDue;
 };
 
 }  // namespace leitstand

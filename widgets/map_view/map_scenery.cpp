@@ -21,6 +21,15 @@ bool sameScans(const MapPtr& a, const MapPtr& b) {
                       [](const MapScan& x, const MapScan& y) { return x.scan == y.scan; });
 }
 
+/// Whether the map is framed so well by @p now that it need not move to become @p fitting: a map that grows
+/// by a little stands still.
+bool isAlmost(const MapCamera& now, const MapCamera& fitting) {
+    constexpr double Shift = 0.03, Larger = 0.03, Smaller = 0.1;  // of the distance
+    const double further = fitting.distance / now.distance - 1.0;
+    return (fitting.focus - now.focus).norm() < Shift * now.distance && further < Larger &&
+           further > -Smaller;
+}
+
 }  // namespace
 
 // Callbacks come from other threads while this object lives: both workers stop calling before it goes.
@@ -68,7 +77,8 @@ void MapScenery::setSettings(const MapViewSettings& settings) {
     const MapViewSettings former = std::exchange(m_order.settings, settings);
     const bool sameSide = (former.look == MapLook::Top) == (settings.look == MapLook::Top);
     if (former.follow != settings.follow || !sameSide) startFollowing();
-    if (followed && settings.follow == MapFollow::Free && sameSide) activeCamera() = {camera, false, false};
+    if (followed && settings.follow == MapFollow::Free && sameSide)
+        activeCamera() = {camera, false, false, false};
     submit();
 }
 
@@ -136,7 +146,7 @@ void MapScenery::moveCamera(const MapCamera& camera) {
     if (following()) {
         m_follow.adjust(camera);
     } else {
-        activeCamera() = {camera, false, false};
+        activeCamera() = {camera, false, false, false};
     }
     draw(false);
     m_rest.start();
@@ -144,7 +154,7 @@ void MapScenery::moveCamera(const MapCamera& camera) {
 
 void MapScenery::setCamera(CameraPreset preset) {
     if (following()) stopFollowing();
-    activeCamera() = {presetCamera(preset, m_order.settings.look), true, true};
+    activeCamera() = {presetCamera(preset, m_order.settings.look), true, true, false};
     frame();
     draw(true);
 }
@@ -156,7 +166,9 @@ void MapScenery::refresh() {
 
 void MapScenery::frame() {
     FramedCamera& active = activeCamera();
-    active.camera = framed(active.camera, m_content->places, m_view.size());
+    const MapCamera fitting = framed(active.camera, m_content->places, m_view.size());
+    if (!active.fits || !isAlmost(active.camera, fitting)) active.camera = fitting;
+    active.fits = true;
     active.due = !m_content->complete || m_content->order != m_order.number;
 }
 

@@ -71,7 +71,8 @@ private:
     struct FramedCamera {
         MapCamera camera;
         bool follows = true;
-        bool due = true;  ///< scans came or went since it framed them
+        bool due = true;    ///< scans came or went since it framed them
+        bool fits = false;  ///< it framed some
     };
 
     [[nodiscard]] FramedCamera& activeCamera();

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t MostPictures = 30'000;  ///< that wait, without what they show
 constexpr int Rarely = 20;                    ///< times as long as it took the last time
 constexpr std::chrono::milliseconds LongestSilence(500);
-constexpr std::chrono::seconds Longest(15);  ///< between two makings, on whatever computer
+constexpr std::chrono::seconds Longest(30);  ///< between two makings, on whatever computer
 constexpr double Moved = 0.1;                ///< a robot that did so may reach more [m]
 
 bool isPicture(const Event& event) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "core/base/pose.h"
 
@@ -19,30 +19,34 @@ int ShotDensity::ringOf(const Eigen::Vector3d& direction) {
 }
 
 ShotDensity ShotDensity::of(const Scan& scan) {
-    ShotDensity density;
+    std::vector<double> counts(static_cast<std::size_t>(Around * Rings));
     for (const Eigen::Vector3f& point : scan.points) {
         if (!point.allFinite() || point.isZero()) continue;
         const Eigen::Vector3d direction = point.cast<double>();
-        std::uint16_t& count =
-            density.m_counts[static_cast<std::size_t>(ringOf(direction) * Around + columnOf(direction))];
-        if (count < std::numeric_limits<std::uint16_t>::max()) ++count;
+        counts[static_cast<std::size_t>(ringOf(direction) * Around + columnOf(direction))] += 1.0;
+    }
+    ShotDensity density;
+    for (int ring = 0; ring < Rings; ++ring) {
+        const int first = std::max(0, ring - 1), last = std::min(Rings - 1, ring + 1);
+        const double low = degrees(first * 180.0 / Rings - 90.0);
+        const double high = degrees((last + 1) * 180.0 / Rings - 90.0);
+        const double steradians = (std::sin(high) - std::sin(low)) * degrees(3 * 360.0 / Around);
+        for (int column = 0; column < Around; ++column) {
+            double points = 0.0;
+            for (int y = first; y <= last; ++y) {
+                for (int x = column - 1; x <= column + 1; ++x)
+                    points += counts[static_cast<std::size_t>(y * Around + (x + Around) % Around)];
+            }
+            density.m_densities[static_cast<std::size_t>(ring * Around + column)] =
+                static_cast<float>(points / steradians);
+        }
     }
     return density;
 }
 
 double ShotDensity::about(const Eigen::Vector3d& direction) const {
     if (!direction.allFinite()) return 0.0;
-    const int ring = ringOf(direction), column = columnOf(direction);
-    double points = 0.0, steradians = 0.0;
-    for (int y = std::max(0, ring - 1); y <= std::min(Rings - 1, ring + 1); ++y) {
-        const double low = degrees(y * 180.0 / Rings - 90.0), high = degrees((y + 1) * 180.0 / Rings - 90.0);
-        const double area = (std::sin(high) - std::sin(low)) * degrees(360.0 / Around);
-        for (int x = column - 1; x <= column + 1; ++x) {
-            points += m_counts[static_cast<std::size_t>(y * Around + (x + Around) % Around)];
-            steradians += area;
-        }
-    }
-    return points / steradians;
+    return m_densities[static_cast<std::size_t>(ringOf(direction) * Around + columnOf(direction))];
 }
 
 }  // namespace leitstand

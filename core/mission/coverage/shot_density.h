@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include <Eigen/Core>
 
@@ -22,7 +21,8 @@ private:
     static int columnOf(const Eigen::Vector3d& direction);
     static int ringOf(const Eigen::Vector3d& direction);
 
-    std::array<std::uint16_t, static_cast<std::size_t>(Around* Rings)> m_counts = {};
+    /// About the middle of each bin: that one and its neighbours [1/sr].
+    std::array<float, static_cast<std::size_t>(Around* Rings)> m_densities = {};
 };
 
 }  // namespace leitstand

@@ -27,6 +27,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double Near = 0.5;                  ///< of where it began [m]
 constexpr std::chrono::seconds ToAndFro(5);   ///< of the Crawler, one way
 constexpr std::chrono::seconds WayBack(300);  ///< at most
+constexpr double Away = 1.0;                  ///< from where it began, at least [m]
+constexpr std::chrono::seconds WayAway(300);  ///< at most, where a victim holds it up
 constexpr std::chrono::seconds Again(15);     ///< until it is asked again
 constexpr double Gently = 0.1;                ///< [m/s]
 constexpr double Turn = 0.4;                  ///< [rad/s]
@@ -125,12 +127,13 @@ void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length
         if (due) asked = Clock::now();
         return due;
     };
-    rock(*station, Clock::now() + length / 2, [&] {
+    const auto leave = Clock::now() + length / 2;
+    rock(*station, Clock::now() + WayAway, [&] {
         if (isDue()) (void)station->setMode("kurt3d", "explore");
         farthest = std::max(farthest, away());
-        return false;
+        return farthest >= Away && Clock::now() >= leave;
     });
-    if (farthest < 1.0) throw std::runtime_error("kurt3d did not explore; it does " + doing(*station));
+    if (farthest < Away) throw std::runtime_error("kurt3d did not explore; it does " + doing(*station));
     PoseSample goal;
     goal.header.frame = shippedRobot("kurt3d").odomFrame;
     goal.poseInFrame = home;

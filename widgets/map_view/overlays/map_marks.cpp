@@ -8,9 +8,11 @@
 #include <QCoreApplication>
 #include <QFontMetrics>
 #include <QPainter>
+#include <QPixmap>
 
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/map_view/overlays/painted_cells.h"
 #include "widgets/map_view/scene/scene_content.h"
 
 namespace leitstand {
@@ -18,7 +20,8 @@ namespace {
 
 constexpr double ScanMarkSize = 9.0, CrowdedMarkSize = 5.0, MeasureMarkRadius = 4.0;  ///< [px]
 constexpr double DiamondSize = 9.0, HighlightRadius = 15.0;                           ///< [px]
-constexpr std::size_t CrowdedFrom = 20;                                               ///< scans
+constexpr double SamePlace = 2.0;        ///< of two marks: one of them is painted [px]
+constexpr std::size_t CrowdedFrom = 20;  ///< scans
 
 /// The part of the first scan's floor plane that a parallel view from above shows.
 Eigen::AlignedBox2d shownGround(const MapProjection& projection, const Pose& mapInScan) {
@@ -70,6 +73,23 @@ void paintUncertainPosition(QPainter& painter, const QPointF& at, const OverlayS
     painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QStringLiteral("?"));
 }
 
+/// What marks where a scan was taken: painted once for all of them.
+QPixmap scanSquare(double size, double pixelRatio, const OverlayStyle& style) {
+    const double room = size + 3.0;  // for its edge
+    const int side = static_cast<int>(std::ceil(room * pixelRatio));
+    QPixmap pixmap(side, side);
+    pixmap.setDevicePixelRatio(pixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(
+        QPen(asColour(style.colours.markerEdge), 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(asColour(style.colours.scanPosition));
+    const double inset = (side / pixelRatio - size) / 2.0;
+    painter.drawRect(QRectF(inset, inset, size, size));
+    return pixmap;
+}
+
 }  // namespace
 
 double paintGroundGrid(QPainter& painter, const MapProjection& projection, const SceneContent& content,
@@ -118,12 +138,11 @@ void paintScanPositions(QPainter& painter, const MapProjection& projection, cons
     }
     // Many small ones do not hide the map.
     const double size = marks.size() > CrowdedFrom ? CrowdedMarkSize : ScanMarkSize;
+    const QPixmap square = scanSquare(size, painter.device()->devicePixelRatioF(), style);
+    const QPointF corner = QPointF(square.width(), square.height()) / square.devicePixelRatio() / 2.0;
+    PaintedCells painted(projection.size(), SamePlace);
     for (const Mark& mark : marks) {
-        if (mark.scan->uncertain) continue;
-        painter.setPen(
-            QPen(asColour(style.colours.markerEdge), 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-        painter.setBrush(asColour(style.colours.scanPosition));
-        painter.drawRect(QRectF(mark.at - QPointF(size, size) / 2, QSizeF(size, size)));
+        if (!mark.scan->uncertain && painted.take(mark.at)) painter.drawPixmap(mark.at - corner, square);
     }
     for (const Mark& mark : marks) {
         if (mark.scan->uncertain) paintUncertainPosition(painter, mark.at, style);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,25 @@ void apply(const MapCamera& camera, vtkRenderer* renderer) {
     renderer->ResetCameraClippingRange();
 }
 
+bool alike(const SceneScan& a, const SceneScan& b) {
+    return a.visible == b.visible && a.points == b.points && a.look.colours == b.look.colours &&
+           a.look.shown == b.look.shown && a.poseInMap.matrix() == b.poseInMap.matrix();
+}
+
+/// Whether @p now shows what @p before does, and scans that came after them.
+bool continues(const SceneContent& before, const SceneContent& now) {
+    return before.settings == now.settings && before.voxels == now.voxels &&
+           before.scans.size() <= now.scans.size() &&
+           std::equal(before.scans.begin(), before.scans.end(), now.scans.begin(), alike);
+}
+
+/// A complete picture, in the frame buffer until something else is drawn.
+struct Whole {
+    DrawOrder order;
+    std::size_t scans = 0;                 ///< that are in it, the first ones
+    double nearest = 0.0, farthest = 0.0;  ///< of its depths [m]
+};
+
 std::size_t pointsOf(const std::vector<ScanActor*>& scans) {
     return std::accumulate(scans.begin(), scans.end(), std::size_t{0},
                            [](std::size_t sum, const ScanActor* scan) { return sum + scan->shownPoints(); });
@@ -80,13 +100,18 @@ struct Scene::State {
     DetailBudget budget{QuickPicture};
     DetailBudget refining;  ///< of a pass over some
     bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
+    std::optional<Whole> whole;
 
     using Clock = std::chrono::steady_clock;
 
     void addScans(std::size_t count);
     void choose();
     double begin(bool full);
-    bool refine(double from, const std::function<bool()>& interrupted);
+    bool refine(double from, std::vector<ScanActor*>::const_iterator first,
+                const std::function<bool()>& interrupted);
+    bool canContinue(const DrawOrder& order);
+    bool continueWhole(const std::function<bool()>& interrupted);
+    void keep(const MapPicture& picture);
 };
 
 void Scene::State::addScans(std::size_t count) {
@@ -133,15 +158,17 @@ double Scene::State::begin(bool full) {
     return share * sampled;
 }
 
-/// Draws the rest on top of what is there, some scans at a time; false when it was interrupted.
-bool Scene::State::refine(double from, const std::function<bool()>& interrupted) {
+/// Draws the rest on top of what is there, of the @p first scan and those after it, some at a time; false
+/// when it was interrupted.
+bool Scene::State::refine(double from, std::vector<ScanActor*>::const_iterator first,
+                          const std::function<bool()>& interrupted) {
     renderer->SetPreserveColorBuffer(true);
     renderer->SetPreserveDepthBuffer(true);
     for (ScanActor* scan : shown) scan->actor()->VisibilityOff();
     sample.actor()->VisibilityOff();
     const bool hasVoxels = voxels.actor()->GetVisibility() != 0;
     voxels.actor()->VisibilityOff();  // are there already
-    auto next = shown.begin();
+    auto next = first;
     while (next != shown.end() && !interrupted()) {
         const Clock::time_point start = Clock::now();
         std::vector<ScanActor*> some;
@@ -163,6 +190,40 @@ bool Scene::State::refine(double from, const std::function<bool()>& interrupted)
     sample.actor()->SetVisibility(many);
     voxels.actor()->SetVisibility(hasVoxels);
     return next == shown.end();
+}
+
+/// Whether a whole picture is there, seen as @p order says, on top of which the scans that came since can be
+/// drawn: their depths are among those that it can tell.
+bool Scene::State::canContinue(const DrawOrder& order) {
+    if (!whole || !order.full || whole->order != order) return false;
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const double expansion = renderer->GetClippingRangeExpansion();
+    renderer->SetClippingRangeExpansion(0.0);
+    renderer->ResetCameraClippingRange();
+    renderer->SetClippingRangeExpansion(expansion);
+    const double* needed = camera->GetClippingRange();
+    if (needed[0] < whole->nearest || needed[1] > whole->farthest) {
+        renderer->ResetCameraClippingRange();
+        return false;
+    }
+    camera->SetClippingRange(whole->nearest, whole->farthest);
+    return true;
+}
+
+/// Draws the scans that came since the whole picture on top of it; false when it was interrupted.
+bool Scene::State::continueWhole(const std::function<bool()>& interrupted) {
+    const ScanActor* came = scans.data() + whole->scans;
+    const auto first =
+        std::find_if(shown.cbegin(), shown.cend(), [came](const ScanActor* scan) { return scan >= came; });
+    return refine(0.0, first, interrupted);
+}
+
+/// Notes whether the frame buffer holds a whole picture.
+void Scene::State::keep(const MapPicture& picture) {
+    whole.reset();
+    if (!picture.complete || !picture.order.full) return;
+    const double* range = renderer->GetActiveCamera()->GetClippingRange();
+    whole = {picture.order, scans.size(), range[0], range[1]};
 }
 
 Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
@@ -191,6 +252,7 @@ void Scene::setContent(SceneContentPtr content) {
     state.context->makeCurrent();
     const SceneContentPtr former = std::exchange(state.content, std::move(content));
     state.fresh = true;
+    if (!continues(*former, *state.content)) state.whole.reset();
     state.addScans(state.content->scans.size());
     const auto planes = clipPlanes(state.content->settings);
     for (std::size_t i = 0; i < state.scans.size(); ++i) {
@@ -214,8 +276,14 @@ MapPicture Scene::draw(const DrawOrder& order, const std::function<bool()>& inte
     state.sample.setPointSize(PointSize * order.pixelRatio);
 
     MapPicture picture{{}, order, state.content, false};
-    const double share = state.begin(order.full);
-    picture.complete = share >= 1.0 || (order.full && state.refine(share, interrupted));
+    if (state.canContinue(order)) {
+        picture.complete = state.continueWhole(interrupted);
+    } else {
+        const double share = state.begin(order.full);
+        picture.complete =
+            share >= 1.0 || (order.full && state.refine(share, state.shown.cbegin(), interrupted));
+    }
+    state.keep(picture);
     picture.image = state.window->read();
     picture.image.setDevicePixelRatio(order.pixelRatio);
     return picture;

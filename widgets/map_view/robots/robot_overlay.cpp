@@ -10,6 +10,7 @@
 
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
+#include "widgets/map_view/overlays/painted_cells.h"
 #include "widgets/map_view/robots/robot_shape.h"
 #include "widgets/models/map/robot_mark.h"
 #include "widgets/pane_paint.h"
@@ -195,6 +196,27 @@ void paintRobot(QPainter& painter, const MapProjection& projection, const RobotM
     paintBadge(painter, projection, robot, large ? 6.0 : ArrowSize, style);
 }
 
+/// Where @p robot has been, on screen; a way that was driven before is there once.
+QPainterPath trailOf(const RobotMark& robot, const MapProjection& projection) {
+    constexpr double LeastStep = 2.0, Beside = 2.0;  // [px]
+    PaintedCells painted(projection.size(), Beside);
+    QPainterPath path;
+    std::optional<QPointF> last;
+    bool drawn = false;  // up to the last
+    const auto lineTo = [&](const Eigen::Vector3d& place, bool always) {
+        const auto at = seen(projection, place);
+        if (at && last && !always && (*at - *last).manhattanLength() < LeastStep) return;
+        const bool draws = at && last && (painted.takeLine(*last, *at) || always);
+        if (draws && !drawn) path.moveTo(*last);
+        if (draws) path.lineTo(*at);
+        drawn = draws;
+        last = at;
+    };
+    for (const Eigen::Vector3f& place : *robot.trail) lineTo(place.cast<double>(), false);
+    lineTo(robot.baseInMap.translation(), true);
+    return path;
+}
+
 Qt::PenStyle dashesOf(const RobotMark& robot) {
     switch (robot.face.place % 3) {
         case 0:
@@ -210,23 +232,11 @@ Qt::PenStyle dashesOf(const RobotMark& robot) {
 
 void paintTrails(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
                  const OverlayStyle& style) {
-    constexpr double LeastStep = 2.0;  // [px]
     painter.setBrush(Qt::NoBrush);
     for (const RobotMark& robot : robots) {
         if (!robot.trail || robot.trail->empty()) continue;
-        QPainterPath path;
-        std::optional<QPointF> last;
-        const auto lineTo = [&](const Eigen::Vector3d& place, bool always) {
-            const auto at = seen(projection, place);
-            if (at && last && !always && (*at - *last).manhattanLength() < LeastStep) return;
-            if (at && last) path.lineTo(*at);
-            if (at && !last) path.moveTo(*at);
-            last = at;
-        };
-        for (const Eigen::Vector3f& place : *robot.trail) lineTo(place.cast<double>(), false);
-        lineTo(robot.baseInMap.translation(), true);
         painter.setPen(QPen(asColour(style.colours.trail), 2.0, dashesOf(robot), Qt::FlatCap, Qt::RoundJoin));
-        painter.drawPath(path);
+        painter.drawPath(trailOf(robot, projection));
         const auto began = seen(projection, robot.trail->front().cast<double>());
         if (!began) continue;
         painter.setFont(sized(style.font, 11, true));

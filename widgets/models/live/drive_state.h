@@ -23,6 +23,8 @@ struct Figure {
     QString value;  ///< "0.42"; an en dash where it is not known
     QString unit;   ///< "m/s"
     Tone tone = Tone::Normal;
+
+    bool operator==(const Figure&) const = default;
 };
 
 struct AttitudeFigures {
