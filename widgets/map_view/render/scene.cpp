@@ -237,7 +237,9 @@ Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
     state->window->AddRenderer(state->renderer);
     state->window->OpenGLInitContext();
     if (!state->window->ready()) return Error{"OpenGL 3.2 is not available"};
-    return std::unique_ptr<Scene>(new Scene(std::move(state)));
+    auto scene = std::unique_ptr<Scene>(new Scene(std::move(state)));
+    scene->setContent(std::make_shared<const SceneContent>());  // an empty map is drawn in its colours, too
+    return scene;
 }
 
 Scene::Scene(std::unique_ptr<State> state) : m_state(std::move(state)) {}
