@@ -64,7 +64,7 @@ void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const st
     // What robots say while the worker is busy has nothing to do with what the operator saw.
     m_queue.submit(
         [this, found, kind, looksThrough, at, pressed, recent = m_recent.of(name)](const std::stop_token&) {
-            ChosenEvidence chosen = chooseEvidence(*found, recent, looksThrough, at);
+            ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
             chosen.frozen.found = pressed;
             locate(std::move(chosen), kind);
         },
@@ -77,7 +77,7 @@ void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const 
     const Time pressed = m_setup.now();
     m_queue.submit(
         [this, found, kind, placeInMap, pressed, recent = m_recent.of(name)](const std::stop_token&) {
-            ChosenEvidence chosen = chooseEvidence(*found, recent, {}, std::nullopt);
+            ChosenEvidence chosen = chooseEvidence(*found, recent, kind, {}, std::nullopt);
             chosen.frozen.found = pressed;
             chosen.frozen.deviation = PointedDeviation;
             const MissionStatePtr state = m_setup.mission();
@@ -201,7 +201,8 @@ Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const Find
 
 std::optional<FrozenEvidence> FindDesk::look(const RobotDescription& robot, const RobotEvidence& recent,
                                              const Eigen::Vector3d& inMap, Time pressed) const {
-    const FrozenEvidence frozen = chooseEvidence(robot, recent, {}, std::nullopt).frozen;
+    const FrozenEvidence frozen =
+        chooseEvidence(robot, recent, VictimSample::Kind::Victim, {}, std::nullopt).frozen;
     const auto pictures = picturesOf(frozen, recent, pressed - RecentEvidence::Pictures);
     if (pictures.empty()) return std::nullopt;
     const auto promise = std::make_shared<std::promise<std::vector<bool>>>();

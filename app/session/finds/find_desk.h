@@ -56,8 +56,9 @@ public:
     void take(const Event& event) { m_recent.take(event); }
     void finish();  ///< waits until all that was frozen is filed
 
-    /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else at the
-    /// hot spot or where the camera @p looksThrough looks. A find that is there already is joined.
+    /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else, for a
+    /// victim, at the hot spot, else where the camera @p looksThrough looks. A find that is there already is
+    /// joined.
     void freeze(const std::string& robot, VictimSample::Kind kind, const std::string& looksThrough,
                 const std::optional<PicturePoint>& at = std::nullopt);
     /// The same at a place on the map [m] that the operator pointed to.

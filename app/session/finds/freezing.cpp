@@ -154,8 +154,10 @@ void lookThrough(ChosenEvidence& chosen, const Event& picture, int width, int he
 }  // namespace
 
 ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
-                              const std::string& looksThrough, const std::optional<PicturePoint>& at) {
+                              VictimSample::Kind kind, const std::string& looksThrough,
+                              const std::optional<PicturePoint>& at) {
     ChosenEvidence chosen;
+    bool atHotSpot = false;
     chosen.frozen.robot = robot.name;
     const std::string aimed = at ? at->sensor : looksThrough;
     const Eigen::Vector2d share = at ? at->share : Eigen::Vector2d(0.5, 0.5);
@@ -185,12 +187,15 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
                                     : hottestOf(pictures, info, stream->thermal);
         if (hottest.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("thermal", *hottest.event));
-        if (pointed.event != nullptr) aim(sensor, *pointed.event, pointed.width, pointed.height);
+        if (pointed.event != nullptr || (!at && !atHotSpot))
+            aim(sensor, *hottest.event, hottest.width, hottest.height);
         if (!hottest.blob) continue;
         chosen.frozen.heat = hottest.blob->peak;
-        if (!at && camera != recent.cameras.end())
-            lookThrough(chosen, *hottest.event, hottest.width, hottest.height, hottest.blob->centre,
-                        std::max(Crosshair, 0.4 * std::min(hottest.blob->width, hottest.blob->height)));
+        // A sign or a code beside a body is where the operator looks, not where it is warm.
+        if (at || kind != VictimSample::Kind::Victim || camera == recent.cameras.end()) continue;
+        atHotSpot = true;
+        lookThrough(chosen, *hottest.event, hottest.width, hottest.height, hottest.blob->centre,
+                    std::max(Crosshair, 0.4 * std::min(hottest.blob->width, hottest.blob->height)));
     }
     chooseGas(recent.gas, chosen.frozen);
     if (recent.scan) chosen.frozen.evidence.push_back(evidenceOf("scan", *recent.scan));

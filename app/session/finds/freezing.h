@@ -41,10 +41,10 @@ struct ChosenEvidence {
 /// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with a
 /// body, the CO2 of the last minute (of each second the highest, and the newest), newest scan, odometry and
 /// sightings. The place is looked for through @p at where it is told (that picture is the one kept of its
-/// camera: the robot may have moved since), else through the hot spot, else through the middle of the camera
-/// @p looksThrough. Takes some tens of milliseconds.
+/// camera: the robot may have moved since), else, where @p kind is a victim, through the hot spot, else
+/// through the middle of the camera @p looksThrough. Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
-                                            const std::string& looksThrough,
+                                            VictimSample::Kind kind, const std::string& looksThrough,
                                             const std::optional<PicturePoint>& at);
 
 }  // namespace leitstand

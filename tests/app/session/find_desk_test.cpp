@@ -99,6 +99,36 @@ TEST_F(FindDeskTest, WhereTheOperatorPointsToCounts) {
     EXPECT_EQ(find(1, Kind::Hazard).kind, Kind::Hazard);
 }
 
+TEST_F(FindDeskTest, OnlyAVictimIsLookedForWhereItIsWarm) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.info("ir"));
+    const Event picture = m_robot.picture(at(9.0), 2), infrared = m_robot.infrared(at(9.6), 48, 36.0);
+    m_desk->take(picture);
+    m_desk->take(infrared);
+    for (const Kind kind : {Kind::Hazard, Kind::Code, Kind::Object}) {
+        m_asked.reset();
+        m_desk->freeze("kurt3d", kind, "left");
+        m_desk->finish();
+        ASSERT_TRUE(m_asked && m_asked->picture) << nameOf(kind, 1);
+        EXPECT_EQ(m_asked->picture->sequence, picture.sequence) << nameOf(kind, 1) << ": a body is beside it";
+        EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(32.0, 24.0)) << nameOf(kind, 1) << ": the crosshair";
+    }
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    finish();
+    EXPECT_EQ(m_asked->picture->sequence, infrared.sequence);
+    EXPECT_NEAR(m_asked->pixel.x(), 48.0, 1.0) << "the body";
+    EXPECT_NEAR(find(1).heat.value, 36.0, 0.1);
+}
+
+TEST_F(FindDeskTest, ASignIsLookedForInTheMiddleOfTheInfraredPictureThatIsLookedAt) {
+    m_desk->take(m_robot.info("ir"));
+    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));
+    m_desk->freeze("kurt3d", Kind::Hazard, "ir");
+    finish();
+    ASSERT_TRUE(m_asked && m_asked->picture);
+    EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(32.0, 24.0)) << "not at the body in it";
+}
+
 TEST_F(FindDeskTest, GasCountsWhereItRose) {
     m_desk->take(m_robot.gas(at(1.0), 420.0));
     m_desk->take(m_robot.gas(at(9.0), 1'800.0));
