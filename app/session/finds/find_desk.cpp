@@ -63,7 +63,8 @@ void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const st
     const Time pressed = m_setup.now();
     // What robots say while the worker is busy has nothing to do with what the operator saw.
     m_queue.submit(
-        [this, found, kind, looksThrough, at, pressed, recent = m_recent.of(name)](const std::stop_token&) {
+        [this, found, kind, looksThrough, at, pressed,
+         recent = m_recent.of(name, pressed, at ? at->sequence : 0)](const std::stop_token&) {
             ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
             chosen.frozen.found = pressed;
             locate(std::move(chosen), kind);
@@ -76,7 +77,8 @@ void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const 
     if (found == nullptr) return;
     const Time pressed = m_setup.now();
     m_queue.submit(
-        [this, found, kind, placeInMap, pressed, recent = m_recent.of(name)](const std::stop_token&) {
+        [this, found, kind, placeInMap, pressed,
+         recent = m_recent.of(name, pressed)](const std::stop_token&) {
             ChosenEvidence chosen = chooseEvidence(*found, recent, kind, {}, std::nullopt);
             chosen.frozen.found = pressed;
             chosen.frozen.deviation = PointedDeviation;
@@ -226,12 +228,14 @@ Result<void> FindDesk::fileCandidate(std::uint32_t id) {
     if (entry == state->candidates->end())
         return Error{translate("leitstand::Station", "the mission has no such candidate")};
     const CandidateSample candidate = entry->second.candidate;
+    const Time pressed = m_setup.now();
     std::map<const RobotDescription*, RobotEvidence> recent;
     for (const Cue& cue : candidate.cues) {
-        if (const auto* const one = robot(cue.robot)) recent.try_emplace(one, m_recent.of(cue.robot));
+        if (const auto* const one = robot(cue.robot))
+            recent.try_emplace(one, m_recent.of(cue.robot, pressed));
     }
     m_queue.submit(
-        [this, candidate, inMap = positionInMap(*state, candidate), pressed = m_setup.now(),
+        [this, candidate, inMap = positionInMap(*state, candidate), pressed,
          recent = std::move(recent)](const std::stop_token&) {
             FrozenEvidence seen;
             seen.found = pressed;

@@ -1,5 +1,9 @@
 #include "app/session/finds/recent_evidence.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace leitstand {
 namespace {
 
@@ -7,6 +11,14 @@ void keepRecent(std::deque<Event>& kept, const Event& event, std::chrono::nanose
                 std::size_t most) {
     kept.push_back(event);
     while (kept.size() > most || kept.front().received < event.received - memory) kept.pop_front();
+}
+
+bool isOlder(const Event& event, Time now, std::chrono::nanoseconds memory) {
+    return event.received < now - memory;
+}
+
+std::optional<Event> ifRecent(const std::optional<Event>& event, Time now) {
+    return event && !isOlder(*event, now, RecentEvidence::Silence) ? event : std::nullopt;
 }
 
 }  // namespace
@@ -43,23 +55,30 @@ void RecentEvidence::take(const Event& event) {
     }
 }
 
-RobotEvidence RecentEvidence::of(const std::string& robot) const {
+RobotEvidence RecentEvidence::of(const std::string& robot, Time now, std::uint64_t pointed) const {
     const std::scoped_lock lock(m_mutex);
     RobotEvidence all;
     for (const auto& [camera, events] : m_pictures) {
         if (camera.first != robot || events.empty()) continue;
         auto& kept = events.back().role == StreamRole::Thermal ? all.thermal : all.pictures;
-        kept[camera.second] = {events.begin(), events.end()};
+        std::vector<Event> recent;
+        std::copy_if(events.begin(), events.end(), std::back_inserter(recent), [&](const Event& event) {
+            return (pointed != 0 && event.sequence == pointed) || !isOlder(event, now, Pictures);
+        });
+        if (!recent.empty()) kept[camera.second] = std::move(recent);
     }
     for (const auto& [camera, info] : m_infos) {
         if (camera.first == robot) all.cameras[camera.second] = info;
     }
     const auto newest = m_newest.find(robot);
     if (newest == m_newest.end()) return all;
-    all.scan = newest->second.scan;
-    all.odometry = newest->second.odometry;
-    all.sightings = newest->second.sightings;
-    all.gas = {newest->second.gas.begin(), newest->second.gas.end()};
+    all.scan = ifRecent(newest->second.scan, now);
+    all.odometry = ifRecent(newest->second.odometry, now);
+    all.sightings = ifRecent(newest->second.sightings, now);
+    const std::deque<Event>& gas = newest->second.gas;
+    if (gas.empty() || isOlder(gas.back(), now, Silence)) return all;
+    std::copy_if(gas.begin(), gas.end(), std::back_inserter(all.gas),
+                 [&](const Event& event) { return !isOlder(event, now, Gas); });
     return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -12,7 +13,7 @@
 
 namespace leitstand {
 
-/// What one robot said in the last seconds that can show a victim. Nothing is decoded or copied.
+/// What one robot said in the last seconds that can show a find. Nothing is decoded or copied.
 struct RobotEvidence {
     std::map<std::string, std::vector<Event>> pictures;  ///< of cameras, by sensor, oldest first
     std::map<std::string, std::vector<Event>> thermal;   ///< of thermal cameras, likewise
@@ -26,11 +27,14 @@ class RecentEvidence {
 public:
     static constexpr std::chrono::seconds Pictures{3};  ///< how long pictures are kept
     static constexpr std::chrono::seconds Gas{60};
-    static constexpr std::size_t MostPictures = 120;  ///< of a camera
+    static constexpr std::chrono::seconds Silence{10};  ///< of CO2, scanner and the like: then they are gone
+    static constexpr std::size_t MostPictures = 120;    ///< of a camera
 
     void take(const Event& event);
-    /// Of @p robot, as of now; empty when it said nothing.
-    [[nodiscard]] RobotEvidence of(const std::string& robot) const;
+    /// Of @p robot, as of @p now, station's clock: what came before, from a camera or a sensor that is silent
+    /// since, is left out, but not the picture of the event @p pointed, which a person looks at. Empty when
+    /// the robot said nothing.
+    [[nodiscard]] RobotEvidence of(const std::string& robot, Time now, std::uint64_t pointed = 0) const;
 
 private:
     using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
