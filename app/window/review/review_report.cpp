@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "app/report/pdf_report.h"
+#include "app/session/report/report_telling.h"
 #include "app/session/report/report_writer.h"
 
 namespace leitstand {
@@ -40,22 +41,21 @@ void ReviewReport::run(const std::stop_token& stop, const QString& out) {
             emit changed();
         });
     };
-    QString text;
+    QStringList words;
     try {
         const auto done = writeReport(m_mission, out.toStdString(), options, {report, stop});
-        text = !done            ? QString::fromStdString(done.error().text)
-               : !done->whole() ? tr("The report in %1 is not whole: look at its messages").arg(out)
-                                : tr("Report written into %1").arg(out);
+        for (const std::string& text : ReportTelling().of(done, out.toStdString()))
+            words.append(QString::fromStdString(text));
     } catch (const std::exception& problem) {
-        text = QString::fromLocal8Bit(problem.what());
+        words = {QString::fromLocal8Bit(problem.what())};
     }
-    hop([this, text] { finish(text); });
+    hop([this, words] { finish(words); });
 }
 
-void ReviewReport::finish(const QString& text) {
+void ReviewReport::finish(const QStringList& words) {
     m_writing = false;
     emit changed();
-    emit told(text);
+    for (const QString& text : words) emit told(text);
 }
 
 }  // namespace leitstand

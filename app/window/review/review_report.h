@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 namespace leitstand {
 
@@ -27,7 +28,7 @@ signals:
 
 private:
     void run(const std::stop_token& stop, const QString& out);
-    void finish(const QString& text);
+    void finish(const QStringList& words);
     template <class Call>
     void hop(Call call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);

@@ -58,6 +58,9 @@ TEST_F(LiveReport, OneButtonWritesItAndItIsWrittenAgainUntilTheButtonIsPressedOn
     choose(m_out);
     EXPECT_TRUE(button->isChecked());
     ASSERT_TRUE(soon([&] { return isThere(); })) << m_window->newest().toStdString();
+    EXPECT_TRUE(soon([&] {
+        return m_window->recent().join(";").contains("competition or team are not told");
+    })) << "what is missing in it is said";
     const auto first = written();
     feature().setInterval(Often);
     EXPECT_TRUE(soon([&] { return written() > first; })) << "by itself";

@@ -13,6 +13,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/review/review_report.h"
+#include "widgets/models/message_list_model.h"
 
 namespace leitstand::test {
 namespace {
@@ -34,6 +35,14 @@ protected:
             << m_window->newest().toStdString();
     }
     [[nodiscard]] bool busy() const { return m_bridge->report().writing(); }
+    /// What the pane of messages lists.
+    [[nodiscard]] QString messages() const {
+        const auto* list = m_window->findChild<MessageListModel*>();
+        QStringList all;
+        for (int row = 0; list != nullptr && row < list->rowCount(); ++row)
+            all.append(list->index(row).data().toString());
+        return all.join(QLatin1Char('\n'));
+    }
     /// The list of victims of the hand-in @p name.
     [[nodiscard]] std::string victims(const char* name) const {
         for (const fs::directory_entry& one : fs::directory_iterator(m_folder / name)) {
@@ -52,6 +61,7 @@ TEST_F(ReviewReportTest, TheButtonWritesTheJudgesFolderWithWhatWasCorrectedInThe
               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J))
         << "as in the live window";
     ASSERT_NO_FATAL_FAILURE(report("before"));
+    EXPECT_TRUE(messages().contains("competition or team are not told")) << messages().toStdString();
     EXPECT_TRUE(fs::exists(m_folder / "before" / "SHA256SUMS"));
     EXPECT_NE(victims("before").find("V1"), std::string::npos) << victims("before");
     EXPECT_EQ(button.text().toStdString(), "Report");

@@ -8,6 +8,7 @@
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_folder.h"
 #include "app/session/report/report_keeper.h"
+#include "app/session/report/report_telling.h"
 #include "app/session/station/station.h"
 #include "app/session/station/station_clock.h"
 #include "app/window/commands/command_table.h"
@@ -131,14 +132,16 @@ void ReportFeature::beginKeeping(const QString& folder) {
     settings.interval = m_interval;
     endKeeping();
     m_folder = folder;
-    m_keeper = std::make_unique<ReportKeeper>(settings, [this, folder](const Result<ReportOutcome>& done) {
-        const QString text = !done ? QString::fromStdString(done.error().text)
-                             : !done->whole()
-                                 ? tr("The report in %1 is not whole: look at its messages").arg(folder)
-                                 : tr("Report written into %1").arg(folder);
-        QMetaObject::invokeMethod(
-            this, [this, text] { emit told(text); }, Qt::QueuedConnection);
-    });
+    m_keeper = std::make_unique<ReportKeeper>(
+        settings, [this, out = settings.out, telling = ReportTelling()](const auto& done) mutable {
+            const std::vector<std::string> words = telling.of(done, out);
+            QMetaObject::invokeMethod(
+                this,
+                [this, words] {
+                    for (const std::string& text : words) emit told(QString::fromStdString(text));
+                },
+                Qt::QueuedConnection);
+        });
     m_keep->setChecked(true);
 }
 
