@@ -4,9 +4,11 @@
 #include <chrono>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "app/session/report/earlier_report.h"
 #include "app/session/report/find_pages.h"
 #include "app/session/report/find_tables.h"
 #include "app/session/report/report_files.h"
@@ -194,9 +196,11 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     tellWhatIsMissing(model, source.toldOfMap(), outcome.warnings);
     outcome.name = handInName(model.facts);
     outcome.finds = model.finds.size();
-    outcome.victims = listOf(model, FindList::Kind::Victims).finds.size();
+    const FindList victims = listOf(model, FindList::Kind::Victims);
+    outcome.victims = victims.finds.size();
     outcome.scans = model.scans;
     outcome.explored = model.explored;
+    const EarlierReport earlier(out);
     Writing writing(out, outcome.name, progress);
     writeMaps(writing, model);
     writeLists(writing, model);
@@ -212,7 +216,15 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
             return detail::writeWhole(file, *bytes);
         });
     }
-    writing.file("SHA256SUMS", [&](const fs::path&) { return writeChecksums(out, writing.names()); });
+    // Not before all of the new one is there, nor after it is listed: the list of what is old would be lost.
+    std::vector<std::string> listed = writing.names();
+    if (writing.failure() && !progress.cancelled()) {
+        for (std::string& old : earlier.untouched(listed)) listed.push_back(std::move(old));
+    } else if (!progress.cancelled()) {
+        const auto problems = earlier.remove(outcome.name, listed, victims);
+        outcome.warnings.insert(outcome.warnings.end(), problems.begin(), problems.end());
+    }
+    writing.file("SHA256SUMS", [&](const fs::path&) { return writeChecksums(out, listed); });
     if (writing.failure()) return *writing.failure();
     progress.done(0.9);
     outcome.files = checked(writing, progress);

@@ -41,8 +41,9 @@ struct ReportOutcome {
 
 /// Writes the hand-in of @p mission into the folder @p out, which is made where it is absent: GeoTIFF at two
 /// heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Files of an
-/// earlier report of the same name are replaced, each whole or not at all. Then every file is read again.
-/// An error when the mission cannot be opened, or a file cannot be written.
+/// earlier report of the same name are replaced, each whole or not at all; those of earlier reports of this
+/// mission by other names are removed once the new ones are there (EarlierReport). Then every file is read
+/// again. An error when the mission cannot be opened, or a file cannot be written.
 [[nodiscard]] Result<ReportOutcome> writeReport(const std::filesystem::path& mission,
                                                 const std::filesystem::path& out,
                                                 const ReportOptions& options, const Progress& progress = {});

@@ -48,24 +48,34 @@ Result<void> writeChecksums(const std::filesystem::path& folder, const std::vect
     return detail::writeWhole(folder / Name, text);
 }
 
-Result<std::vector<std::string>> checkChecksums(const std::filesystem::path& folder) {
+Result<std::vector<Checksum>> readChecksums(const std::filesystem::path& folder) {
     auto opened = detail::LineReader::open(folder / Name);
     if (!opened) return opened.error();
     detail::LineReader lines = std::move(opened).value();
-    std::vector<std::string> names;
+    std::vector<Checksum> listed;
     std::string_view line;
     while (lines.next(line)) {
         if (line.empty()) continue;
         if (line.size() < 67 || line.substr(64, 2) != "  " || line.find('/') != std::string_view::npos)
             return lines.mismatch("a sum of 64 digits, two blanks and a file's name", line);
-        std::string name(line.substr(66));
-        const auto sum = sha256Of(folder / name);
-        if (!sum) return sum.error();
-        if (*sum != line.substr(0, 64))
-            return Error{fmt::format("{}: its SHA-256 is not as {} says", (folder / name).string(), Name)};
-        names.push_back(std::move(name));
+        listed.push_back({std::string(line.substr(0, 64)), std::string(line.substr(66))});
     }
     if (lines.failure()) return *lines.failure();
+    return listed;
+}
+
+Result<std::vector<std::string>> checkChecksums(const std::filesystem::path& folder) {
+    const auto listed = readChecksums(folder);
+    if (!listed) return listed.error();
+    std::vector<std::string> names;
+    for (const Checksum& one : *listed) {
+        const auto sum = sha256Of(folder / one.name);
+        if (!sum) return sum.error();
+        if (*sum != one.sum)
+            return Error{
+                fmt::format("{}: its SHA-256 is not as {} says", (folder / one.name).string(), Name)};
+        names.push_back(one.name);
+    }
     return names;
 }
 
