@@ -5,12 +5,15 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/session/finds/find_desk.h"
 #include "app/session/victims/victim_watch.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/reachable_floor.h"
@@ -109,6 +112,50 @@ TEST_F(LookAtAVictim, AStationWithoutTheMapSaysNothing) {
     ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
     watch.end();
     EXPECT_EQ(told, 0);
+}
+
+TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
+    VictimWatchSetup placing;
+    placing.robots = {shippedRobot("kurt3d")};
+    placing.station = "us";
+    placing.maySearch = [] { return false; };  // what the operator files is placed all the same
+    placing.onCandidate = [](const CandidateSample&) {};
+    VictimWatch watch(std::move(placing));
+    std::vector<VictimSample> filed;
+    FindDeskSetup setup;
+    setup.robots = {shippedRobot("kurt3d")};
+    setup.station = "us";
+    setup.mission = [] { return std::make_shared<const MissionState>(); };
+    setup.say = [&](const VictimSample& find) {
+        filed.push_back(find);
+        return Result<void>();
+    };
+    setup.locate = [&](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
+        watch.locate({*chosen.picture, chosen.pixel, chosen.width, chosen.height, chosen.halfAngle},
+                     [answer = std::move(answer)](const std::optional<PlacedCue>& cue) {
+                         if (!cue) return answer(std::nullopt);
+                         answer(PlacedFind{cue->scan, cue->inMap, std::sqrt(cue->covariance.trace() / 3.0)});
+                     });
+    };
+    setup.robotInMap = [](const std::string&) { return std::nullopt; };
+    setup.tell = [](const std::string& text) { std::printf("  %s\n", text.c_str()); };
+    setup.now = [this] { return m_log.back().received; };
+    FindDesk desk(std::move(setup));
+    for (const Event& event : m_log) {
+        watch.take(event);
+        desk.take(event);
+    }
+    ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
+    desk.freeze("kurt3d", VictimSample::Kind::Victim, "left");
+    desk.finish();
+    watch.end();
+    ASSERT_EQ(filed.size(), 1U) << "its place was not found";
+    EXPECT_EQ(filed[0].heat.state, VictimSign::State::Present);
+    const Eigen::Vector3d place = m_drive->mapInArena() * filed[0].positionInMap;
+    EXPECT_LT(fromBody(m_victim, place), 0.2) << "at " << place.transpose();
+    const double height = (m_victim.pose.inverse() * place).z();
+    EXPECT_GT(height, -0.2);
+    EXPECT_LT(height, m_victim.size.z() + 0.2);
 }
 
 class VictimSearchLong : public testing::TestWithParam<std::uint64_t> {};
