@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// What floor and obstacles are to a robot.
+/// What floor and obstacles are to a robot; of one that is known, see profileOf().
 struct ProfileSettings {
     double climb = 0.3665;      ///< steepest ramp that it climbs [rad] (21 degrees)
     double step = 0.05;         ///< highest step that it takes; less stands out of the floor unseen [m]

@@ -124,6 +124,8 @@ struct RobotDescription {
     double maxRoll = 0.0, maxPitch = 0.0;    ///< tip-over limits [rad]
     double maxSpeed = 0.0;                   ///< [m/s]
     double maxTurnRate = 0.0;                ///< [rad/s]
+    double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not told, the usual one
+    double maxStep = 0.0;                    ///< highest step [m]; 0: likewise
     DriveType drive = DriveType::Differential;
     std::map<std::string, std::string> bindings;   ///< operator's action -> key or pad control
     std::map<std::string, LinkLossRule> linkLoss;  ///< mode -> rule; teleoperation always stops

@@ -1,9 +1,11 @@
 #include "robots/agent/self_driving_agent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
 
+#include "core/perception/robot_profile.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -11,17 +13,20 @@ namespace {
 
 constexpr double LevelPlane = degrees(30);  ///< planes of lasers that are tilted more are no scan's
 
-VirtualScanSettings scanOf(const RobotDescription& robot, const SelfDrivingSettings& settings) {
-    VirtualScanSettings scan = settings.scan;
-    scan.body = boxAround(robot.footprint);
-    return scan;
-}
-
 DriveVelocity slowed(const DriveVelocity& velocity, double share) {
     return {share * velocity.forward, share * velocity.left, share * velocity.turn};
 }
 
 }  // namespace
+
+VirtualScanSettings scanFor(const RobotDescription& robot, const SelfDrivingSettings& settings) {
+    VirtualScanSettings scan = settings.scan;
+    scan.body = boxAround(robot.footprint);
+    scan.profile = profileOf(robot, settings.scan.profile);
+    // A low robot drives by itself as carefully as before: others and boards stand out over it.
+    scan.profile.height = std::max(scan.profile.height, settings.scan.profile.height);
+    return scan;
+}
 
 Result<FuzzyDrive> SelfDrivingAgent::driveFor(const RobotDescription& robot, const FuzzySystem& fuzzy,
                                               const SelfDrivingSettings& settings) {
@@ -36,7 +41,7 @@ SelfDrivingAgent::SelfDrivingAgent(RobotHardware& hardware, const RobotDescripti
     : RobotAgent(hardware, robot, agent),
       m_thinks(settings.thinks),
       m_safety(drive.settings().safety),
-      m_scan(scanOf(robot, settings)),
+      m_scan(scanFor(robot, settings)),
       m_explorer(drive, settings.explorer) {}
 
 void SelfDrivingAgent::sense(HardwareSample& sample) {

@@ -22,6 +22,9 @@ struct SelfDrivingSettings {
     ExplorerSettings explorer;
 };
 
+/// The virtual scan by which @p robot drives: as profileOf() says, but never looking lower than @p settings.
+[[nodiscard]] VirtualScanSettings scanFor(const RobotDescription& robot, const SelfDrivingSettings& settings);
+
 /// What robots that can drive by themselves do alike (paper, section 2.3): a virtual scan of 3D or plane
 /// lasers, safe teleoperation, exploring, driving to a goal, and back to where the link was good. One thread.
 class SelfDrivingAgent : public RobotAgent {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/session/log/sequencer.h"
+#include "core/perception/robot_profile.h"
 
 namespace leitstand {
 namespace {
@@ -23,6 +24,7 @@ double secondsBetween(SteadyTime earlier, SteadyTime later) {
 VirtualScanSettings scanOf(const RobotDescription& robot) {
     VirtualScanSettings settings;
     settings.body = boxAround(robot.footprint);
+    settings.profile = profileOf(robot);
     return settings;
 }
 

@@ -108,6 +108,8 @@ void readLimits(const YamlPlace& place, RobotDescription& robot, YamlErrors& err
     angle("pitch", robot.maxPitch, 180.0, " degrees");
     angle("turn_rate", robot.maxTurnRate, 720.0, " degrees/s");
     fields.number("speed", robot.maxSpeed, 0.01, 20.0, " m/s");
+    angle("climb", robot.maxClimb, 60.0, " degrees");
+    fields.number("step", robot.maxStep, 0.01, 1.0, " m");
 }
 
 PanTiltMount panTiltOf(const YamlPlace& place, const std::string& sensor, YamlErrors& errors) {

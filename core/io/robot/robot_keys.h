@@ -11,7 +11,7 @@ inline constexpr std::string_view RobotKeys[] = {"letter",  "name",      "title"
                                                  "frames",  "footprint", "height",   "limits",
                                                  "sensors", "streams",   "bindings", "link_loss"};
 inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
-inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate"};
+inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate", "climb", "step"};
 inline constexpr std::string_view SensorKeys[] = {"frame", "position", "rotation", "motion", "pan_tilt"};
 inline constexpr std::string_view PanTiltKeys[] = {"unit", "pan", "up", "down"};
 inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",  "qos",

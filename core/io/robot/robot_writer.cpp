@@ -100,6 +100,10 @@ void writeBody(YAML::Emitter& out, const RobotDescription& robot) {
     out << YAML::Key << "speed" << YAML::Value << number(robot.maxSpeed) << YAML::Comment("[m/s]");
     out << YAML::Key << "turn_rate" << YAML::Value << angle(robot.maxTurnRate)
         << YAML::Comment("[degrees/s]");
+    if (robot.maxClimb > 0.0)
+        out << YAML::Key << "climb" << YAML::Value << angle(robot.maxClimb) << YAML::Comment("[degrees]");
+    if (robot.maxStep > 0.0)
+        out << YAML::Key << "step" << YAML::Value << number(robot.maxStep) << YAML::Comment("[m]");
     out << YAML::EndMap;
 }
 

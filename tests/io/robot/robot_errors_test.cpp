@@ -43,12 +43,13 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
             "sensors, "
             "streams, bindings or link_loss, found \"hight\", did you mean height?"),
         top("limits:\n  speeed: 1",
-            "limits: expected one of the keys roll, pitch, speed or turn_rate, found \"speeed\", did you "
-            "mean "
-            "speed?",
+            "limits: expected one of the keys roll, pitch, speed, turn_rate, climb or step, found "
+            "\"speeed\", did you mean speed?",
             5),
         top("limits:\n  weight: 1",
-            "limits: expected one of the keys roll, pitch, speed or turn_rate, found \"weight\"", 5),
+            "limits: expected one of the keys roll, pitch, speed, turn_rate, climb or step, found "
+            "\"weight\"",
+            5),
         top("height: 1\nheight: 2", "expected each key once, found \"height\" of line 4 again", 5),
         top("sensors:\n  left: {}\n  left: {}",
             "sensors: expected each key once, found \"left\" of line 5 again", 6),
@@ -125,6 +126,8 @@ TEST(RobotErrors, TellNumbersThatAreNoneOrOfAnotherUnit) {
         top("limits: {speed: 300}", "limits.speed: expected a number from 0.01 to 20 m/s, found \"300\""),
         top("limits: {turn_rate: 0.5}",
             "limits.turn_rate: expected a number from 1 to 720 degrees/s, found \"0.5\""),
+        top("limits: {climb: 0.36}", "limits.climb: expected a number from 1 to 60 degrees, found \"0.36\""),
+        top("limits: {step: 50}", "limits.step: expected a number from 0.01 to 1 m, found \"50\""),
         top("sensors: {imu: {position: [1, 2]}}",
             "sensors.imu.position: expected 3 numbers from -10 to 10 m, found a list of 2"),
         top("sensors: {imu: {position: [1, 2, 300]}}",

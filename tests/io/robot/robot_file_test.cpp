@@ -27,6 +27,8 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
     EXPECT_NEAR(a.maxPitch, b.maxPitch, 1e-11);
     EXPECT_EQ(a.maxSpeed, b.maxSpeed);
     EXPECT_NEAR(a.maxTurnRate, b.maxTurnRate, 1e-10);
+    EXPECT_NEAR(a.maxClimb, b.maxClimb, 1e-11);
+    EXPECT_EQ(a.maxStep, b.maxStep);
     EXPECT_EQ(a.drive, b.drive);
     EXPECT_EQ(a.bindings, b.bindings);
     EXPECT_EQ(a.linkLoss, b.linkLoss);
@@ -71,6 +73,17 @@ TEST(RobotFile, ReadsYamlAsEditorsWriteIt) {
     ASSERT_TRUE(robot.ok()) << robot.error().text;
     EXPECT_EQ(robot->name, "kurt3d");
     EXPECT_EQ(robot->title, "K\xC3\xBCrt");
+}
+
+TEST(RobotFile, TellsRampsAndStepsWhereTheyAreNotTheUsualOnes) {
+    const auto usual = parseRobot(Whole, "r.yaml");
+    ASSERT_TRUE(usual.ok()) << usual.error().text;
+    EXPECT_EQ(usual->maxClimb, 0.0);
+    EXPECT_EQ(usual->maxStep, 0.0);
+    const auto robot = parseRobot(Whole + "limits: {climb: 35, step: 0.2}\n", "r.yaml");
+    ASSERT_TRUE(robot.ok()) << robot.error().text;
+    EXPECT_NEAR(inDegrees(robot->maxClimb), 35.0, 1e-9);
+    EXPECT_EQ(robot->maxStep, 0.2);
 }
 
 TEST(RobotFile, TurnsAClockwiseOutlineAround) {
@@ -152,6 +165,8 @@ public:
         robot.maxPitch = degrees(number(1.1, 179.0));
         robot.maxTurnRate = degrees(number(1.1, 700.0));
         robot.maxSpeed = number(0.02, 19.0);
+        if (below(2) == 0) robot.maxClimb = degrees(number(1.1, 59.0));
+        if (below(2) == 0) robot.maxStep = number(0.02, 0.9);
         for (int i = below(5); i >= 0; --i) {
             robot.sensors[word()] = {word(), poseFrom({number(-9, 9), number(-9, 9), number(-9, 9)},
                                                       number(-3, 3), number(-1.5, 1.5), number(-3, 3))};
