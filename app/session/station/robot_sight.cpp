@@ -49,6 +49,7 @@ CloudSample cloudOf(const Scan& scan, Time end) {
 RobotSight::RobotSight(const RobotDescription& robot)
     : m_body(boxAround(robot.footprint)), m_poses(robot), m_scan(scanOf(robot)) {
     const StreamDescription* camera = robot.stream(StreamRole::Picture);
+    if (camera == nullptr) camera = robot.stream(StreamRole::Thermal);
     m_hasCamera = camera != nullptr;
     if (m_hasCamera) m_driversCamera = camera->sensor;
     m_hasScanner = robot.stream(StreamRole::Points) != nullptr || robot.stream(StreamRole::Ranges) != nullptr;
@@ -64,6 +65,7 @@ void RobotSight::take(const Event& event, SteadyTime now) {
     const std::lock_guard lock(m_mutex);
     if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
         if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture->content.bytes, now);
+        if (event.role == StreamRole::Thermal) m_thermal[event.sensor].arrived(picture->content.bytes, now);
         return;
     }
     m_poses.add(event);
@@ -112,13 +114,15 @@ void RobotSight::lookThrough(const std::string& sensor) {
 }
 
 SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes) const {
+    return cap(sticks, withoutEyes, std::chrono::steady_clock::now());
+}
+
+SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
-    const SteadyTime now = std::chrono::steady_clock::now();
     SightAges ages;
     ages.camera = m_hasCamera;
     ages.scanner = m_hasScanner;
-    if (const auto camera = m_cameras.find(m_driversCamera); camera != m_cameras.end())
-        ages.picture = camera->second.at(now);
+    if (const PictureWatch* const watch = driversPicture()) ages.picture = watch->at(now);
     if (m_scanned) ages.scan = secondsBetween(*m_scanned, now);
     // What is around takes long to make: only where it matters.
     const SightRules rules;
@@ -126,6 +130,14 @@ SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes) const {
         if (const auto view = look(now)) ages.ahead = scanAgeAlong(*view, sticks);
     }
     return sightCap(ages, withoutEyes, rules);
+}
+
+const PictureWatch* RobotSight::driversPicture() const {
+    for (const auto* cameras : {&m_cameras, &m_thermal}) {
+        if (const auto camera = cameras->find(m_driversCamera); camera != cameras->end())
+            return &camera->second;
+    }
+    return nullptr;
 }
 
 void RobotSight::tell(RobotView& robot) const {

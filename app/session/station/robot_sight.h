@@ -26,10 +26,12 @@ public:
     /// The same of a whole turn of the scanner, @p scan, that a station kept: where its slices are not at
     /// hand.
     void take(const KeyScanSample& scan, SteadyTime now);
-    /// The driver looks through the camera @p sensor from now on; at first, through the one named first.
+    /// The driver looks through the camera @p sensor from now on, infrared or not; at first, through the one
+    /// named first.
     void lookThrough(const std::string& sensor);
     /// How fast the robot may be driven where @p sticks lead.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
+    [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const;
     /// Fills cameras and joints.
     void tell(RobotView& robot) const;
     void tell(RobotView& robot, SteadyTime now) const;
@@ -46,6 +48,7 @@ public:
 
 private:
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
+    [[nodiscard]] const PictureWatch* driversPicture() const;                 ///< likewise; null: none came
 
     const BodyBox m_body;
     mutable std::mutex m_mutex;
@@ -57,6 +60,7 @@ private:
     bool m_hasCamera = false, m_hasScanner = false;
     std::string m_driversCamera;                    ///< sensor
     std::map<std::string, PictureWatch> m_cameras;  ///< by sensor
+    std::map<std::string, PictureWatch> m_thermal;  ///< likewise
     std::optional<SteadyTime> m_scanned;            ///< when anything of a scan came
     std::optional<JointSample> m_joints;
     SteadyTime m_jointsCame = {};

@@ -1,7 +1,10 @@
 #include "app/session/station/robot_sight.h"
 
 #include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,6 +79,74 @@ TEST(RobotSight, TakesARampForFloorWhereTheRobotClimbsIt) {
     EXPECT_NEAR(aheadOf(robot, 0.9), BoardAt, 0.1);
     robot.maxClimb = degrees(40);  // so steep a ramp would lead onto the board
     EXPECT_EQ(aheadOf(robot, 0.9), std::numeric_limits<double>::infinity());
+}
+
+/// A robot with a colour camera and an infrared one, and no scanner.
+struct TwoCameras : testing::Test {
+    TwoCameras() {
+        robot.name = "tall";
+        robot.streams = {defaultStream(StreamRole::Picture, robot.name, "left"),
+                         defaultStream(StreamRole::Thermal, robot.name, "ir")};
+    }
+    void picture(StreamRole role, const std::string& sensor, int content) {
+        const auto bytes = std::make_shared<std::vector<std::byte>>(100, static_cast<std::byte>(content));
+        PictureSample sample;
+        sample.content = {bytes, *bytes};
+        sight().take(eventOf(role, sensor, sample), now);
+    }
+    [[nodiscard]] SightCap capAfter(double seconds) {
+        return sight().cap({0.2, 0, 0}, false, now + toNanoseconds(seconds));
+    }
+    RobotSight& sight() {
+        if (!made) made.emplace(robot);
+        return *made;
+    }
+    static std::chrono::nanoseconds toNanoseconds(double seconds) {
+        return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+    }
+
+    RobotDescription robot;
+    std::optional<RobotSight> made;
+    SteadyTime now = SteadyTime(std::chrono::seconds(5'000));
+};
+
+TEST_F(TwoCameras, TheLargePictureCapsTheSpeedAlsoWhereItIsInfrared) {
+    picture(StreamRole::Thermal, "ir", 1);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::NoPicture) << "the colour camera is large, and says nothing";
+    EXPECT_EQ(capAfter(0.1).factor, 0.0);
+    sight().lookThrough("ir");
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::Fresh);
+    EXPECT_EQ(capAfter(0.1).factor, 1.0);
+    EXPECT_EQ(capAfter(0.5).factor, SightRules{}.creepShare);
+    EXPECT_EQ(capAfter(1.5).reason, SightReason::OldPicture);
+    EXPECT_EQ(capAfter(1.5).factor, 0.0);
+}
+
+TEST_F(TwoCameras, AFreshPictureThatIsNotLargeIsNoEyes) {
+    sight().lookThrough("ir");
+    picture(StreamRole::Picture, "left", 1);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::NoPicture);
+    picture(StreamRole::Thermal, "ir", 1);
+    now += std::chrono::seconds(2);
+    picture(StreamRole::Thermal, "ir", 1);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::FrozenPicture) << "an infrared camera can hang, too";
+    EXPECT_EQ(capAfter(0.1).factor, 0.0);
+}
+
+TEST_F(TwoCameras, InfraredAloneIsACamera) {
+    robot.streams.erase(robot.streams.begin());
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::NoPicture);
+    picture(StreamRole::Thermal, "ir", 1);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::Fresh);
+}
+
+TEST_F(TwoCameras, InfraredIsNotAmongTheCamerasThatAreWatchedForRepeatedPictures) {
+    picture(StreamRole::Picture, "left", 1);
+    picture(StreamRole::Thermal, "ir", 1);
+    RobotView view;
+    sight().tell(view, now);
+    ASSERT_EQ(view.cameras.size(), 1u);
+    EXPECT_EQ(view.cameras[0].sensor, "left");
 }
 
 }  // namespace
