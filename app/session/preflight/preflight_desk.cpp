@@ -14,6 +14,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/preflight/network_cards.h"
 #include "app/session/station/station.h"
+#include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
 
 namespace leitstand {
@@ -105,6 +106,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
         const std::lock_guard lock(m_mutex);
         facts.writeRate = m_rate;
     }
+    facts.farClock = m_station.alarms().limits().clock;
     facts.gamepad = gamepad;
     facts.secured = !settings.domain.keys.empty();
     facts.security = securityLine(settings.domain);

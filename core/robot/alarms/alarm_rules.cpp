@@ -157,9 +157,8 @@ private:
         if (!m_robot.view.link.clock) return;
         const ClockStatus& clock = *m_robot.view.link.clock;
         const double ahead = std::chrono::duration<double>(clock.ahead).count();
-        const double sure = std::abs(ahead) - std::chrono::duration<double>(clock.uncertainty).count();
         const AlarmId id = idOf(alarm_key::ClockOffset);
-        if (!above(id, sure, m_limits.clock, std::numeric_limits<double>::infinity())) return;
+        if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
         add(id, Severity::Attention,
             fmt::format("its clock is {:.1f} s {} the station's", std::abs(ahead),
                         ahead > 0.0 ? "ahead of" : "behind"),

@@ -8,6 +8,7 @@
 #include "core/base/time.h"
 #include "core/mission/robot_state.h"
 #include "core/robot/alarms/alarm_book.h"
+#include "core/robot/far_clock.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/robot_view.h"
 
@@ -23,7 +24,7 @@ struct AlarmLimits {
     double bumped = 3.0;      ///< a bump is told for so long [s]
     double unanswered = 2.0;  ///< a stop without an answer [s]
     double frozen = 2.0;      ///< pictures that are always the same [s]
-    double clock = 2.0;       ///< a robot's clock beside the station's [s]
+    double clock = FarClock;  ///< a robot's clock beside the station's [s]
     double over = 0.85;       ///< what stands ends below (or above 1 /) so much of its limit
 };
 

@@ -11,7 +11,6 @@ using Kind = PreflightCheck::Kind;
 using Verdict = BrakeResult::Verdict;
 
 constexpr double FreshPicture = 1.5;        ///< older is no picture of now [s]
-constexpr double FarClock = 5.0;            ///< works, but stamps in logs of others will puzzle [s]
 constexpr double LeastHours = 2.0;          ///< that the disk must last
 constexpr double UsualLog = 1.5e6;          ///< of both robots, before anything comes [B/s]
 constexpr double Spare = 3.0;               ///< times what the log needs must the disk write
@@ -92,10 +91,10 @@ void judgeStreams(Page& page, const RobotFacts& facts) {
     }
 }
 
-void judgeClock(Page& page, const LinkStatus& link) {
+void judgeClock(Page& page, const LinkStatus& link, double limit) {
     if (!link.clock) return page.add(Kind::ClockUnknown, CheckState::Attention);
     const double ahead = std::chrono::duration<double>(link.clock->ahead).count();
-    const bool far = std::abs(ahead) > FarClock;
+    const bool far = surelyOff(*link.clock) >= limit;
     page.add(far ? Kind::ClockFar : Kind::ClockSteady, far ? CheckState::Attention : CheckState::Ok, {},
              ahead);
 }
@@ -134,14 +133,14 @@ void judgeBrake(Page& page, const RobotFacts& facts, Time now) {
              brake.seconds, brake.metres);
 }
 
-void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Time now) {
+void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Time now, double farClock) {
     Page page(checks, facts.robot.name);
     const bool there = judgeLink(page, facts.view.link);
     for (const std::string& complaint : facts.complaints)
         page.add(Kind::Wire, CheckState::Attention, complaint);
     if (!there) return;
     judgeStreams(page, facts);
-    judgeClock(page, facts.view.link);
+    judgeClock(page, facts.view.link, farClock);
     judgeDriving(page, facts.view);
     judgeBrake(page, facts, now);
 }
@@ -182,7 +181,7 @@ void judgeDisk(Page& page, const PreflightFacts& facts) {
 
 std::vector<PreflightCheck> preflight(const PreflightFacts& facts) {
     std::vector<PreflightCheck> checks;
-    for (const RobotFacts& robot : facts.robots) judgeRobot(checks, robot, facts.now);
+    for (const RobotFacts& robot : facts.robots) judgeRobot(checks, robot, facts.now, facts.farClock);
     Page page(checks);
     judgeNetwork(page, facts);
     judgeDisk(page, facts);

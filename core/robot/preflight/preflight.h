@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "core/robot/far_clock.h"
 #include "core/robot/preflight/brake_test.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/robot_view.h"
@@ -44,6 +45,7 @@ struct PreflightFacts {
     bool secured = false;
     std::string security;               ///< who we are, in words, or why not
     std::vector<std::string> versions;  ///< of the programs
+    double farClock = FarClock;         ///< from where on the alarms tell of a robot's clock [s]
     Time now{};                         ///< station's clock
 };
 

@@ -30,6 +30,8 @@ TEST_F(PreflightListTest, EveryKindHasWordsAndWhatIsWrongARemedy) {
               "disk: room for 18 h, writes 210 MB/s");
     EXPECT_EQ(checkText({Kind::Versions, CheckState::Ok, {}, "Leitstand 0.4"}), "Leitstand 0.4");
     EXPECT_FALSE(remedyText({Kind::BrakeFailed, CheckState::Fail}).isEmpty());
+    EXPECT_EQ(remedyText({Kind::ClockFar, CheckState::Attention, "k", {}, 1.2}),
+              "It may drop every drive command as too old: set its clock (NTP)");
     EXPECT_TRUE(remedyText({Kind::BrakePassed, CheckState::Ok}).isEmpty());
 }
 

@@ -158,7 +158,7 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::Wire:
             return Words::tr("Change the QoS in the robot's file");
         case Kind::ClockFar:
-            return Words::tr("Works; set the robot's clock for logs of others");
+            return Words::tr("It may drop every drive command as too old: set its clock (NTP)");
         case Kind::ClockUnknown:
             return Words::tr("Wait a moment");
         case Kind::GrantOthers:

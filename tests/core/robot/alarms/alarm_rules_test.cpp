@@ -36,7 +36,7 @@ struct Calm {
         said.diagnostics = Latest<DiagnosticsSample>{1, wallAt(-500), {}};
         said.diagnostics->sample.statuses.push_back(
             {DiagnosticStatus::Level::Warning, "motor_driver", "warm", "kurt3d", {}});
-        view.link.clock = ClockStatus{.ahead = milliseconds(1'500), .uncertainty = milliseconds(20)};
+        view.link.clock = ClockStatus{.ahead = milliseconds(900), .uncertainty = milliseconds(20)};
     }
     void tilt(double roll, double pitch) {
         OdometrySample odometry;
@@ -193,10 +193,13 @@ INSTANTIATE_TEST_SUITE_P(
              Look, "3.0 s ahead of"},
         Case{"a clock behind", [](Calm& r) { r.view.link.clock->ahead = -seconds(9); },
              alarm_key::ClockOffset, Look, "9.0 s behind"},
+        Case{"a clock by which a robot drops commands",
+             [](Calm& r) { r.view.link.clock->ahead = -milliseconds(1'020); }, alarm_key::ClockOffset, Look,
+             "1.0 s behind"},
         Case{"a clock that is not known well",
              [](Calm& r) {
                  r.view.link.clock->ahead = seconds(3);
-                 r.view.link.clock->uncertainty = seconds(2);
+                 r.view.link.clock->uncertainty = milliseconds(2'100);
              },
              nullptr}));
 

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/alarms/alarm_rules.h"
+
 namespace leitstand::test {
 namespace {
 
@@ -120,6 +122,22 @@ TEST_F(Preflight, ADegradedLinkAClockAndComplaintsNeedALook) {
     expect(Kind::ClockUnknown, CheckState::Attention);
     robot().complaints = {"/kurt3d/odom: robot offers best effort, we asked for reliable"};
     expect(Kind::Wire, CheckState::Attention);
+}
+
+TEST_F(Preflight, AClockIsFarFromWhereTheAlarmTellsOfIt) {
+    EXPECT_EQ(facts.farClock, AlarmLimits{}.clock);
+    EXPECT_LE(facts.farClock, 1.0) << "from there on every command may be dropped";
+    for (const auto side : {1, -1}) {
+        robot().view.link.clock = ClockStatus{.ahead = side * 990ms};
+        expect(Kind::ClockSteady, CheckState::Ok);
+        robot().view.link.clock->ahead = side * 1000ms;
+        expect(Kind::ClockFar, CheckState::Attention);
+        robot().view.link.clock->uncertainty = 20ms;
+        expect(Kind::ClockSteady, CheckState::Ok);
+    }
+    facts.farClock = 0.5;  // as the team's file says
+    robot().view.link.clock = ClockStatus{.ahead = 600ms};
+    expect(Kind::ClockFar, CheckState::Attention);
 }
 
 TEST_F(Preflight, WhoDrives) {
