@@ -21,7 +21,7 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     if (!scan.hasOdometry || !robot.odometry || !sameFrame) return robot.sensorInMap;
     const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
     step.measured = robot.odometryFrame >= 0;
-    step.trusted = step.measured && !live.bridged && !robot.lost;
+    step.trusted = step.measured && !live.isGuessed() && !robot.lost;
     step.way = robot.way + std::max(live.way, moved.translation().norm());
     step.turn = robot.turn + std::max(live.turn, Eigen::AngleAxisd(moved.linear()).angle());
     return robot.sensorInMap * moved;
@@ -150,6 +150,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
                     match.icp.converged,
                     here.trust,
                     here.doubts};
+        if (live.extrapolated || live.bridged)
+            key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
         key.entered = now;
         if (live.levelKnown) key.up = live.up;

@@ -108,6 +108,8 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
                   found.doubts == 0 ? ScanTrust::Certain : ScanTrust::Uncertain,
                   found.doubts};
     if (found.doubts != 0) pose.scanInMap = scan->pose.scanInMap;
+    if (has(scan->pose.doubts, ScanDoubt::Guessed))
+        pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
     return state.decided({pose}, now);
 }
 

@@ -19,9 +19,13 @@ struct LiveScan {
     TurnEnd end = TurnEnd::Turn;
     bool extrapolated = false;  ///< odometry was not there in time: the end of the scan's motion is guessed
     bool bridged = false;       ///< odometry is missing within the scan
+    double guessed = 0.0;       ///< share of its motion that is extrapolated, 0 to 1
     int odometryFrame = 0;      ///< sensorInOdom of scans of another number has another origin
     double way = 0.0, turn = 0.0;  ///< of the robot since the end of the scan before, to and fro [m, rad]
     int slices = 0;                ///< that it is made of
+
+    /// Nobody measured how the robot moved within it; a few guessed points at its end do not count.
+    [[nodiscard]] bool isGuessed() const { return bridged || guessed > 0.5; }
 };
 
 }  // namespace leitstand

@@ -103,11 +103,13 @@ void ScanCutter::put(Waiting waiting, Row& row) {
     row.sensorInBase = waiting.sensorInBase;
     row.arrived = waiting.arrived;
     row.end = row.end ? std::max(*row.end, end) : end;
-    Parts parts{1, false, false};
+    Parts parts;
+    parts.slices = 1;
     const auto track = [&](Time at) -> std::optional<Pose> {
         const auto motion = m_motion.at(at);
+        ++parts.poses;
         if (!motion) return std::nullopt;
-        parts.extrapolated = parts.extrapolated || motion->source == MotionSource::Extrapolated;
+        parts.guessed += motion->source == MotionSource::Extrapolated ? 1 : 0;
         parts.bridged = parts.bridged || motion->source == MotionSource::Bridged;
         return motion->baseInOdom * waiting.sensorInBase;
     };
@@ -118,7 +120,8 @@ void ScanCutter::put(Waiting waiting, Row& row) {
     if (scan && ended == TurnEnd::Break)
         keep(std::exchange(scan, std::nullopt), row, std::exchange(row.parts, {}));
     row.parts.slices += parts.slices;
-    row.parts.extrapolated = row.parts.extrapolated || parts.extrapolated;
+    row.parts.poses += parts.poses;
+    row.parts.guessed += parts.guessed;
     row.parts.bridged = row.parts.bridged || parts.bridged;
     if (scan) keep(std::move(scan), row, std::exchange(row.parts, {}));
 }
@@ -131,7 +134,8 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     if (!scan || !seesAnything(*scan)) return;
     LiveScan live;
     live.end = row.assembler.ended();
-    live.extrapolated = parts.extrapolated;
+    live.extrapolated = parts.guessed > 0;
+    if (parts.poses > 0) live.guessed = static_cast<double>(parts.guessed) / parts.poses;
     live.bridged = parts.bridged;
     scan->robot = m_robot;
     live.sensorInBase = row.sensorInBase;

@@ -59,7 +59,8 @@ private:
     /// What a scan is made of so far.
     struct Parts {
         int slices = 0;
-        bool extrapolated = false, bridged = false;
+        int poses = 0, guessed = 0;  ///< that were asked for, and those of them that are extrapolated
+        bool bridged = false;
     };
     /// Slices that follow each other.
     struct Row {

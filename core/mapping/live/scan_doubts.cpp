@@ -9,14 +9,15 @@
 namespace leitstand {
 
 std::string inWords(std::uint8_t doubts) {
-    constexpr std::array<std::pair<ScanDoubt, const char*>, 7> Words = {
+    constexpr std::array<std::pair<ScanDoubt, const char*>, 8> Words = {
         {{ScanDoubt::Points, "too few points"},
          {ScanDoubt::Odometry, "no odometry"},
          {ScanDoubt::Overlap, "little overlap with the map"},
          {ScanDoubt::Residual, "a bad fit"},
          {ScanDoubt::Jump, "a jump against the odometry"},
          {ScanDoubt::Certainty, "an open direction"},
-         {ScanDoubt::Diverged, "the registration came to no end"}}};
+         {ScanDoubt::Diverged, "the registration came to no end"},
+         {ScanDoubt::Guessed, "motion partly guessed"}}};
     std::string text;
     for (const auto& [doubt, word] : Words) {
         if (!has(doubts, doubt)) continue;

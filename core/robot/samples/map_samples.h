@@ -30,7 +30,7 @@ enum class ScanTrust : std::uint8_t {
     SetAside,   ///< rejected or rewound: not shown
 };
 
-/// Why a scan is uncertain: bits of ScanPose::doubts.
+/// Why a scan is uncertain, and what else is to be known of it: bits of ScanPose::doubts.
 enum class ScanDoubt : std::uint8_t {
     Overlap = 1 << 0,    ///< too few of its points meet the map
     Residual = 1 << 1,   ///< those that do are too far from it
@@ -39,6 +39,7 @@ enum class ScanDoubt : std::uint8_t {
     Diverged = 1 << 4,   ///< the registration came to no end
     Odometry = 1 << 5,   ///< nobody knows how the robot came there
     Points = 1 << 6,     ///< it has too few
+    Guessed = 1 << 7,    ///< odometry was missing within it; by itself that makes no scan uncertain
 };
 
 /// Where a key scan is, and how sure that is.

@@ -72,6 +72,22 @@ TEST_F(KeyScans, SayWhatSpeaksAgainstThem) {
     EXPECT_THAT(keyScanDetails(model.scans().scans[2]).toStdString(), HasSubstr("otherwise than the wheels"));
 }
 
+TEST_F(KeyScans, SayThatTheirMotionIsGuessedWithoutBeingDoubted) {
+    constexpr auto Guessed = static_cast<std::uint8_t>(ScanDoubt::Guessed);
+    model.setScans(
+        mapOf({keyScan(1, ScanTrust::Certain, Guessed), keyScan(2, ScanTrust::Uncertain, Jump | Guessed)}));
+    EXPECT_EQ(text(1, Column::Doubts), "motion partly guessed");
+    EXPECT_EQ(text(1, Column::Trust), "certain");
+    EXPECT_EQ(tone(1, Column::Doubts), Tone::Muted);
+    const std::string certain = keyScanDetails(model.scans().scans[0]).toStdString();
+    EXPECT_THAT(certain, HasSubstr("It fits."));
+    EXPECT_THAT(certain, HasSubstr("missing or late"));
+    EXPECT_EQ(text(0, Column::Doubts), "jump, motion partly guessed");
+    const std::string doubted = keyScanDetails(model.scans().scans[1]).toStdString();
+    EXPECT_THAT(doubted, HasSubstr("otherwise than the wheels"));
+    EXPECT_THAT(doubted, HasSubstr("missing or late"));
+}
+
 TEST_F(KeyScans, TellWhichWaitsForADecision) {
     EXPECT_EQ(model.newestUncertain(), 3U);
     EXPECT_EQ(model.uncertain(), 1);

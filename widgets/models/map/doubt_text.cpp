@@ -13,7 +13,7 @@ struct DoubtWords {
     const char *word, *meaning;
 };
 
-constexpr std::array<DoubtWords, 7> AllDoubts = {{
+constexpr std::array<DoubtWords, 8> AllDoubts = {{
     {ScanDoubt::Overlap, QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "little overlap"),
      QT_TRANSLATE_NOOP("leitstand::ScanDoubt",
                        "Little overlap: few of its points meet the map. Where it shows new ground, "
@@ -38,6 +38,11 @@ constexpr std::array<DoubtWords, 7> AllDoubts = {{
          "No odometry: nobody knows how the robot came there. Retry from a pose that you drag.")},
     {ScanDoubt::Points, QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "too few points"),
      QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "Too few points: reject it, the next scan says more.")},
+    {ScanDoubt::Guessed, QT_TRANSLATE_NOOP("leitstand::ScanDoubt", "motion partly guessed"),
+     QT_TRANSLATE_NOOP(
+         "leitstand::ScanDoubt",
+         "Motion partly guessed: odometry was missing or late within the scan. Look whether its "
+         "walls are bent.")},
 }};
 
 struct Say {

@@ -154,7 +154,9 @@ QVariant KeyScanModel::headerData(int section, Qt::Orientation orientation, int 
 
 QString keyScanDetails(const LiveKeyScan& scan) {
     QStringList lines;
-    const QString doubts = doubtDetails(scan.pose.doubts);
+    // How it came about is told of every scan; it speaks against none.
+    constexpr auto Guessed = static_cast<std::uint8_t>(ScanDoubt::Guessed);
+    const QString doubts = doubtDetails(static_cast<std::uint8_t>(scan.pose.doubts & ~Guessed));
     if (!doubts.isEmpty() && scan.pose.trust == ScanTrust::Uncertain) lines += doubts;
     if (scan.pose.trust == ScanTrust::SetAside) {
         lines += KeyScanModel::tr("Set aside by the operator: neither shown nor used.");
@@ -163,6 +165,7 @@ QString keyScanDetails(const LiveKeyScan& scan) {
     } else if (scan.pose.trust == ScanTrust::Certain) {
         lines += KeyScanModel::tr("Accepted by the operator.");
     }
+    if (has(scan.pose.doubts, ScanDoubt::Guessed)) lines += doubtDetails(Guessed);
     if (scan.matched != 0) {
         lines += KeyScanModel::tr("Overlap %1, pairs %2 mm apart, certainty %3, matched near scan %4")
                      .arg(percentText(scan.pose.overlap), millimetresText(scan.pose.rms),

@@ -53,6 +53,24 @@ TEST(LiveMapper, ADriveIsMappedToItsTruePosesAndAStandingRobotAddsNothing) {
     EXPECT_TRUE(room.add(room.last * poseFrom({0, 0, 0}, 0, 0, degrees(12))).keyScan) << "turned";
 }
 
+TEST(LiveMapper, AScanWhoseMotionIsGuessedSaysSoInTheLogAndFitsAllTheSame) {
+    MappedRoom room;
+    room.add(scanAt(Begin, 1));
+    LiveScan late = scanAt(Begin * poseFrom({0.4, 0, 0}, 0, 0, 0), 2);
+    late.extrapolated = true;
+    late.guessed = 0.02;
+    const MapUpdate update = room.add(late);
+    ASSERT_TRUE(update.keyScan && update.poses);
+    EXPECT_EQ(update.localisation.trust, ScanTrust::Certain) << inWords(update.localisation.doubts);
+    EXPECT_EQ(update.localisation.doubts, 0);
+    const auto of = [](const std::vector<ScanPose>& poses) { return poses.back(); };
+    constexpr auto Guessed = static_cast<std::uint8_t>(ScanDoubt::Guessed);
+    EXPECT_EQ(of(room.poses()).doubts, Guessed);
+    EXPECT_EQ(of(room.poses()).trust, ScanTrust::Certain);
+    EXPECT_EQ(of(room.log.poses()).doubts, Guessed) << "the log tells it, too";
+    EXPECT_EQ(room.poses().front().doubts, 0);
+}
+
 TEST(LiveMapper, AnotherRobotsBodyStaysInNoScan) {
     const RobotBody crawler{{{0.20, 0.13}, {-0.20, 0.13}, {-0.20, -0.13}, {0.20, -0.13}}, 0.35};
     const Pose sensor = Begin * poseFrom({0.4, 0, 0}, 0, 0, 0);

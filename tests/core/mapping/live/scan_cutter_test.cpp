@@ -68,6 +68,9 @@ TEST(ScanCutter, ASliceWaitsForOdometryButNotForEver) {
     operation.until(given + milliseconds(170));
     ASSERT_EQ(operation.scans.size(), 1U);
     EXPECT_TRUE(operation.scans[0].extrapolated);
+    EXPECT_GT(operation.scans[0].guessed, 0.0);
+    EXPECT_LT(operation.scans[0].guessed, 0.1) << "a few points at the end";
+    EXPECT_FALSE(operation.scans[0].isGuessed());
     const Scan& scan = *operation.scans[0].scan;
     EXPECT_LT(distanceBetween(scan.sensorInOdom, operation.poseAt(scan.end)), 1e-6) << "as it moved last";
     EXPECT_FALSE(cutter.due());
@@ -85,6 +88,34 @@ TEST(ScanCutter, OdometryThatComesInTimeIsUsed) {
     const auto scans = all(operation);
     ASSERT_EQ(scans.size(), 1U);
     EXPECT_FALSE(scans[0].extrapolated);
+}
+
+TEST(ScanCutter, ATurnWhoseOdometryAlwaysComesTooLateIsGuessed) {
+    ScanCutter cutter("kurt3d");
+    const SliceMaker maker;
+    std::vector<LiveScan> scans;
+    const auto late = milliseconds(400);
+    int given = 0;
+    for (Time now = maker.start; now < maker.start + seconds(3); now += milliseconds(10)) {
+        const auto passed = now - maker.start;
+        if (passed % milliseconds(50) == milliseconds(0)) {
+            const double x = 0.5 * std::chrono::duration<double>(passed - late).count();
+            cutter.add(odometryAt(now - late, poseFrom({x, 0, 0}, 0, 0, 0)), now);
+        }
+        // The first slices find odometry that is old enough.
+        if (passed > seconds(1) && passed % SliceMaker::Slice == milliseconds(0) &&
+            given < SliceMaker::SlicesATurn) {
+            CloudSample slice = maker.slice(given++);
+            slice.header.stamp = now - SliceMaker::Slice;
+            cutter.add(std::move(slice), Pose::Identity(), now);
+        }
+        for (LiveScan& scan : cutter.take(now)) scans.push_back(std::move(scan));
+    }
+    ASSERT_EQ(scans.size(), 1U);
+    EXPECT_TRUE(scans[0].scan->hasOdometry);
+    EXPECT_FALSE(scans[0].bridged);
+    EXPECT_GT(scans[0].guessed, 0.9);
+    EXPECT_TRUE(scans[0].isGuessed()) << "as where odometry is missing within it";
 }
 
 TEST(ScanCutter, SlicesOfARadioGapComeLateInOrder) {
@@ -123,6 +154,7 @@ TEST(ScanCutter, AShortGapOfTheOdometryIsBridgedAndFlagged) {
     ASSERT_EQ(scans.size(), 3U);
     EXPECT_FALSE(scans[0].bridged);
     EXPECT_TRUE(scans[1].bridged && scans[1].scan->hasOdometry);
+    EXPECT_TRUE(scans[1].isGuessed());
     EXPECT_EQ(rowsIn(scans), allRows(45 * SliceMaker::Rows));
 }
 
