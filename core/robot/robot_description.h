@@ -126,6 +126,7 @@ struct RobotDescription {
     double maxTurnRate = 0.0;                ///< [rad/s]
     double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not told, the usual one
     double maxStep = 0.0;                    ///< highest step [m]; 0: likewise
+    bool refineTurns = false;                ///< its odometry is poor: the map estimates the motion in a turn
     DriveType drive = DriveType::Differential;
     std::map<std::string, std::string> bindings;   ///< operator's action -> key or pad control
     std::map<std::string, LinkLossRule> linkLoss;  ///< mode -> rule; teleoperation always stops

@@ -33,6 +33,13 @@ MapPtr shownMap(const LiveMap& live) {
     return map;
 }
 
+LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings) {
+    for (const RobotDescription& robot : robots) {
+        if (robot.refineTurns) settings.refined.insert(robot.name);
+    }
+    return settings;
+}
+
 LiveMapping::Robot::Robot(const RobotDescription& description, const std::string& station)
     : poses(description), tracker(description.name), laser(tracker, station) {
     // They know the motion before the first slice.
@@ -44,7 +51,9 @@ LiveMapping::Robot::Robot(const RobotDescription& description, const std::string
 LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
                          const LiveSettings& settings, LiveMappingListener listener,
                          const EarlierMap& earlier)
-    : m_descriptions(robots), m_listener(std::move(listener)), m_mapper(station, settings) {
+    : m_descriptions(robots),
+      m_listener(std::move(listener)),
+      m_mapper(station, settingsOf(robots, settings)) {
     for (const RobotDescription& robot : m_descriptions) {
         m_robots.try_emplace(robot.name, robot, station);
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});

@@ -39,6 +39,9 @@ struct EarlierMap {
     std::map<std::string, RobotPlaceSample> places;  ///< of robots that do not make it, by name
 };
 
+/// @p settings as the files of @p robots want them.
+[[nodiscard]] LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings);
+
 /// Registers what robots scan while they drive, on a thread of its own. Any thread.
 class LiveMapping {
 public:

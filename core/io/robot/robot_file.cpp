@@ -185,6 +185,7 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
     if (fields.has("frames")) readFrames(fields.at("frames"), robot, errors);
     readFootprint(fields, robot, errors);
     fields.number("height", robot.height, 0.01, LargestSize, " m");
+    fields.flag("refine_turns", robot.refineTurns);
     if (fields.has("limits")) readLimits(fields.at("limits"), robot, errors);
     readSensors(fields, robot, errors);
     detail::readStreams(fields, robot, errors);

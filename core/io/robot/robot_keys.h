@@ -7,9 +7,9 @@
 namespace leitstand::detail {
 
 // The keys of robot files, map by map; docs/robots.md tells what they mean.
-inline constexpr std::string_view RobotKeys[] = {"letter",  "name",      "title",    "drive",
-                                                 "frames",  "footprint", "height",   "limits",
-                                                 "sensors", "streams",   "bindings", "link_loss"};
+inline constexpr std::string_view RobotKeys[] = {
+    "letter", "name",    "title",   "drive",    "frames",    "footprint",   "height",
+    "limits", "sensors", "streams", "bindings", "link_loss", "refine_turns"};
 inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
 inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate", "climb", "step"};
 inline constexpr std::string_view SensorKeys[] = {"frame", "position", "rotation", "motion", "pan_tilt"};

@@ -108,6 +108,7 @@ void writeBody(YAML::Emitter& out, const RobotDescription& robot) {
 }
 
 void writeMaps(YAML::Emitter& out, const RobotDescription& robot) {
+    if (robot.refineTurns) entry(out, "refine_turns", "true");
     if (!robot.bindings.empty()) {
         out << YAML::Key << "bindings" << YAML::Value << YAML::BeginMap;
         for (const auto& [action, control] : robot.bindings) entry(out, action.c_str(), control);

@@ -50,7 +50,8 @@ Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, 
 void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess,
                                const Step& step, std::span<const PlacedBody> others, ReadyScan& ready,
                                Match& match) {
-    if (!settings.refinement.on || match.doubts != 0) return;
+    const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot);
+    if (!on || match.doubts != 0) return;
     const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, settings, others), localAt(guess),
                                  match.scanInMap, settings.refinement);
     if (!drift) return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -51,6 +53,7 @@ struct LiveSettings {
     MapCrop crop;
     double kept = 0.02;                 ///< key scans are thinned to this for the map [m]
     TurnRefinementSettings refinement;  ///< of turns that fit, before they enter the map
+    std::set<std::string> refined;      ///< robots whose turns are refined also where refinement is not on
 };
 
 }  // namespace leitstand

@@ -1,9 +1,12 @@
 #include "app/session/station/live_mapping.h"
 
 #include <future>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/io/robot/robot_file.h"
 #include "core/robot/goal.h"
 #include "tests/support/wait.h"
 
@@ -24,6 +27,18 @@ Event odometryOf(const std::string& robot, Time stamp, const Pose& baseInOdom) {
     event.role = StreamRole::Odometry;
     event.sample = sample;
     return event;
+}
+
+TEST(LiveMapping, RefinesTheTurnsOfThoseRobotsWhoseFileSaysSo) {
+    const std::string head = "letter: K\nstreams: [{role: points}]\nname: ";
+    const RobotDescription poor = parseRobot(head + "poor\nrefine_turns: true\n", "poor.yaml").value();
+    const RobotDescription good = parseRobot(head + "good\n", "good.yaml").value();
+    LiveSettings given;
+    given.kept = 0.03;
+    const LiveSettings settings = settingsOf({poor, good}, given);
+    EXPECT_EQ(settings.refined, std::set<std::string>{"poor"});
+    EXPECT_FALSE(settings.refinement.on) << "the others are left as they are";
+    EXPECT_EQ(settings.kept, 0.03);
 }
 
 TEST(LiveMapping, WhileAScanIsRegisteredAGoalIsToldRightlyInTheOdometry) {

@@ -41,7 +41,7 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("hight: 0.5",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, bindings or link_loss, found \"hight\", did you mean height?"),
+            "streams, bindings, link_loss or refine_turns, found \"hight\", did you mean height?"),
         top("limits:\n  speeed: 1",
             "limits: expected one of the keys roll, pitch, speed, turn_rate, climb or step, found "
             "\"speeed\", did you mean speed?",
@@ -56,7 +56,7 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("? [1, 2]\n: 3",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, bindings or link_loss, found a list of 2"),
+            "streams, bindings, link_loss or refine_turns, found a list of 2"),
         top("sensors:\n  my camera: {}",
             "sensors: expected a name of at most 64 letters, digits and _ that begins with a letter, found "
             "\"my "
@@ -121,6 +121,7 @@ TEST(RobotErrors, TellNumbersThatAreNoneOrOfAnotherUnit) {
         top("height: nan", "height: expected a number from 0.01 to 10 m, found \"nan\""),
         top("height: 1e999", "height: expected a number from 0.01 to 10 m, found \"1e999\""),
         top("height: 0,5", "height: expected a number from 0.01 to 10 m, found \"0,5\""),
+        top("refine_turns: 1", "refine_turns: expected true or false, found \"1\""),
         top("limits: {roll: 0.4}", "limits.roll: expected a number from 1 to 180 degrees, found \"0.4\""),
         top("limits: {pitch: .inf}", "limits.pitch: expected a number from 1 to 180 degrees, found \".inf\""),
         top("limits: {speed: 300}", "limits.speed: expected a number from 0.01 to 20 m/s, found \"300\""),

@@ -29,6 +29,7 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
     EXPECT_NEAR(a.maxTurnRate, b.maxTurnRate, 1e-10);
     EXPECT_NEAR(a.maxClimb, b.maxClimb, 1e-11);
     EXPECT_EQ(a.maxStep, b.maxStep);
+    EXPECT_EQ(a.refineTurns, b.refineTurns);
     EXPECT_EQ(a.drive, b.drive);
     EXPECT_EQ(a.bindings, b.bindings);
     EXPECT_EQ(a.linkLoss, b.linkLoss);
@@ -84,6 +85,12 @@ TEST(RobotFile, TellsRampsAndStepsWhereTheyAreNotTheUsualOnes) {
     ASSERT_TRUE(robot.ok()) << robot.error().text;
     EXPECT_NEAR(inDegrees(robot->maxClimb), 35.0, 1e-9);
     EXPECT_EQ(robot->maxStep, 0.2);
+}
+
+TEST(RobotFile, RefinesTurnsOnlyWhereItIsTold) {
+    EXPECT_FALSE(parseRobot(Whole, "r.yaml").value().refineTurns);
+    EXPECT_FALSE(parseRobot(Whole + "refine_turns: false\n", "r.yaml").value().refineTurns);
+    EXPECT_TRUE(parseRobot(Whole + "refine_turns: true\n", "r.yaml").value().refineTurns);
 }
 
 TEST(RobotFile, TurnsAClockwiseOutlineAround) {
@@ -167,6 +174,7 @@ public:
         robot.maxSpeed = number(0.02, 19.0);
         if (below(2) == 0) robot.maxClimb = degrees(number(1.1, 59.0));
         if (below(2) == 0) robot.maxStep = number(0.02, 0.9);
+        robot.refineTurns = below(2) == 0;
         for (int i = below(5); i >= 0; --i) {
             robot.sensors[word()] = {word(), poseFrom({number(-9, 9), number(-9, 9), number(-9, 9)},
                                                       number(-3, 3), number(-1.5, 1.5), number(-3, 3))};

@@ -231,20 +231,26 @@ TEST_F(TurnRefinement, AnOpenCorridorLeavesTheTurnAsItWas) {
 TEST_F(TurnRefinement, LiveMappingTakesTheRefinedPointsIntoItsMapWhenToldSo) {
     const Turn first = turnOf(m_room, m_begin, {0.0, 0.0, 1.0, 0.0}, 6);
     const Turn second = turnOf(m_room, m_begin, {}, 7);
-    const auto mappedWith = [&](bool on) {
-        LiveSettings settings;
-        settings.refinement.on = on;
+    const auto mappedWith = [&](const LiveSettings& settings) {
         LiveMapper mapper("station", settings);
         const Time now(std::chrono::seconds(5000));
         const MapUpdate begin = mapper.add(first.live, now);
         const MapUpdate update = mapper.add(second.live, now + std::chrono::seconds(3));
-        EXPECT_EQ(update.localisation.doubts, 0) << on;
+        EXPECT_EQ(update.localisation.doubts, 0);
         EXPECT_TRUE(begin.keyScan && update.keyScan);
         const Pose mapInRoom = first.sensorInRoom * begin.keyScan->scanInMap.inverse();
         return distanceFromPlanes(update.keyScan->scan->points, mapInRoom * update.keyScan->scanInMap);
     };
     EXPECT_FALSE(LiveSettings{}.refinement.on);
-    EXPECT_LE(mappedWith(true), 0.6 * mappedWith(false));
+    EXPECT_TRUE(LiveSettings{}.refined.empty());
+    LiveSettings all, kurts, others;
+    all.refinement.on = true;
+    kurts.refined = {"kurt3d"};
+    others.refined = {"crawler"};
+    const double asMeasured = mappedWith({});
+    EXPECT_LE(mappedWith(all), 0.6 * asMeasured);
+    EXPECT_LE(mappedWith(kurts), 0.6 * asMeasured);
+    EXPECT_NEAR(mappedWith(others), asMeasured, 1e-6) << "another robot's";
 }
 
 }  // namespace
