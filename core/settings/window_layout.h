@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/settings/map_sight.h"
+
 namespace leitstand {
 
 /// A place in the window: one pane, or parts side by side or one above the other.
@@ -20,6 +22,7 @@ struct WindowLayout {
     std::string title = {};        ///< for people
     PaneSplit panes = {};          ///< panes that are not named are hidden
     std::string arrangement = {};  ///< as the operator moved them (base64, of the window); goes before panes
+    LayoutMap map = {};            ///< how the map is looked at; says nothing: stays as it is
     std::map<std::string, std::string> keys = {};  ///< by command: "Ctrl+K"; others have their own
     std::map<std::string, std::string> pad = {};   ///< by button of the pad: command; others have their own
 };

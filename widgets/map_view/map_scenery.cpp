@@ -14,6 +14,8 @@ namespace {
 constexpr std::chrono::milliseconds RestAfter(120);
 /// Between pictures while the camera goes with a robot: no hand waits for them.
 constexpr std::chrono::milliseconds FollowEvery(60);
+/// Longer than between what is told of a robot, 30 times a second.
+constexpr std::chrono::milliseconds GlideEvery(50);
 
 bool sameScans(const MapPtr& a, const MapPtr& b) {
     if (!a || !b) return a == b;
@@ -55,6 +57,9 @@ MapScenery::MapScenery(QWidget& view)
     m_rest.setSingleShot(true);
     m_rest.setInterval(RestAfter);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(true); });
+    m_glide.setSingleShot(true);
+    m_glide.setInterval(GlideEvery);
+    connect(&m_glide, &QTimer::timeout, this, [this] { aim(m_robot); });
 }
 
 MapScenery::~MapScenery() = default;
@@ -82,6 +87,16 @@ void MapScenery::setSettings(const MapViewSettings& settings) {
     submit();
 }
 
+void MapScenery::recall(const MapViewSettings& settings) {
+    if (settings == m_order.settings) return;
+    const FramedCamera free = m_freeCamera, top = m_topCamera;
+    setSettings(settings);
+    m_freeCamera = free;
+    m_topCamera = top;
+    // The view may have another size by now.
+    if (!following() && activeCamera().follows) frame();
+}
+
 void MapScenery::setHighlighted(std::uint64_t id) {
     if (id == m_order.highlighted) return;
     m_order.highlighted = id;
@@ -101,7 +116,9 @@ void MapScenery::aim(const Pose& baseInMap) {
     if (m_order.settings.follow == MapFollow::Free) return;
     const double seconds = m_sinceAim.isValid() ? static_cast<double>(m_sinceAim.nsecsElapsed()) / 1e9 : 0.0;
     m_sinceAim.start();
-    if (!m_follow.aim(baseInMap, seconds)) return;
+    m_robot = baseInMap;
+    if (!m_follow.aim(baseInMap, seconds)) return m_glide.stop();
+    m_glide.start();
     m_rest.start();
     if (m_sinceFollowed.isValid() && !m_sinceFollowed.hasExpired(FollowEvery.count())) return;
     m_sinceFollowed.start();

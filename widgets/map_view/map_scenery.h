@@ -27,7 +27,10 @@ public:
 
     void setMap(MapPtr map);
     void setVisible(std::vector<bool> scanIsVisible);
+    /// A camera that followed a robot and does no more stays where it is.
     void setSettings(const MapViewSettings& settings);
+    /// The same, but cameras that follow nothing are where they were left.
+    void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const { return m_order.settings; }
 
     /// The scan of this id stands out; 0: none.
@@ -91,7 +94,9 @@ private:
     SceneContentPtr m_content = std::make_shared<const SceneContent>();
     FramedCamera m_freeCamera, m_topCamera;
     FollowCamera m_follow;
+    Pose m_robot = Pose::Identity();  ///< that was aimed at last
     QElapsedTimer m_sinceAim, m_sinceFollowed;
+    QTimer m_glide;  ///< on to where a robot is of which nothing is told any more
     MapPicture m_picture;
     bool m_wasSettled = false;
     QString m_failure;

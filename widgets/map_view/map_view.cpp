@@ -59,6 +59,14 @@ void MapView::setSettings(const MapViewSettings& settings) {
     update();
 }
 
+void MapView::recall(const MapViewSettings& settings) {
+    m_state->scenery.recall(settings);
+    for (const RobotMark& robot : m_state->robots) {
+        if (robot.selected) m_state->scenery.aim(robot.baseInMap);
+    }
+    update();
+}
+
 const MapViewSettings& MapView::settings() const {
     return m_state->scenery.settings();
 }

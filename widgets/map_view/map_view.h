@@ -48,6 +48,8 @@ public:
 
     /// The top look has a camera of its own; leaving it brings the other one back.
     void setSettings(const MapViewSettings& settings);
+    /// The same, but a camera that follows no robot any more goes back to where it was left.
+    void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const;
 
     /// Looks from a preset side and frames the visible scans; in the top look always straight down.

@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-namespace leitstand {
+#include "core/settings/map_sight.h"
 
-/// The three looks of the paper's Figure 4.
-enum class MapLook : std::uint8_t { Points, Voxels, Top };
+namespace leitstand {
 
 /// What the colour of a point tells.
 enum class MapColouring : std::uint8_t { Label, Scan, Height, Range };
@@ -15,13 +14,6 @@ enum class MapColouring : std::uint8_t { Label, Scan, Height, Range };
 enum class MapPoses : std::uint8_t { Registered, Guess };
 
 enum class CameraPreset : std::uint8_t { Reset, Top, Side };
-
-/// Whether the camera goes with the selected robot; while it does, ceilings are hidden.
-enum class MapFollow : std::uint8_t {
-    Free,
-    Behind,  ///< from behind and above
-    Above,   ///< from straight above, its heading up
-};
 
 enum class Theme : std::uint8_t { Dark, Light };
 

@@ -121,8 +121,9 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
     PadMemory pads(picture ? fs::path()
                            : under(QStandardPaths::GenericConfigLocation, QStringLiteral("pads")));
     LiveWindow window(bridge, remembered.view, {}, std::move(pads));
-    if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
+    if (!options.layout.empty() && !window.layouts().begin(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), Ended{2};
+    if (options.look) window.setLook(*options.look);
     if (demo != nullptr) {
         QObject::connect(demo, &DemoRobots::failed, &window, &LiveWindow::tell);
         demo->start();
@@ -142,8 +143,10 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
     if (demo == nullptr) window.preflight().openWhenSomethingFails();
     window.resize(remembered.firstSize);
     if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
-    if (options.layout.empty() && !remembered.liveLayout.isEmpty())
-        window.layouts().use(remembered.liveLayout);
+    if (options.layout.empty() && !remembered.liveLayout.isEmpty()) {
+        window.layouts().begin(remembered.liveLayout);
+        if (options.look) window.setLook(*options.look);
+    }
     QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
     window.show();
     const int status = QApplication::exec();

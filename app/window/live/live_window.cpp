@@ -75,7 +75,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_alarms = new AlarmsFeature(context);
     m_messages = new MessagesFeature(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
-    m_layouts = new LayoutFeature(context, std::move(layouts));
+    m_layouts = new LayoutFeature(context, std::move(layouts), *m_map);
     (new HelpCommands(*this, KeyColumns::live()))->fill(m_commands->menu(CommandMenu::Help));
     m_commands->adopt(CommandMenu::Help);
     build();
@@ -125,8 +125,14 @@ MapView& LiveWindow::mapView() const {
     return m_map->view();
 }
 
-const MapViewSettings& LiveWindow::view() const {
-    return m_map->settings();
+MapViewSettings LiveWindow::view() const {
+    MapViewSettings view = m_map->settings();
+    view.look = m_layouts->ownSight().look;
+    return view;
+}
+
+void LiveWindow::setLook(MapLook look) {
+    m_map->show({look, m_map->sight().follow});
 }
 
 const QString& LiveWindow::selected() const {

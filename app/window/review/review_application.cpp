@@ -85,8 +85,9 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
     if (options.theme) remembered.view.theme = *options.theme;
     remembered.view.follow = MapFollow::Free;
     ReviewWindow window(bridge, remembered.view);
-    if (!options.layout.empty() && !window.layouts().use(QString::fromStdString(options.layout)))
+    if (!options.layout.empty() && !window.layouts().begin(QString::fromStdString(options.layout)))
         return complain("--layout " + window.newest().toStdString()), 2;
+    if (options.look) window.setLook(*options.look);
     if (picture) return takePicture(bridge, window, options);
     QObject::connect(&window, &ReviewWindow::registerAgainWanted, &window,
                      [&] { registerAgain(bridge.player().folder()); });

@@ -65,7 +65,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
     connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
-    m_layouts = new LayoutFeature(context, std::move(layouts));
+    m_layouts = new LayoutFeature(context, std::move(layouts), *m_map);
     (new HelpCommands(*this, KeyColumns::review()))->fill(m_commands->menu(CommandMenu::Help));
     m_commands->adopt(CommandMenu::Help);
     build();
@@ -130,8 +130,14 @@ MapView& ReviewWindow::mapView() const {
     return m_map->view();
 }
 
-const MapViewSettings& ReviewWindow::view() const {
-    return m_map->settings();
+MapViewSettings ReviewWindow::view() const {
+    MapViewSettings view = m_map->settings();
+    view.look = m_layouts->ownSight().look;
+    return view;
+}
+
+void ReviewWindow::setLook(MapLook look) {
+    m_map->show({look, m_map->sight().follow});
 }
 
 void ReviewWindow::tell(const QString& text) {

@@ -33,7 +33,9 @@ public:
     ~ReviewWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    [[nodiscard]] const MapViewSettings& view() const;  ///< how the map is looked at now
+    /// How the map is looked at now, but the look is the operator's own, not a layout's: to be remembered.
+    [[nodiscard]] MapViewSettings view() const;
+    void setLook(MapLook look);  ///< in the layout in use
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -19,10 +22,26 @@ using detail::YamlErrors;
 using detail::YamlFields;
 using detail::YamlPlace;
 
-constexpr std::string_view LayoutKeys[] = {"title", "panes", "arrangement", "keys", "pad"};
+constexpr std::string_view LayoutKeys[] = {"title", "panes", "arrangement", "map", "keys", "pad"};
 constexpr std::string_view SplitKeys[] = {"pane", "share", "horizontal", "vertical"};
+constexpr std::string_view MapKeys[] = {"look", "follow"};
 constexpr double LeastShare = 0.01, MostShare = 100.0;
 constexpr std::size_t MostParts = 16, LongestText = 128, LongestArrangement = 64U << 10U;
+
+template <class T>
+using Words = std::vector<std::pair<std::string, T>>;
+
+const Words<MapLook>& lookWords() {
+    static const Words<MapLook> words = {
+        {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
+    return words;
+}
+
+const Words<MapFollow>& followWords() {
+    static const Words<MapFollow> words = {
+        {"free", MapFollow::Free}, {"behind", MapFollow::Behind}, {"heading-up", MapFollow::Above}};
+    return words;
+}
 
 bool isId(std::string_view text) {
     return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
@@ -78,6 +97,19 @@ void readWords(const YamlFields& fields, std::string_view key, std::map<std::str
     }
 }
 
+template <class T>
+void readWord(const YamlFields& fields, std::string_view key, const Words<T>& words,
+              std::optional<T>& value) {
+    T found = words.front().second;
+    if (fields.has(key) && fields.choice(key, found, words)) value = found;
+}
+
+void readMap(const YamlPlace& place, LayoutMap& map, YamlErrors& errors) {
+    const YamlFields fields(place, MapKeys, errors);
+    readWord(fields, "look", lookWords(), map.look);
+    readWord(fields, "follow", followWords(), map.follow);
+}
+
 void emitSplit(YAML::Emitter& out, const PaneSplit& split) {
     if (!split.pane.empty()) out << YAML::Flow;
     out << YAML::BeginMap;
@@ -89,6 +121,21 @@ void emitSplit(YAML::Emitter& out, const PaneSplit& split) {
         out << YAML::Key << "pane" << YAML::Value << split.pane;
     }
     if (split.share != 1.0) out << YAML::Key << "share" << YAML::Value << split.share;
+    out << YAML::EndMap;
+}
+
+template <class T>
+void emitWord(YAML::Emitter& out, const char* key, const Words<T>& words, const std::optional<T>& value) {
+    for (const auto& [word, means] : words) {
+        if (means == value) out << YAML::Key << key << YAML::Value << word;
+    }
+}
+
+void emitMap(YAML::Emitter& out, const LayoutMap& map) {
+    if (!map.saysSomething()) return;
+    out << YAML::Key << "map" << YAML::Value << YAML::Flow << YAML::BeginMap;
+    emitWord(out, "look", lookWords(), map.look);
+    emitWord(out, "follow", followWords(), map.follow);
     out << YAML::EndMap;
 }
 
@@ -124,6 +171,7 @@ Result<WindowLayout> parseLayout(std::string_view text, const std::string& name)
             if (fits) layout.arrangement = node.Scalar();
             if (!fits) fields.fail("arrangement", "expected what the window wrote here");
         }
+        if (fields.has("map")) readMap(fields.at("map"), layout.map, errors);
         readWords(fields, "keys", layout.keys, errors);
         readWords(fields, "pad", layout.pad, errors);
     }
@@ -146,6 +194,7 @@ std::string writeLayout(const WindowLayout& layout) {
     out << YAML::Key << "panes" << YAML::Value;
     emitSplit(out, layout.panes);
     if (!layout.arrangement.empty()) out << YAML::Key << "arrangement" << YAML::Value << layout.arrangement;
+    emitMap(out, layout.map);
     emitWords(out, "keys", layout.keys);
     emitWords(out, "pad", layout.pad);
     out << YAML::EndMap << YAML::Newline;

@@ -73,6 +73,50 @@ TEST(LayoutFile, ErrorsTellFileLineAndWhatWasExpected) {
     EXPECT_THAT(errorOf("panes: {pane: map}\nkeys: 3\n"), HasSubstr("keys"));
 }
 
+TEST(LayoutFile, TellsHowTheMapIsLookedAt) {
+    const auto mapOf = [](const std::string& line) {
+        const auto layout = parseLayout("panes: {pane: map}\n" + line, "mine.yaml");
+        EXPECT_TRUE(layout) << layout.error().text;
+        return layout->map;
+    };
+    const LayoutMap whole = mapOf("map: {look: top, follow: heading-up}\n");
+    EXPECT_EQ(whole.look, MapLook::Top);
+    EXPECT_EQ(whole.follow, MapFollow::Above);
+    const LayoutMap half = mapOf("map: {follow: behind}\n");
+    EXPECT_EQ(half.look, std::nullopt) << "what is left out is the operator's own";
+    EXPECT_EQ(half.follow, MapFollow::Behind);
+    EXPECT_EQ(mapOf("map: {look: voxels}\n").look, MapLook::Voxels);
+    EXPECT_FALSE(mapOf("").saysSomething());
+    EXPECT_FALSE(mapOf("map: {}\n").saysSomething());
+}
+
+TEST(LayoutFile, HowTheMapIsLookedAtComesBackAsItWasWritten) {
+    WindowLayout before = parseLayout(Good, "mine.yaml").value();
+    EXPECT_EQ(writeLayout(before).find("map: {"), std::string::npos) << "it says nothing";
+    for (const MapLook look : {MapLook::Points, MapLook::Voxels, MapLook::Top}) {
+        for (const MapFollow follow : {MapFollow::Free, MapFollow::Behind, MapFollow::Above}) {
+            before.map = {look, follow};
+            const auto after = parseLayout(writeLayout(before), "mine.yaml");
+            ASSERT_TRUE(after) << after.error().text;
+            EXPECT_EQ(after->map.look, look);
+            EXPECT_EQ(after->map.follow, follow);
+        }
+    }
+}
+
+TEST(LayoutFile, ErrorsOfTheMapTellLineKeyAndTheWordsThatThereAre) {
+    const std::string panes = "panes: {pane: map}\n";
+    EXPECT_THAT(errorOf(panes + "map:\n  look: topp\n"),
+                HasSubstr("mine.yaml:3: map.look: expected points, voxels or top, found \"topp\""));
+    EXPECT_THAT(errorOf(panes + "map: {follow: above}\n"),
+                HasSubstr("mine.yaml:2: map.follow: expected free, behind or heading-up, found \"above\""));
+    EXPECT_THAT(errorOf(panes + "map: {look: [top]}\n"),
+                HasSubstr("map.look: expected points, voxels or top"));
+    EXPECT_THAT(errorOf(panes + "map: top\n"), HasSubstr("mine.yaml:2: map: expected keys and values"));
+    EXPECT_THAT(errorOf(panes + "map: [top]\n"), HasSubstr("map: expected keys and values"));
+    EXPECT_THAT(errorOf(panes + "map: {folow: free}\n"), HasSubstr("did you mean"));
+}
+
 TEST(LayoutFile, HostileFilesAreErrors) {
     std::string deep = "panes: ";
     for (int i = 0; i < 5'000; ++i) deep += "{vertical: [";
@@ -100,6 +144,17 @@ TEST(LayoutFile, ShippedOnesAreRight) {
             readLayout(std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts/" + name + ".yaml");
         ASSERT_TRUE(layout) << layout.error().text;
         EXPECT_THAT(panesIn(layout->panes), testing::IsSupersetOf({"map", "strip", "alarms"})) << name;
+    }
+}
+
+TEST(LayoutFile, OfTheShippedOnesDriveAloneFollowsTheRobot) {
+    for (const char* name : {"drive", "explore", "map", "review", "link", "report", "compare"}) {
+        const auto layout =
+            readLayout(std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts/" + name + ".yaml");
+        ASSERT_TRUE(layout) << layout.error().text;
+        const bool drive = layout->name == "drive";
+        EXPECT_EQ(layout->map.follow, drive ? MapFollow::Above : MapFollow::Free) << name;
+        EXPECT_EQ(layout->map.look, drive ? std::optional(MapLook::Top) : std::nullopt) << name;
     }
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <QLineF>
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
@@ -149,6 +150,52 @@ TEST(FollowView, EndsWhenTheMapIsPulledAside) {
     view.drag(Qt::LeftButton, {200, 150}, {260, 170});
     EXPECT_EQ(ended.count(), 1);
     EXPECT_EQ(view->settings().follow, MapFollow::Free);
+}
+
+TEST(FollowView, AMapWithoutARobotIsFramedUntilOneIsThere) {
+    ShownView free(liveRoom(), settingsOf(MapLook::Top));
+    ShownView view(liveRoom(), following(MapFollow::Above, MapLook::Top));
+    const Eigen::Vector3d start(0, 0, RoomFloor), corner(3, 1, RoomFloor);
+    for (const Eigen::Vector3d& place : {start, corner}) {
+        EXPECT_NEAR(view.at(place).x(), free.at(place).x(), 0.5);
+        EXPECT_NEAR(view.at(place).y(), free.at(place).y(), 0.5);
+    }
+    const Pose robot = onFloor(1, 0, degrees(30));
+    view->setRobots({kurt3d(robot)});
+    view.settle();
+    const QPointF here = view.at(robot.translation()), ahead = view.at(robot * Eigen::Vector3d(1, 0, 0));
+    EXPECT_NEAR(ahead.x(), here.x(), 3);
+    EXPECT_LT(ahead.y(), here.y() - 10);
+}
+
+TEST(FollowView, ArrivesThoughNothingIsToldOfTheRobotAnyMore) {
+    ShownView view(liveRoom(), following(MapFollow::Above, MapLook::Top));
+    view->setRobots({kurt3d(onFloor(1, 0, 0))});
+    view.settle();
+    const QPointF before = view.at(onFloor(1, 0, 0).translation());
+    view->setRobots({kurt3d(onFloor(2.5, 0.5, 0))});  // once: a review that stands
+    const auto off = [&] {
+        const auto now = view->project(onFloor(2.5, 0.5, 0).translation());
+        return now ? QLineF(*now, before).length() : 1e9;
+    };
+    EXPECT_TRUE(waitFor([&] { return off() < 2.0 && view->settled(); })) << off() << " px off";
+}
+
+TEST(FollowView, TheFreeCameraIsRecalledAsItWasLeft) {
+    ShownView view(liveRoom());
+    view->setRobots({kurt3d(onFloor(1, 0, 0))});
+    view.wheel({200, 120}, 2);
+    view.settle();
+    const Eigen::Vector3d place(2, 0.5, RoomFloor);
+    const QPointF left = view.at(place);
+    for (const MapLook look : {MapLook::Top, MapLook::Points}) {
+        view->recall(following(MapFollow::Behind, look));
+        view.settle();
+        ASSERT_GT(QLineF(view.at(place), left).length(), 10) << "it follows at once";
+        view->recall(settingsOf(MapLook::Points));
+        view.settle();
+        EXPECT_LT(QLineF(view.at(place), left).length(), 0.5);
+    }
 }
 
 TEST(FollowView, AScanIsFramedOnRequest) {

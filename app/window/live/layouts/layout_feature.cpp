@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/map/map_feature.h"
 #include "app/window/live/pane_docks.h"
 
 namespace leitstand {
@@ -57,10 +58,12 @@ std::string nameOf(const QString& title) {
 
 }  // namespace
 
-LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book)
+LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book, MapFeature& map)
     : QObject(&context.window),
       m_context(context),
       m_book(std::move(book)),
+      m_map(map),
+      m_sights(map.sight()),
       m_bar(new QWidget(&context.window)),
       m_row(new QHBoxLayout(m_bar)),
       m_choices(new QActionGroup(this)) {
@@ -165,6 +168,7 @@ bool LayoutFeature::use(const QString& name) {
     }
     m_used = *layout;
     m_context.panes.arrange(m_used);
+    m_map.show(m_sights.enter(m_used, m_map.sight()));
     std::map<QString, QKeySequence> keys;
     for (const auto& [command, text] : m_used.keys)
         keys[QString::fromStdString(command)] = QKeySequence(QString::fromStdString(text));
@@ -177,15 +181,29 @@ bool LayoutFeature::use(const QString& name) {
     return true;
 }
 
+bool LayoutFeature::begin(const QString& name) {
+    if (m_book.find(name.toStdString())) {
+        m_map.show(ownSight());
+        m_sights = LayoutSights(m_map.sight());
+    }
+    return use(name);
+}
+
+MapSight LayoutFeature::ownSight() const {
+    return m_sights.own(m_map.sight());
+}
+
 bool LayoutFeature::saveAs(const QString& title) {
     WindowLayout layout = m_used;
     layout.title = title.toStdString();
     layout.name = nameOf(title);
     layout.arrangement = m_context.panes.arrangement();
+    layout.map = {m_map.sight().look, m_map.sight().follow};
     if (const auto saved = m_book.save(layout); !saved) {
         emit told(QString::fromStdString(saved.error().text));
         return false;
     }
+    m_sights.forget(layout.name);
     fill();
     return use(QString::fromStdString(layout.name));
 }
@@ -206,6 +224,7 @@ void LayoutFeature::forget() {
         emit told(QString::fromStdString(gone.error().text));
         return;
     }
+    m_sights.forget(m_used.name);
     fill();
     std::vector<std::string> errors;
     const auto left = m_book.all(errors);

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "app/session/layouts/layout_book.h"
+#include "app/session/layouts/layout_sights.h"
 #include "app/window/live/live_context.h"
 
 class QAction;
@@ -16,20 +17,26 @@ class QWidget;
 
 namespace leitstand {
 
+class MapFeature;
+
 /// How the live window is arranged: layouts by key, menu and the switch in the top bar, the operator's own
-/// ones as files; camera and map changing places.
+/// ones as files; camera and map changing places. Each has its way to look at the map.
 class LayoutFeature final : public QObject {
     Q_OBJECT
 public:
-    LayoutFeature(const ViewContext& context, LayoutBook book);
+    LayoutFeature(const ViewContext& context, LayoutBook book, MapFeature& map);
 
     /// The switch for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
     [[nodiscard]] const WindowLayout& current() const { return m_used; }
     /// False, and told, when there is none of that name.
     bool use(const QString& name);
-    /// Keeps the arrangement as it is under @p title, with the keys of the layout in use; false, and told,
-    /// when it cannot.
+    /// The same, as the first one of a window: no other says how the map is looked at.
+    bool begin(const QString& name);
+    /// How the operator looks at the map where layouts leave it open.
+    [[nodiscard]] MapSight ownSight() const;
+    /// Keeps arrangement and map as they are under @p title, with the keys of the layout in use; false, and
+    /// told, when it cannot.
     bool saveAs(const QString& title);
 
 signals:
@@ -49,6 +56,8 @@ private:
 
     ViewContext m_context;
     LayoutBook m_book;
+    MapFeature& m_map;
+    LayoutSights m_sights;
     QWidget* m_bar;
     QHBoxLayout* m_row;
     QActionGroup* m_choices;

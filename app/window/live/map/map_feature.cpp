@@ -55,6 +55,14 @@ void MapFeature::describe(std::function<MapSummary(const LiveMoment&)> how) {
     if (m_context.source.moment().scans) showSummary(m_context.source.moment());
 }
 
+void MapFeature::show(const MapSight& sight) {
+    MapViewSettings settings = m_view.settings();
+    settings.look = sight.look;
+    settings.follow = sight.follow;
+    m_pane->view().recall(settings);
+    m_view.set(settings);
+}
+
 MapView& MapFeature::view() const {
     return m_pane->view();
 }

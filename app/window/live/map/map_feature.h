@@ -27,6 +27,9 @@ public:
     [[nodiscard]] MapGestures& gestures() const { return *m_gestures; }
     [[nodiscard]] RobotsOnMap& robots() const { return *m_robots; }
     [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
+    [[nodiscard]] MapSight sight() const { return {settings().look, settings().follow}; }
+    /// Looks at the map so. A camera that follows nothing is where it was left.
+    void show(const MapSight& sight);
     /// The title is what @p how says at a moment, for a map that is shown in place of the source's own;
     /// empty: it is of that again.
     void describe(std::function<MapSummary(const LiveMoment&)> how);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace leitstand {
+
+/// The three looks of the paper's Figure 4.
+enum class MapLook : std::uint8_t { Points, Voxels, Top };
+
+/// Whether the camera goes with the selected robot; while it does, ceilings are hidden.
+enum class MapFollow : std::uint8_t {
+    Free,
+    Behind,  ///< from behind and above
+    Above,   ///< from straight above, its heading up
+};
+
+/// How the map is looked at, as far as a layout has a say in it.
+struct MapSight {
+    MapLook look = MapLook::Points;
+    MapFollow follow = MapFollow::Free;
+    bool operator==(const MapSight&) const = default;
+};
+
+/// What a layout says of that; what it leaves out is the operator's own.
+struct LayoutMap {
+    std::optional<MapLook> look = std::nullopt;
+    std::optional<MapFollow> follow = std::nullopt;
+
+    [[nodiscard]] bool saysSomething() const { return look || follow; }
+};
+
+}  // namespace leitstand
