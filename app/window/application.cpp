@@ -8,6 +8,7 @@
 #include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
+#include "app/window/picture_size.h"
 #include "app/window/review/review_application.h"
 #include "app/window/screenshot.h"
 
@@ -41,10 +42,10 @@ QString languageOf(const Options& options) {
 
 int takeScreenshot(const Options& options) {
     WindowState state;  // what was remembered would make pictures differ from machine to machine
-    state.firstSize = options.size;
+    state.firstSize = windowSizeFor(options.size, qApp->devicePixelRatio());
     applyChoices(options, state.view);
     MainWindow window(state);
-    return screenshot(window, options.scans, QString::fromStdString(options.screenshot));
+    return screenshot(window, options.scans, QString::fromStdString(options.screenshot), options.size);
 }
 
 int showWindow(const Options& options) {

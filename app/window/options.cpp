@@ -11,7 +11,7 @@ constexpr int UsageError = 2;
 constexpr int SmallestSide = 320, LargestSide = 8192;  ///< [px]
 
 /// Reads "1280x800"; an error text otherwise.
-std::string parseSize(const std::string& text, QSize& size) {
+std::string parseSize(const std::string& text, std::optional<QSize>& size) {
     int width = 0, height = 0;
     char end = 0;
     const int found = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end);
@@ -19,7 +19,7 @@ std::string parseSize(const std::string& text, QSize& size) {
     if (found != 2 || !fits(width) || !fits(height)) {
         return "expected WIDTHxHEIGHT from 320x320 to 8192x8192, found \"" + text + "\"";
     }
-    size = {width, height};
+    size = QSize(width, height);
     return {};
 }
 
@@ -51,7 +51,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     app.add_option("--language", options.language, "en, de or ja (as chosen last, else the user's)")
         ->check(CLI::IsMember({"en", "de", "ja"}, CLI::ignore_case).description(""))
         ->type_name("LANGUAGE");
-    app.add_option("--size", size, "Size of the screenshot in pixels (1280x800)")
+    app.add_option("--size", size, "Size of the screenshot in pixels, at any scale (a window of 1280x800)")
         ->type_name("WxH")
         ->needs(screenshot)
         ->check([&options](const std::string& text) { return parseSize(text, options.size); });

@@ -19,7 +19,7 @@ struct Options {
     std::optional<Theme> theme;
     std::string language;        ///< "de"; empty: as remembered, else the user's
     bool registerAgain = false;  ///< a mission is registered anew, not reviewed
-    QSize size{1280, 800};       ///< of the window on a screenshot [px]
+    std::optional<QSize> size;   ///< of the screenshot [px]; none: a window of 1280 x 800
     // The station on live robots:
     bool live = false;                    ///< in place of a window for scans
     bool demo = false;                    ///< with simulated robots of its own

@@ -4,10 +4,10 @@
 
 #include <QApplication>
 #include <QEventLoop>
-#include <QPixmap>
 #include <QTimer>
 
 #include "app/window/main_window.h"
+#include "app/window/picture_size.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -45,7 +45,7 @@ QString whatIsMissing(const MainWindow& window, std::chrono::milliseconds patien
 }  // namespace
 
 int screenshot(MainWindow& window, const Sources& scans, const QString& file,
-               std::chrono::milliseconds patience) {
+               const std::optional<QSize>& pixels, std::chrono::milliseconds patience) {
     int status = 0;
     QObject::connect(&window, &MainWindow::failed, &window, [&status](const QString& why) {
         complain(why);
@@ -60,7 +60,7 @@ int screenshot(MainWindow& window, const Sources& scans, const QString& file,
     // Panels that changed their size with the last scan are laid out before the picture is taken.
     QApplication::processEvents();
     if (!waitUntilShown(window, patience)) return 1;
-    if (!window.grab().save(file)) {
+    if (!pictureOf(window, pixels).save(file)) {
         complain(MainWindow::tr("%1: the picture could not be written").arg(file));
         return 1;
     }

@@ -9,7 +9,6 @@
 #include <QApplication>
 #include <QDateTime>
 #include <QEventLoop>
-#include <QPixmap>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -22,6 +21,7 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
 #include "app/window/live/preflight/preflight_feature.h"
+#include "app/window/picture_size.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -60,14 +60,14 @@ bool waitUntilShown(const LiveWindow& window) {
 }
 
 int takePicture(LiveWindow& window, const Options& options) {
-    window.resize(options.size);
+    window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
     if (!waitUntilShown(window)) {
         complain("no picture after 60 s: " + window.missing().toStdString());
         return 1;
     }
     QApplication::processEvents();
-    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+    if (!pictureOf(window, options.size).save(QString::fromStdString(options.screenshot))) {
         complain(options.screenshot + ": the picture could not be written");
         return 1;
     }

@@ -8,13 +8,13 @@
 
 #include <QApplication>
 #include <QEventLoop>
-#include <QPixmap>
 #include <QTimer>
 
 #include "app/language/language.h"
 #include "app/session/review/review_log.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/main_window.h"
+#include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_window.h"
 
@@ -46,7 +46,7 @@ bool waitUntil(ReviewBridge& bridge, Holds holds) {
 }
 
 int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
-    window.resize(options.size);
+    window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
     // The last moment with robots shows most of a mission: all of its map.
     std::optional<Time> wanted;
@@ -62,7 +62,7 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
         return 1;
     }
     QApplication::processEvents();
-    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+    if (!pictureOf(window, options.size).save(QString::fromStdString(options.screenshot))) {
         complain(options.screenshot + ": the picture could not be written");
         return 1;
     }

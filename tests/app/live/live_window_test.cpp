@@ -1,6 +1,7 @@
 #include "tests/app/live/live_page.h"
 
 #include <cmath>
+#include <set>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -175,6 +176,25 @@ TEST(LiveScreenshot, ShowsTheDemo) {
     EXPECT_EQ(program.wait(), 0) << program.out();
     const QImage picture(file);
     EXPECT_EQ(picture.size(), QSize(1280, 800));
+}
+
+TEST(LiveScreenshot, ShowsAnotherLayoutAtTwiceTheScaleInAsManyPixelsAsAskedFor) {
+    const TestDomain domain;
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("live.png");
+    ChildProcess program(LEITSTAND,
+                         {"--demo", "--domain", std::to_string(domain.number()), "--layout", "explore",
+                          "--screenshot", file.toStdString(), "--size", "3840x2160"},
+                         {"QT_SCALE_FACTOR=2"});
+    EXPECT_EQ(program.wait(), 0) << program.out();
+    const QImage picture(file);
+    ASSERT_EQ(picture.size(), QSize(3840, 2160));
+    // The map is large: in its left half there is something of it.
+    std::set<QRgb> colours;
+    for (int y = 400; y < 1500; ++y) {
+        for (int x = 300; x < 1900; ++x) colours.insert(picture.pixel(x, y));
+    }
+    EXPECT_GT(colours.size(), 3U);
 }
 
 }  // namespace

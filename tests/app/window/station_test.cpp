@@ -25,8 +25,9 @@ protected:
                                         "WAYLAND_DISPLAY",
                                         "-u",
                                         "QT_QPA_PLATFORM",
-                                        "XDG_CONFIG_HOME=" + (m_folder / "config").string(),
-                                        LEITSTAND};
+                                        "XDG_CONFIG_HOME=" + (m_folder / "config").string()};
+        all.insert(all.end(), m_environment.begin(), m_environment.end());
+        all.push_back(LEITSTAND);
         all.insert(all.end(), arguments.begin(), arguments.end());
         return test::runProcess("/usr/bin/env", all);
     }
@@ -34,6 +35,7 @@ protected:
     [[nodiscard]] QImage picture() const { return QImage(QString::fromStdString(file())); }
 
     test::TemporaryFolder m_folder;
+    std::vector<std::string> m_environment;  ///< "NAME=value"
 };
 
 /// How many different colours stand in the map's part of @p picture.
@@ -61,6 +63,21 @@ TEST_F(StationTest, SizeLookAndThemeOfAScreenshotAreChosen) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     ASSERT_EQ(picture().size(), QSize(1000, 700));
     EXPECT_GT(picture().pixelColor(4, 4).lightness(), 200);
+}
+
+TEST_F(StationTest, TheSizeOfAScreenshotIsInPixelsAtAnyScale) {
+    test::writeDrive(m_folder / "room", 2);
+    const std::string room = (m_folder / "room").string();
+    const auto pictured = [&](const char* scale, std::vector<std::string> arguments) {
+        m_environment = {std::string("QT_SCALE_FACTOR=") + scale};
+        arguments.insert(arguments.end(), {"--screenshot", file(), room});
+        const auto outcome = station(arguments);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return picture().size();
+    };
+    EXPECT_EQ(pictured("2", {"--size", "3840x2160"}), QSize(3840, 2160));
+    EXPECT_EQ(pictured("1.5", {"--size", "2401x1501"}), QSize(2401, 1501));
+    EXPECT_EQ(pictured("2", {}), QSize(2560, 1600)) << "the usual window";
 }
 
 TEST_F(StationTest, ScreenshotsOfTheHallShowIt) {
