@@ -4222,10 +4222,6 @@ F1 listet alle Tasten</translation>
         <translation>QoS in der Roboterdatei ändern</translation>
     </message>
     <message>
-        <source>Works; set the robot's clock for logs of others</source>
-        <translation>Geht; für Logs anderer die Uhr des Roboters stellen</translation>
-    </message>
-    <message>
         <source>Wait a moment</source>
         <translation>Einen Moment warten</translation>
     </message>
@@ -4312,6 +4308,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>No result: %1</source>
         <translation>Kein Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>It may drop every drive command as too old: set its clock (NTP)</source>
+        <translation>Er verwirft womöglich jeden Fahrbefehl als zu alt: seine Uhr stellen (NTP)</translation>
     </message>
 </context>
 <context>
@@ -4714,14 +4714,6 @@ F1 listet alle Tasten</translation>
         <translation>Ordner für den Bericht</translation>
     </message>
     <message>
-        <source>The report in %1 is not whole: look at its messages</source>
-        <translation>Der Bericht in %1 ist unvollständig: siehe seine Meldungen</translation>
-    </message>
-    <message>
-        <source>Report written into %1</source>
-        <translation>Bericht geschrieben in %1</translation>
-    </message>
-    <message>
         <source>The report goes on into %1</source>
         <translation>Der Bericht geht weiter nach %1</translation>
     </message>
@@ -4804,6 +4796,18 @@ F1 listet alle Tasten</translation>
         <source>robot's pose</source>
         <translation>Pose des Roboters</translation>
     </message>
+    <message>
+        <source>{} of an earlier report cannot be removed: {}</source>
+        <translation>{} eines früheren Berichts lässt sich nicht entfernen: {}</translation>
+    </message>
+    <message>
+        <source>Report written into {}</source>
+        <translation>Bericht geschrieben in {}</translation>
+    </message>
+    <message>
+        <source>The report in {} is not whole: {}</source>
+        <translation>Der Bericht in {} ist unvollständig: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewComparison</name>
@@ -4828,14 +4832,6 @@ F1 listet alle Tasten</translation>
     <message>
         <source>The report is being written into %1</source>
         <translation>Der Bericht wird nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>The report in %1 is not whole: look at its messages</source>
-        <translation>Der Bericht in %1 ist unvollständig: siehe seine Meldungen</translation>
-    </message>
-    <message>
-        <source>Report written into %1</source>
-        <translation>Bericht geschrieben in %1</translation>
     </message>
 </context>
 <context>
@@ -5287,6 +5283,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>set aside</source>
         <translation>beiseite</translation>
+    </message>
+    <message>
+        <source>motion partly guessed</source>
+        <translation>Bewegung teils geschätzt</translation>
+    </message>
+    <message>
+        <source>Motion partly guessed: odometry was missing or late within the scan. Look whether its walls are bent.</source>
+        <translation>Bewegung teils geschätzt: im Scan fehlte Odometrie oder kam zu spät. Nachsehen, ob seine Wände krumm sind.</translation>
     </message>
 </context>
 <context>

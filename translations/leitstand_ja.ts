@@ -4222,10 +4222,6 @@ F1 でキー一覧</translation>
         <translation>ロボットファイルの QoS を変更</translation>
     </message>
     <message>
-        <source>Works; set the robot's clock for logs of others</source>
-        <translation>動作に支障なし。他者のログのためロボットの時計を合わせる</translation>
-    </message>
-    <message>
         <source>Wait a moment</source>
         <translation>しばらく待つ</translation>
     </message>
@@ -4312,6 +4308,10 @@ F1 でキー一覧</translation>
     <message>
         <source>No result: %1</source>
         <translation>結果なし: %1</translation>
+    </message>
+    <message>
+        <source>It may drop every drive command as too old: set its clock (NTP)</source>
+        <translation>古すぎるとして走行コマンドをすべて捨てることがあります。時計を合わせてください (NTP)</translation>
     </message>
 </context>
 <context>
@@ -4714,14 +4714,6 @@ F1 でキー一覧</translation>
         <translation>報告書のフォルダー</translation>
     </message>
     <message>
-        <source>The report in %1 is not whole: look at its messages</source>
-        <translation>%1 の報告書は不完全: メッセージを確認</translation>
-    </message>
-    <message>
-        <source>Report written into %1</source>
-        <translation>報告書を %1 に書き出した</translation>
-    </message>
-    <message>
         <source>The report goes on into %1</source>
         <translation>報告書を引き続き %1 に書き出す</translation>
     </message>
@@ -4804,6 +4796,18 @@ F1 でキー一覧</translation>
         <source>robot's pose</source>
         <translation>ロボットの姿勢</translation>
     </message>
+    <message>
+        <source>{} of an earlier report cannot be removed: {}</source>
+        <translation>以前の報告書の {} を削除できません: {}</translation>
+    </message>
+    <message>
+        <source>Report written into {}</source>
+        <translation>報告書を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>The report in {} is not whole: {}</source>
+        <translation>{} の報告書は不完全です: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewComparison</name>
@@ -4828,14 +4832,6 @@ F1 でキー一覧</translation>
     <message>
         <source>The report is being written into %1</source>
         <translation>報告書を %1 に書き出している</translation>
-    </message>
-    <message>
-        <source>The report in %1 is not whole: look at its messages</source>
-        <translation>%1 の報告書は不完全：メッセージを参照</translation>
-    </message>
-    <message>
-        <source>Report written into %1</source>
-        <translation>報告書を %1 に書き出した</translation>
     </message>
 </context>
 <context>
@@ -5287,6 +5283,14 @@ F1 でキー一覧</translation>
     <message>
         <source>set aside</source>
         <translation>除外</translation>
+    </message>
+    <message>
+        <source>motion partly guessed</source>
+        <translation>動きの一部が推定</translation>
+    </message>
+    <message>
+        <source>Motion partly guessed: odometry was missing or late within the scan. Look whether its walls are bent.</source>
+        <translation>動きの一部が推定: スキャン中のオドメトリが欠けたか遅れました。壁が曲がっていないか確かめてください。</translation>
     </message>
 </context>
 <context>
