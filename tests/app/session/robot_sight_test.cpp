@@ -1,5 +1,6 @@
 #include "app/session/station/robot_sight.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr Time Stamp{std::chrono::seconds(1'000)};
 constexpr double BoardAt = 1.5;  ///< ahead [m]
+constexpr double Free = std::numeric_limits<double>::infinity();
 
 RobotDescription robotOf(double height) {
     RobotDescription robot;
@@ -39,46 +41,64 @@ Event eventOf(StreamRole role, const std::string& sensor, Sample sample) {
     return event;
 }
 
-/// A floor ahead, and a board across it whose lower edge is @p under above it.
-CloudSample boardOver(double under) {
-    CloudSample cloud;
-    cloud.header = {Stamp, "laser"};
-    const auto add = [&cloud](double x, double y, double z) {
-        cloud.points.push_back(Eigen::Vector3d(x, y, z - 0.5).cast<float>());
-    };
-    for (double y = -0.6; y < 0.6; y += 0.01) {
-        for (double x = 0.5; x < 4.0; x += 0.05) add(x, y, 0.0);
-        for (double z = under; z < under + 0.1; z += 0.02) add(BoardAt, y, z);
+/// What the scanner sees of a floor ahead that ends at @p end.
+class Ground {
+public:
+    explicit Ground(double end) {
+        m_cloud.header = {Stamp, "laser"};
+        for (double x = 0.5; x < end; x += 0.05) across(x, 0.0);
     }
-    return cloud;
+    /// Points in a row across the way, at @p x ahead and @p z above the ground.
+    void across(double x, double z) {
+        for (int i = -60; i <= 60; ++i)
+            m_cloud.points.push_back(Eigen::Vector3d(x, 0.01 * i, z - 0.5).cast<float>());
+    }
+    [[nodiscard]] const CloudSample& cloud() const { return m_cloud; }
+
+private:
+    CloudSample m_cloud;
+};
+
+/// A floor, and a board across the way whose lower edge is @p under above it.
+CloudSample boardOver(double under) {
+    Ground ground(4.0);
+    for (int i = 0; i < 5; ++i) ground.across(BoardAt, under + 0.02 * i);
+    return ground.cloud();
+}
+
+/// A floor that rises by @p slope from @p begin on, for a metre.
+CloudSample rampFrom(double begin, double slope) {
+    Ground ground(begin);
+    for (double way = 0.0; way < 1.0; way += 0.02) ground.across(begin + way, way * std::tan(slope));
+    return ground.cloud();
 }
 
 /// Distance of what a robot would run into straight ahead [m]; infinite: nothing.
-double aheadOf(const RobotDescription& robot, double under) {
+double aheadOf(const RobotDescription& robot, const CloudSample& cloud) {
     RobotSight sight(robot);
     const SteadyTime now = std::chrono::steady_clock::now();
     OdometrySample odometry;
     odometry.header = {Stamp, "odom"};
     odometry.childFrame = "base_link";
     sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
-    sight.take(eventOf(StreamRole::Points, "scanner", boardOver(under)), now);
+    sight.take(eventOf(StreamRole::Points, "scanner", cloud), now);
     const auto view = sight.view(now);
     return view ? view->nearest(degrees(-6), degrees(6)) : -1.0;
 }
 
 TEST(RobotSight, ShowsABoardThatATallRobotRunsInto) {
-    constexpr double Free = std::numeric_limits<double>::infinity();
-    EXPECT_NEAR(aheadOf(robotOf(1.2), 0.9), BoardAt, 0.1);
-    EXPECT_EQ(aheadOf(robotOf(0.65), 0.9), Free);
-    EXPECT_NEAR(aheadOf(robotOf(0.65), 0.68), BoardAt, 0.1) << "too little to be sure of";
-    EXPECT_EQ(aheadOf(robotOf(0.35), 0.68), Free) << "a low one drives under it";
+    EXPECT_NEAR(aheadOf(robotOf(1.2), boardOver(0.9)), BoardAt, 0.1);
+    EXPECT_EQ(aheadOf(robotOf(0.65), boardOver(0.9)), Free);
+    EXPECT_NEAR(aheadOf(robotOf(0.65), boardOver(0.68)), BoardAt, 0.1) << "too little to be sure of";
+    EXPECT_EQ(aheadOf(robotOf(0.35), boardOver(0.68)), Free) << "a low one drives under it";
 }
 
 TEST(RobotSight, TakesARampForFloorWhereTheRobotClimbsIt) {
-    RobotDescription robot = robotOf(1.2);
-    EXPECT_NEAR(aheadOf(robot, 0.9), BoardAt, 0.1);
-    robot.maxClimb = degrees(40);  // so steep a ramp would lead onto the board
-    EXPECT_EQ(aheadOf(robot, 0.9), std::numeric_limits<double>::infinity());
+    RobotDescription robot = robotOf(0.65);
+    const double beginsAt = 1.5;
+    EXPECT_NEAR(aheadOf(robot, rampFrom(beginsAt, degrees(30))), beginsAt + 0.4, 0.35);
+    robot.maxClimb = degrees(35);
+    EXPECT_EQ(aheadOf(robot, rampFrom(beginsAt, degrees(30))), Free);
 }
 
 /// A robot with a colour camera and an infrared one, and no scanner.
