@@ -89,10 +89,10 @@ void MapScenery::setSettings(const MapViewSettings& settings) {
 
 void MapScenery::recall(const MapViewSettings& settings) {
     if (settings == m_order.settings) return;
-    const FramedCamera free = m_freeCamera, top = m_topCamera;
+    const FramedCamera leftFree = m_freeCamera, leftTop = m_topCamera;
     setSettings(settings);
-    m_freeCamera = free;
-    m_topCamera = top;
+    m_freeCamera = leftFree;
+    m_topCamera = leftTop;
     // The view may have another size by now.
     if (!following() && activeCamera().follows) frame();
 }
@@ -106,6 +106,7 @@ void MapScenery::setHighlighted(std::uint64_t id) {
 void MapScenery::startFollowing() {
     m_follow.start(m_order.settings.follow, m_order.settings.look == MapLook::Top);
     m_sinceAim.invalidate();
+    m_glide.stop();
 }
 
 bool MapScenery::following() const {

@@ -153,12 +153,12 @@ TEST(FollowView, EndsWhenTheMapIsPulledAside) {
 }
 
 TEST(FollowView, AMapWithoutARobotIsFramedUntilOneIsThere) {
-    ShownView free(liveRoom(), settingsOf(MapLook::Top));
+    ShownView framed(liveRoom(), settingsOf(MapLook::Top));
     ShownView view(liveRoom(), following(MapFollow::Above, MapLook::Top));
     const Eigen::Vector3d start(0, 0, RoomFloor), corner(3, 1, RoomFloor);
     for (const Eigen::Vector3d& place : {start, corner}) {
-        EXPECT_NEAR(view.at(place).x(), free.at(place).x(), 0.5);
-        EXPECT_NEAR(view.at(place).y(), free.at(place).y(), 0.5);
+        EXPECT_NEAR(view.at(place).x(), framed.at(place).x(), 0.5);
+        EXPECT_NEAR(view.at(place).y(), framed.at(place).y(), 0.5);
     }
     const Pose robot = onFloor(1, 0, degrees(30));
     view->setRobots({kurt3d(robot)});

@@ -37,6 +37,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
         if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
         m_pane->view().setSettings(settings);
+        showSummaryNow();  // a review that stands has no tick
     });
     m_pane->view().setSettings(m_view.settings());
     m_gestures = new MapGestures(m_pane->view(), this);
@@ -50,9 +51,13 @@ void MapFeature::showSummary(const LiveMoment& moment) {
         liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now));
 }
 
+void MapFeature::showSummaryNow() {
+    if (m_context.source.moment().scans) showSummary(m_context.source.moment());
+}
+
 void MapFeature::describe(std::function<MapSummary(const LiveMoment&)> how) {
     m_describe = std::move(how);
-    if (m_context.source.moment().scans) showSummary(m_context.source.moment());
+    showSummaryNow();
 }
 
 void MapFeature::show(const MapSight& sight) {

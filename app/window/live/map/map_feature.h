@@ -39,6 +39,7 @@ public:
 private:
     void addCommands();
     void showSummary(const LiveMoment& moment);
+    void showSummaryNow();
 
     ViewContext m_context;
     ViewState m_view;
