@@ -16,19 +16,26 @@ ColumnFitter::ColumnFitter(QTableView& table, std::vector<int> givingWay, int st
     constexpr int RowsInSight = 0;
     table.horizontalHeader()->setResizeContentsPrecision(RowsInSight);
     const QAbstractItemModel* model = table.model();
-    connect(model, &QAbstractItemModel::dataChanged, this, &ColumnFitter::fit);
-    connect(model, &QAbstractItemModel::rowsInserted, this, &ColumnFitter::fit);
-    connect(model, &QAbstractItemModel::rowsRemoved, this, &ColumnFitter::fit);
-    connect(model, &QAbstractItemModel::modelReset, this, &ColumnFitter::fit);
+    connect(model, &QAbstractItemModel::dataChanged, this, &ColumnFitter::change);
+    connect(model, &QAbstractItemModel::rowsInserted, this, &ColumnFitter::change);
+    connect(model, &QAbstractItemModel::rowsRemoved, this, &ColumnFitter::change);
+    connect(model, &QAbstractItemModel::modelReset, this, &ColumnFitter::change);
     fit();
 }
 
 bool ColumnFitter::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) fit();
+    if (event->type() == QEvent::Resize || (event->type() == QEvent::Show && m_changed)) fit();
     return QObject::eventFilter(watched, event);
 }
 
+/// What nobody sees is measured when it is shown: hidden tables take all their rows for seen.
+void ColumnFitter::change() {
+    m_changed = true;
+    if (m_table.isVisible()) fit();
+}
+
 void ColumnFitter::fit() {
+    m_changed = false;
     QHeaderView* header = m_table.horizontalHeader();
     std::vector<int> widths;
     int needed = 0;

@@ -20,11 +20,13 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void change();
     void fit();
 
     QTableView& m_table;
     std::vector<int> m_givingWay;
     int m_stretched;
+    bool m_changed = false;  ///< since it was fitted
 };
 
 }  // namespace leitstand

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double ScanMarkSize = 9.0, CrowdedMarkSize = 5.0, MeasureMarkRadius = 4.0;  ///< [px]
 constexpr double DiamondSize = 9.0, HighlightRadius = 15.0;                           ///< [px]
-constexpr double SamePlace = 2.0;        ///< of two marks: one of them is painted [px]
+constexpr double SamePlace = 4.0;        ///< of two marks: one of them is painted [px]
 constexpr std::size_t CrowdedFrom = 20;  ///< scans
 
 /// The part of the first scan's floor plane that a parallel view from above shows.

@@ -6,7 +6,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
+#include <QVector>
 
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
@@ -196,36 +196,61 @@ void paintRobot(QPainter& painter, const MapProjection& projection, const RobotM
     paintBadge(painter, projection, robot, large ? 6.0 : ArrowSize, style);
 }
 
-/// Where @p robot has been, on screen; a way that was driven before is there once.
-QPainterPath trailOf(const RobotMark& robot, const MapProjection& projection) {
+/// A line is drawn and left out by turns, so far [px]; it is drawn all along where nothing is left out. What
+/// is drawn is a pen's width longer.
+struct Dashes {
+    double drawn, out;
+};
+
+Dashes dashesOf(const RobotMark& robot) {
+    switch (robot.face.place % 3) {
+        case 0:
+            return {1.0, 0.0};
+        case 1:
+            return {6.0, 6.0};
+        default:
+            return {0.5, 5.5};
+    }
+}
+
+/// Adds what is drawn of the line, which begins @p along the way, to @p lines.
+void addDashed(QVector<QLineF>& lines, const QLineF& line, double along, const Dashes& dashes) {
+    const double length = line.length();
+    if (dashes.out == 0.0) {
+        lines << line;
+        return;
+    }
+    const double period = dashes.drawn + dashes.out;
+    for (double dash = std::floor(along / period) * period; dash < along + length; dash += period) {
+        const double from = std::max(dash - along, 0.0), to = std::min(dash + dashes.drawn - along, length);
+        if (to > from) lines << QLineF(line.pointAt(from / length), line.pointAt(to / length));
+    }
+}
+
+/// Where @p robot has been, on screen; a way that was driven before is there once. Short lines are painted in
+/// a fraction of the time that a path takes.
+QVector<QLineF> trailOf(const RobotMark& robot, const MapProjection& projection) {
     constexpr double LeastStep = 2.0, Beside = 2.0;  // [px]
+    constexpr double Longest = 4000.0;               // of which most is outside: it is not dashed [px]
     PaintedCells painted(projection.size(), Beside);
-    QPainterPath path;
+    QVector<QLineF> lines;
     std::optional<QPointF> last;
-    bool drawn = false;  // up to the last
+    double along = 0.0;
     const auto lineTo = [&](const Eigen::Vector3d& place, bool always) {
         const auto at = seen(projection, place);
         if (at && last && !always && (*at - *last).manhattanLength() < LeastStep) return;
-        const bool draws = at && last && (painted.takeLine(*last, *at) || always);
-        if (draws && !drawn) path.moveTo(*last);
-        if (draws) path.lineTo(*at);
-        drawn = draws;
+        if (at && last) {
+            const QLineF line(*last, *at);
+            const double length = line.length();
+            if (painted.takeLine(*last, *at) || always)
+                addDashed(lines, line, along, length < Longest ? dashesOf(robot) : Dashes{1.0, 0.0});
+            if (length < Longest) along += length;
+        }
         last = at;
     };
     for (const Eigen::Vector3f& place : *robot.trail) lineTo(place.cast<double>(), false);
     lineTo(robot.baseInMap.translation(), true);
-    return path;
-}
-
-Qt::PenStyle dashesOf(const RobotMark& robot) {
-    switch (robot.face.place % 3) {
-        case 0:
-            return Qt::SolidLine;
-        case 1:
-            return Qt::DashLine;
-        default:
-            return Qt::DotLine;
-    }
+    return lines;
 }
 
 }  // namespace
@@ -235,8 +260,8 @@ void paintTrails(QPainter& painter, const MapProjection& projection, const std::
     painter.setBrush(Qt::NoBrush);
     for (const RobotMark& robot : robots) {
         if (!robot.trail || robot.trail->empty()) continue;
-        painter.setPen(QPen(asColour(style.colours.trail), 2.0, dashesOf(robot), Qt::FlatCap, Qt::RoundJoin));
-        painter.drawPath(trailOf(robot, projection));
+        painter.setPen(QPen(asColour(style.colours.trail), 2.0, Qt::SolidLine, Qt::SquareCap));
+        painter.drawLines(trailOf(robot, projection));
         const auto began = seen(projection, robot.trail->front().cast<double>());
         if (!began) continue;
         painter.setFont(sized(style.font, 11, true));
