@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds RestAfter(120);
 /// Between pictures while the camera goes with a robot: no hand waits for them.
-constexpr std::chrono::milliseconds FollowEvery(60);
+constexpr std::chrono::milliseconds FollowEvery(90);
 /// Longer than between what is told of a robot, 30 times a second.
 constexpr std::chrono::milliseconds GlideEvery(50);
 

@@ -27,7 +27,7 @@ namespace leitstand {
 namespace {
 
 constexpr double PointSize = 2.0;  ///< [logical px]
-/// One that is overtaken soon. While a robot drives there are fifteen a second, beside all else that a
+/// One that is overtaken soon. While a robot drives there are ten a second, beside all else that a
 /// station does.
 constexpr DetailBudget::Seconds QuickPicture(0.03);
 constexpr std::size_t Many = 40;              ///< scans; of more, a sample is drawn first
