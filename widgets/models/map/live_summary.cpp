@@ -38,7 +38,8 @@ MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now, 
     if (!kind.isEmpty()) title += kind;
     if (scans > 0) {
         title += scans == 1 ? Say::tr("1 key scan") : Say::tr("%1 key scans").arg(countText(scans));
-        title += Say::tr("%1 points").arg(shortCountText(points));
+        // A map that follows is a small one beside a picture.
+        if (followed.isEmpty()) title += Say::tr("%1 points").arg(shortCountText(points));
     }
     if (!followed.isEmpty()) title += Say::tr("follows %1").arg(followed);
     summary.title = title.join(QStringLiteral(" · "));
