@@ -61,7 +61,14 @@ TEST(ScoreFile, ShippedProfilesAreReadAndTellWhatIsUnconfirmed) {
     EXPECT_EQ(old.areas.at("orange"), 0.75);
     EXPECT_EQ(all.find("2019")->autonomous, 2.0);
     EXPECT_EQ(all.find("none such")->name, "2019") << "the newest";
-    for (const ScoreProfile& profile : all.profiles) EXPECT_FALSE(profile.unconfirmed.empty());
+    for (const ScoreProfile& profile : all.profiles) {
+        // What no readable source has, whether the file tells a value or leaves it at nothing.
+        for (const char* value : {"areas", "points", "area_bump", "victim_bump", "operators"})
+            EXPECT_THAT(profile.unconfirmed, testing::Contains(value)) << profile.name;
+    }
+    EXPECT_EQ(all.find("2013")->minutes, 20.0);
+    EXPECT_EQ(all.find("2019")->minutes, 23.0);
+    EXPECT_EQ(all.find("2019")->semiAutonomous, 1.5);
 }
 
 TEST(ScoreFile, TheUsersProfileReplacesTheShippedAndABrokenOneIsTold) {
