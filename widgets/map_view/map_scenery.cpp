@@ -12,6 +12,8 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds RestAfter(120);
+/// A robot that stops goes on mostly: what is begun then is overtaken.
+constexpr std::chrono::milliseconds FollowRestAfter(500);
 /// Between pictures while the camera goes with a robot: no hand waits for them.
 constexpr std::chrono::milliseconds FollowEvery(90);
 /// Longer than between what is told of a robot, 30 times a second.
@@ -55,7 +57,6 @@ MapScenery::MapScenery(QWidget& view)
               this, [this, content = std::move(content)] { takeContent(content); }, Qt::QueuedConnection);
       }) {
     m_rest.setSingleShot(true);
-    m_rest.setInterval(RestAfter);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(true); });
     m_glide.setSingleShot(true);
     m_glide.setInterval(GlideEvery);
@@ -120,7 +121,7 @@ void MapScenery::aim(const Pose& baseInMap) {
     m_robot = baseInMap;
     if (!m_follow.aim(baseInMap, seconds)) return m_glide.stop();
     m_glide.start();
-    m_rest.start();
+    m_rest.start(FollowRestAfter);
     if (m_sinceFollowed.isValid() && !m_sinceFollowed.hasExpired(FollowEvery.count())) return;
     m_sinceFollowed.start();
     draw(false);
@@ -167,7 +168,7 @@ void MapScenery::moveCamera(const MapCamera& camera) {
         activeCamera() = {camera, false, false, false};
     }
     draw(false);
-    m_rest.start();
+    m_rest.start(RestAfter);
 }
 
 void MapScenery::setCamera(CameraPreset preset) {

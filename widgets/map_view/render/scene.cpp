@@ -29,7 +29,7 @@ namespace {
 constexpr double PointSize = 2.0;  ///< [logical px]
 /// One that is overtaken soon. While a robot drives there are ten a second, beside all else that a
 /// station does.
-constexpr DetailBudget::Seconds QuickPicture(0.03);
+constexpr DetailBudget::Seconds QuickPicture(0.02);
 constexpr std::size_t Many = 40;              ///< scans; of more, a sample is drawn first
 constexpr std::size_t MostSampled = 300'000;  ///< points of it
 
