@@ -41,7 +41,7 @@ protected:
                                            std::string(Unnamed) + "_victims.csv"}));
     }
     void writeMission(const char* name) const {
-        writeSampleMission(m_folder / name, {.scans = 0, .odometry = 0, .finds = false, .info = false});
+        writeSampleMission(m_folder / name, {.scans = 0, .odometry = 2, .finds = false, .info = false});
     }
     /// Its station goes on, and the operator fills in what it is.
     void nameIt() const {

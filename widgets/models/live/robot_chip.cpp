@@ -56,6 +56,8 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
         joined({trip, battery, mode}),
         joined({battery, mode}),
     };
+    // The battery of a robot that says nothing is an old one: a bar that is full goes without.
+    if (!talks) chip.texts += mode;
     chip.texts.removeDuplicates();
     chip.details = ChipTexts::tr("%1 (%2): %3 · link %4")
                        .arg(face.title, face.letter, joined({mode, label.reason, battery}),
