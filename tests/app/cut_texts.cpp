@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -56,6 +57,8 @@ bool isCut(const QComboBox& box) {
 }  // namespace
 
 QStringList cutTexts(const QWidget& window) {
+    // A text that has just changed has its room only after it is laid out.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     QStringList cut;
     const auto name = [](const QWidget& widget) {
         const QString own = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();

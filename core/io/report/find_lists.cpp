@@ -92,8 +92,9 @@ Result<void> readHead(CsvReader& reader, Head& head) {
             }
             return {};
         }
+        // A team or a country that nobody told is an empty line between others.
         const bool empty = fields.size() == 1 && fields.front().empty();
-        if (!empty) head.lines.push_back(fields.front());
+        if (!empty || !head.lines.empty()) head.lines.push_back(fields.front());
         if (head.lines.size() > 20) break;
     }
     if (const auto failure = reader.failure()) return *failure;

@@ -112,6 +112,19 @@ TEST(FindLists, AreReadAgain) {
     EXPECT_EQ(textOf(*read), readText(folder / "a_pois.csv"));
 }
 
+TEST(FindLists, AreReadAgainWhereNobodyToldTeamOrCountry) {
+    const TemporaryFolder folder;
+    FindList list = pois();
+    list.team = list.country = "";
+    ASSERT_TRUE(writeFindList(folder / "pois.csv", list));
+    const auto read = readFindList(folder / "pois.csv");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->date, list.date);
+    EXPECT_EQ(read->time, list.time);
+    EXPECT_EQ(read->mission, list.mission);
+    EXPECT_EQ(textOf(*read), textOf(list));
+}
+
 TEST(FindLists, OthersFilesAreReadLeniently) {
     const TemporaryFolder folder;
     writeText(folder / "b.csv",
