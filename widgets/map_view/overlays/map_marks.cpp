@@ -73,21 +73,29 @@ void paintUncertainPosition(QPainter& painter, const QPointF& at, const OverlayS
     painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QStringLiteral("?"));
 }
 
-/// What marks where a scan was taken: painted once for all of them.
-QPixmap scanSquare(double size, double pixelRatio, const OverlayStyle& style) {
-    const double room = size + 3.0;  // for its edge
-    const int side = static_cast<int>(std::ceil(room * pixelRatio));
-    QPixmap pixmap(side, side);
+/// A mark of @p side around its middle, painted once for all that look the same.
+template <class Paint>
+QPixmap markOf(double side, double pixelRatio, Paint paint) {
+    const int pixels = static_cast<int>(std::ceil(side * pixelRatio));
+    QPixmap pixmap(pixels, pixels);
     pixmap.setDevicePixelRatio(pixelRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
+    paint(painter, QPointF(pixels, pixels) / pixelRatio / 2.0);
+    return pixmap;
+}
+
+void paintCertainPosition(QPainter& painter, const QPointF& at, double size, const OverlayStyle& style) {
     painter.setPen(
         QPen(asColour(style.colours.markerEdge), 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.setBrush(asColour(style.colours.scanPosition));
-    const double inset = (side / pixelRatio - size) / 2.0;
-    painter.drawRect(QRectF(inset, inset, size, size));
-    return pixmap;
+    painter.drawRect(QRectF(at - QPointF(size, size) / 2, QSizeF(size, size)));
+}
+
+/// Paints @p mark around @p at.
+void paintMark(QPainter& painter, const QPointF& at, const QPixmap& mark) {
+    painter.drawPixmap(at - QPointF(mark.width(), mark.height()) / mark.devicePixelRatio() / 2.0, mark);
 }
 
 }  // namespace
@@ -138,14 +146,20 @@ void paintScanPositions(QPainter& painter, const MapProjection& projection, cons
     }
     // Many small ones do not hide the map.
     const double size = marks.size() > CrowdedFrom ? CrowdedMarkSize : ScanMarkSize;
-    const QPixmap square = scanSquare(size, painter.device()->devicePixelRatioF(), style);
-    const QPointF corner = QPointF(square.width(), square.height()) / square.devicePixelRatio() / 2.0;
-    PaintedCells painted(projection.size(), SamePlace);
+    constexpr double Edge = 4.0;  // room for it [px]
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QPixmap square = markOf(size + Edge, ratio, [&](QPainter& mark, const QPointF& middle) {
+        paintCertainPosition(mark, middle, size, style);
+    });
+    const QPixmap diamond =
+        markOf(2.0 * DiamondSize + Edge, ratio,
+               [&](QPainter& mark, const QPointF& middle) { paintUncertainPosition(mark, middle, style); });
+    PaintedCells certain(projection.size(), SamePlace), uncertain(projection.size(), SamePlace);
     for (const Mark& mark : marks) {
-        if (!mark.scan->uncertain && painted.take(mark.at)) painter.drawPixmap(mark.at - corner, square);
+        if (!mark.scan->uncertain && certain.take(mark.at)) paintMark(painter, mark.at, square);
     }
     for (const Mark& mark : marks) {
-        if (mark.scan->uncertain) paintUncertainPosition(painter, mark.at, style);
+        if (mark.scan->uncertain && uncertain.take(mark.at)) paintMark(painter, mark.at, diamond);
     }
 }
 
