@@ -58,6 +58,9 @@ MapScenery::MapScenery(QWidget& view)
       }) {
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(true); });
+    m_followed.setSingleShot(true);
+    m_followed.setInterval(FollowEvery);
+    connect(&m_followed, &QTimer::timeout, this, [this] { drawFollowing(); });
     m_glide.setSingleShot(true);
     m_glide.setInterval(GlideEvery);
     connect(&m_glide, &QTimer::timeout, this, [this] { aim(m_robot); });
@@ -122,8 +125,14 @@ void MapScenery::aim(const Pose& baseInMap) {
     if (!m_follow.aim(baseInMap, seconds)) return m_glide.stop();
     m_glide.start();
     m_rest.start(FollowRestAfter);
-    if (m_sinceFollowed.isValid() && !m_sinceFollowed.hasExpired(FollowEvery.count())) return;
-    m_sinceFollowed.start();
+    m_wentOn = true;
+    if (!m_followed.isActive()) drawFollowing();
+}
+
+/// Once in FollowEvery, wherever in it the robot was told of.
+void MapScenery::drawFollowing() {
+    if (!std::exchange(m_wentOn, false)) return;
+    m_followed.start();
     draw(false);
 }
 

@@ -80,6 +80,7 @@ private:
 
     [[nodiscard]] FramedCamera& activeCamera();
     void startFollowing();
+    void drawFollowing();
     [[nodiscard]] DrawOrder drawOrder(bool full) const;
     [[nodiscard]] bool showsEverything(const MapPicture& picture) const;
     void submit();
@@ -95,8 +96,10 @@ private:
     FramedCamera m_freeCamera, m_topCamera;
     FollowCamera m_follow;
     Pose m_robot = Pose::Identity();  ///< that was aimed at last
-    QElapsedTimer m_sinceAim, m_sinceFollowed;
-    QTimer m_glide;  ///< on to where a robot is of which nothing is told any more
+    QElapsedTimer m_sinceAim;
+    QTimer m_followed;      ///< runs until the camera that goes with a robot is drawn again
+    bool m_wentOn = false;  ///< since it was drawn
+    QTimer m_glide;         ///< on to where a robot is of which nothing is told any more
     MapPicture m_picture;
     bool m_wasSettled = false;
     QString m_failure;
