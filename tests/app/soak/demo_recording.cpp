@@ -34,6 +34,7 @@ constexpr double Gently = 0.1;                ///< [m/s]
 constexpr double Turn = 0.4;                  ///< [rad/s]
 constexpr double Aligned = 0.1;               ///< with how it stood at first [rad]
 constexpr std::chrono::seconds Stuck(4);      ///< a turn that gets nowhere for so long is blocked
+constexpr std::chrono::seconds Pull(3);       ///< away from what blocks it
 
 /// Where @p robot is by its odometry; the origin before it said so.
 Pose placeOf(const Station& station, const std::string& robot) {
@@ -70,23 +71,51 @@ double headingError(const Station& station, const Pose& home) {
     return std::atan2(off(1, 0), off(0, 0));
 }
 
-/// Turns Kurt3D until it heads as at @p home; the other way round where something is in its way.
+/// Where a robot that something blocks tries to go: it turns on the spot one way, then the other, and then
+/// pulls forward or back a little, by turns, and turns again.
+class WaysOut {
+public:
+    explicit WaysOut(double turn) : m_turn(turn) {}
+    /// What it drives at @p now, given that it is @p error from where it is to head to.
+    DriveVelocity next(double error, Clock::time_point now) {
+        if (now - m_since > (m_pull == 0.0 ? Stuck : Pull)) {
+            const bool blocked = std::abs(std::remainder(error - m_before, 2.0 * std::numbers::pi)) < Aligned;
+            if (m_pull != 0.0) {
+                m_pull = 0.0;
+            } else if (blocked) {
+                m_turn = -m_turn;
+                if (++m_blocked % 2 == 0) m_pull = m_blocked % 4 == 0 ? -Gently : Gently;
+            }
+            hold(error, now);
+        }
+        return m_pull != 0.0 ? DriveVelocity{m_pull, 0.0, 0.0} : DriveVelocity{0.0, 0.0, m_turn};
+    }
+    /// It was not let drive until @p now.
+    void hold(double error, Clock::time_point now) {
+        m_before = error;
+        m_since = now;
+    }
+
+private:
+    double m_turn, m_pull = 0.0, m_before = 0.0;
+    int m_blocked = 0;  ///< how often
+    Clock::time_point m_since;
+};
+
+/// Turns Kurt3D until it heads as at @p home.
 bool align(Station& station, const Pose& home) {
     station.focus("kurt3d");
     if (!station.setMode("kurt3d", "teleoperation")) return false;
-    double before = headingError(station, home), way = before > 0.0 ? -1.0 : 1.0;
-    auto since = Clock::now();
+    const double first = headingError(station, home);
+    WaysOut ways(first > 0.0 ? -Turn : Turn);
+    ways.hold(first, Clock::now());
     const bool aligned = waitUntil(
         [&] {
             const double error = headingError(station, home);
-            if (station.robot("kurt3d").drive.needsNeutral) since = Clock::now();
-            if (Clock::now() - since > Stuck) {
-                if (std::abs(std::remainder(error - before, 2.0 * std::numbers::pi)) < Aligned) way = -way;
-                before = error;
-                since = Clock::now();
-            }
+            const auto now = Clock::now();
             const bool wait = station.robot("kurt3d").drive.needsNeutral;
-            station.push({0.0, 0.0, wait ? 0.0 : way * Turn}, true);
+            if (wait) ways.hold(error, now);
+            station.push(wait ? DriveVelocity{} : ways.next(error, now), true);
             return std::abs(error) < Aligned;
         },
         120s);
