@@ -6769,10 +6769,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Es gibt keinen anderen Fund dieser Art zum Vereinen</translation>
     </message>
     <message>
-        <source>%1 is part of %2 now</source>
-        <translation>%1 ist jetzt Teil von %2</translation>
-    </message>
-    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
     </message>
@@ -6799,6 +6795,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>This field has no choices: words are typed into it</source>
         <translation>Dieses Feld hat keine Auswahl: Worte werden hineingetippt</translation>
+    </message>
+    <message>
+        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
+        <translation>%1, der nächste Fund bei %2, ist %3 m davon entfernt: erst einen von beiden dorthin verschieben</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now, %3 m away</source>
+        <translation>%1 ist jetzt Teil von %2 (%3 m entfernt)</translation>
     </message>
 </context>
 <context>

@@ -6769,10 +6769,6 @@ A function of this program, no certified emergency stop.</source>
         <translation>統合できる同種の発見がほかにない</translation>
     </message>
     <message>
-        <source>%1 is part of %2 now</source>
-        <translation>%1 を %2 に統合した</translation>
-    </message>
-    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
     </message>
@@ -6799,6 +6795,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>This field has no choices: words are typed into it</source>
         <translation>この欄に選択肢はありません。文字を入力します</translation>
+    </message>
+    <message>
+        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
+        <translation>%2 に最も近い %1 は %3 m 離れています。先にどちらかを移動してください</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now, %3 m away</source>
+        <translation>%1 は %3 m 離れた %2 に統合されました</translation>
     </message>
 </context>
 <context>

@@ -197,6 +197,20 @@ std::optional<VictimSample> withStatus(const MissionState& state, const FindKey&
     return sample;
 }
 
+std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& find) {
+    const VictimSample* const one = leitstand::find(state, find);
+    if (one == nullptr) return std::nullopt;
+    const Eigen::Vector3d place = positionInMap(state, *one);
+    std::optional<NearFind> nearest;
+    for (const auto& [key, entry] : *state.victims) {
+        const VictimSample& other = entry.victim;
+        if (key.first != find.first || key == find || other.status == Status::Discarded) continue;
+        const double distance = (positionInMap(state, other) - place).norm();
+        if (!nearest || distance < nearest->distance) nearest = NearFind{key, distance};
+    }
+    return nearest;
+}
+
 std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find, std::uint32_t into,
                                        const std::string& station, Time now) {
     auto sample = changed(state, find, station, now);

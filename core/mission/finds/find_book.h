@@ -64,6 +64,15 @@ void addCues(FrozenEvidence& frozen, const CandidateSample& candidate);
 [[nodiscard]] std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find,
                                                      VictimSample::Status status, const std::string& station,
                                                      Time now);
+/// Another find of the same kind, and how far it is.
+struct NearFind {
+    FindKey find;
+    double distance = 0.0;  ///< [m]
+};
+/// Farther apart, two finds are not merged without being named: longer than anybody lies [m].
+constexpr double MergeReach = 2.0;
+/// The one nearest to @p find of its kind that is not discarded; empty when there is none.
+[[nodiscard]] std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& find);
 /// @p find is part of @p into, which is of its kind.
 [[nodiscard]] std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find,
                                                      std::uint32_t into, const std::string& station,

@@ -111,10 +111,17 @@ TEST_F(LiveVictims, HazardsAreFiledPlacedMergedAndDiscarded) {
         return -1;
     };
     ASSERT_TRUE(soon([&] { return row("V2") >= 0; }));
+    station().finds().freezeAt("kurt3d", Kind::Victim, {6.0, 0.0, 0.2});
+    ASSERT_TRUE(soon([&] { return row("V3") >= 0; }));
+    table->selectRow(row("V3"));
+    trigger("victim.merge");
+    EXPECT_TRUE(m_window->newest().contains("V2")) << "it is told how far the nearest is";
+    EXPECT_TRUE(m_window->newest().contains("3.5 m")) << m_window->newest().toStdString();
     table->selectRow(row("V2"));
     trigger("victim.merge");
     ASSERT_TRUE(soon([&] { return victim(2)->victim.mergedInto == 1; }));
     ASSERT_TRUE(soon([&] { return row("V2") < 0; })) << "it is part of V1";
+    EXPECT_EQ(victim(3)->victim.mergedInto, 0U) << "too far away to be the same";
     ASSERT_TRUE(soon([&] { return row("H1") >= 0; }));
     table->selectRow(row("H1"));
     trigger("victim.discard");

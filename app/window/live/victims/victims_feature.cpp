@@ -1,11 +1,11 @@
 #include "app/window/live/victims/victims_feature.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <QAction>
 #include <QApplication>
+#include <QLocale>
 #include <QMainWindow>
 
 #include "app/session/finds/find_desk.h"
@@ -19,6 +19,7 @@
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
+#include "core/mission/finds/find_book.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
 #include "widgets/models/victims/move_words.h"
@@ -188,26 +189,16 @@ void VictimsFeature::confirm() {
 void VictimsFeature::merge() {
     const auto find = meant();
     if (!find) return emit told(tr("Choose the find that is part of another one"));
-    const MissionState& mission = *m_context.source.moment().mission;
-    const auto known = mission.victims->find(*find);
-    if (known == mission.victims->end()) return;
-    const Eigen::Vector3d place = positionInMap(mission, known->second.victim);
-    double nearest = std::numeric_limits<double>::infinity();
-    std::uint32_t into = 0;
-    for (const auto& [key, other] : *mission.victims) {
-        if (key.first != find->first || key.second == find->second ||
-            other.victim.status == VictimSample::Status::Discarded)
-            continue;
-        const double distance = (positionInMap(mission, other.victim) - place).norm();
-        if (distance >= nearest) continue;
-        nearest = distance;
-        into = key.second;
-    }
-    if (into == 0) return emit told(tr("There is no other find of this kind to merge it with"));
-    answer(desk().merge(*find, into));
-    emit told(tr("%1 is part of %2 now")
-                  .arg(QString::fromStdString(nameOf(find->first, find->second)),
-                       QString::fromStdString(nameOf(find->first, into))));
+    const auto into = nearestOfKind(*m_context.source.moment().mission, *find);
+    if (!into) return emit told(tr("There is no other find of this kind to merge it with"));
+    const QString one = QString::fromStdString(nameOf(find->first, find->second));
+    const QString other = QString::fromStdString(nameOf(find->first, into->find.second));
+    const QString apart = QLocale().toString(into->distance, 'f', 1);
+    if (into->distance > MergeReach)
+        return emit told(tr("%1, the nearest to %2, is %3 m away from it: move one of them there first")
+                             .arg(other, one, apart));
+    if (const auto merged = desk().merge(*find, into->find.second); !merged) return answer(merged);
+    emit told(tr("%1 is part of %2 now, %3 m away").arg(one, other, apart));
 }
 
 void VictimsFeature::move(bool on) {

@@ -104,6 +104,20 @@ TEST(FindBook, MergedFindsTellTogetherAndUndoTakesThemApart) {
     EXPECT_EQ(mission.at(other).status, Status::Hypothesis);
 }
 
+TEST(FindBook, TheNearestFindIsOfTheSameKindAndNotDiscarded) {
+    Mission mission;
+    const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
+    const auto far = mission.file(seenAt(5.0));
+    mission.file(seenAt(1.2), Kind::Hazard);
+    EXPECT_EQ(nearestOfKind(mission.state, one)->find, other);
+    EXPECT_DOUBLE_EQ(nearestOfKind(mission.state, one)->distance, 1.0);
+    mission.say(*withStatus(mission.state, other, Status::Discarded, "s", Now));
+    EXPECT_EQ(nearestOfKind(mission.state, one)->find, far);
+    EXPECT_GT(nearestOfKind(mission.state, one)->distance, MergeReach);
+    EXPECT_FALSE(nearestOfKind(mission.state, {Kind::Hazard, 1U})) << "it is the only one of its kind";
+    EXPECT_FALSE(nearestOfKind(mission.state, {Kind::Code, 1U})) << "nobody has filed it";
+}
+
 TEST(FindBook, NothingIsMergedIntoItselfNothingOrTheDiscarded) {
     Mission mission;
     const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
