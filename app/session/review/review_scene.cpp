@@ -143,7 +143,7 @@ void ReviewScene::showMap(const MissionState& state) {
     if (same) return;
     m_mapped = state;  // keeps the scans that the comparison is with
     m_scans = scansOf(state, m_index);
-    m_map = shownMap(*m_scans);
+    m_map = shownMap(*m_scans, m_map);
 }
 
 RobotInMap ReviewScene::place(const RobotDescription& robot, const MissionState& state, Time at) const {

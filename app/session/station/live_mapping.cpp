@@ -10,15 +10,22 @@
 
 namespace leitstand {
 
-MapPtr shownMap(const LiveMap& live) {
+MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
     auto map = std::make_shared<Map>();
+    map->scans.reserve(live.scans.size());
+    std::size_t known = 0;  // in before; both are by rising id
     for (const LiveKeyScan& one : live.scans) {
         if (one.pose.trust == ScanTrust::SetAside) continue;
         MapScan scan;
         scan.scan = one.scan;
         scan.poseInMap = scan.guessInMap = one.pose.scanInMap;
         scan.pointsUsed = one.reduced ? one.reduced->size() : 0;
-        for (const Label label : one.scan->labels) ++scan.labelCounts[static_cast<std::size_t>(label)];
+        while (before && known < before->scans.size() && before->scans[known].id < one.id) ++known;
+        if (before && known < before->scans.size() && before->scans[known].scan == one.scan) {
+            scan.labelCounts = before->scans[known].labelCounts;
+        } else {
+            for (const Label label : one.scan->labels) ++scan.labelCounts[static_cast<std::size_t>(label)];
+        }
         scan.registered = one.matched != 0;
         scan.icp.converged = one.pose.converged;
         scan.icp.stop = one.pose.converged ? IcpStop::Converged : IcpStop::IterationLimit;

@@ -109,7 +109,8 @@ private:
 /// more.
 [[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
 
-/// @p map as the map view takes it: scans that were not set aside.
-[[nodiscard]] MapPtr shownMap(const LiveMap& map);
+/// @p map as the map view takes it: scans that were not set aside. What @p before counted in the points of
+/// the same scans is not counted again: it costs as much as came in between.
+[[nodiscard]] MapPtr shownMap(const LiveMap& map, const MapPtr& before = nullptr);
 
 }  // namespace leitstand

@@ -35,6 +35,7 @@ struct StationMapping::State {
     const std::string station;
     const StationMappingListener listener;
     std::deque<Event> heldBack;           ///< scans; of the mission's thread
+    MapPtr shown;                         ///< last; of the mapping's thread
     std::map<std::string, bool> certain;  ///< whether a robot's place was; of the mapping's thread
     mutable std::mutex mutex;             ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
@@ -77,7 +78,9 @@ void StationMapping::State::show(const LiveMapPtr& map) {
         scans = map;
     }
     if (listener.onScans) listener.onScans(map);
-    if (listener.onMap) listener.onMap(shownMap(*map));
+    if (!listener.onMap) return;
+    shown = shownMap(*map, shown);
+    listener.onMap(shown);
 }
 
 Result<void> StationMapping::State::say(const Sample& sample, std::string_view topic) {

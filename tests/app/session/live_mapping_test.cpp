@@ -1,8 +1,11 @@
 #include "app/session/station/live_mapping.h"
 
+#include <array>
 #include <future>
+#include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +42,38 @@ TEST(LiveMapping, RefinesTheTurnsOfThoseRobotsWhoseFileSaysSo) {
     EXPECT_EQ(settings.refined, std::set<std::string>{"poor"});
     EXPECT_FALSE(settings.refinement.on) << "the others are left as they are";
     EXPECT_EQ(settings.kept, 0.03);
+}
+
+LiveKeyScan keyScan(std::uint64_t id, const std::vector<Label>& labels) {
+    LiveKeyScan key;
+    key.id = id;
+    Scan scan;
+    scan.points.resize(labels.size(), Eigen::Vector3f::Zero());
+    scan.labels = labels;
+    key.scan = std::make_shared<const Scan>(scan);
+    key.pose.trust = ScanTrust::Certain;
+    return key;
+}
+
+TEST(LiveMapping, TheMapThatIsShownIsTheSameWhetherOrNotAnEarlierOneIsKnown) {
+    LiveMap live;
+    live.scans = {keyScan(2, {Label::Floor, Label::Wall}), keyScan(4, {Label::Wall}),
+                  keyScan(7, {Label::Ceiling, Label::Ceiling})};
+    const auto earlier = shownMap(live);
+    live.scans[1].pose.trust = ScanTrust::SetAside;
+    live.scans[2] = keyScan(7, {Label::Floor});  // another one by that number
+    live.scans.push_back(keyScan(9, {Label::Wall, Label::Wall, Label::Floor}));
+    const auto counts = [](const MapPtr& map) {
+        std::vector<std::array<std::size_t, LabelCount>> all;
+        for (const MapScan& scan : map->scans) all.push_back(scan.labelCounts);
+        return all;
+    };
+    const auto afresh = counts(shownMap(live));
+    ASSERT_EQ(afresh.size(), 3U);
+    EXPECT_EQ(afresh[2][static_cast<std::size_t>(Label::Wall)], 2U);
+    EXPECT_EQ(counts(shownMap(live, earlier)), afresh);
+    live.scans[1].pose.trust = ScanTrust::Certain;  // it comes back
+    EXPECT_EQ(counts(shownMap(live, earlier)), counts(shownMap(live)));
 }
 
 TEST(LiveMapping, WhileAScanIsRegisteredAGoalIsToldRightlyInTheOdometry) {
