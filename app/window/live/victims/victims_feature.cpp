@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QLocale>
 #include <QMainWindow>
 
 #include "app/session/finds/find_desk.h"
@@ -22,6 +21,7 @@
 #include "core/mission/finds/find_book.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
+#include "widgets/models/numbers.h"
 #include "widgets/models/victims/move_words.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -193,7 +193,7 @@ void VictimsFeature::merge() {
     if (!into) return emit told(tr("There is no other find of this kind to merge it with"));
     const QString one = QString::fromStdString(nameOf(find->first, find->second));
     const QString other = QString::fromStdString(nameOf(find->first, into->find.second));
-    const QString apart = QLocale().toString(into->distance, 'f', 1);
+    const QString apart = numberText(into->distance, 1);
     if (into->distance > MergeReach)
         return emit told(tr("%1, the nearest to %2, is %3 m away from it: move one of them there first")
                              .arg(other, one, apart));
