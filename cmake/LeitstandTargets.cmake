@@ -29,6 +29,7 @@ endif()
 
 # Files whose names of their own are also those of others in their target.
 file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt alone REGEX "^[^#]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt)
 list(TRANSFORM alone PREPEND ${CMAKE_SOURCE_DIR}/)
 
 function(leitstand_warnings target)
