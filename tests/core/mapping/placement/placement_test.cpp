@@ -1,5 +1,10 @@
 #include "core/mapping/placement/placement.h"
 
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +102,48 @@ TEST(LaserView, AQuickTurnAndATiltAreTakenOut) {
     EXPECT_TRUE(found.certain) << found.how;
     EXPECT_LT(off(found.baseInMap, There), 0.05);
     EXPECT_NEAR(inDegrees(std::acos(found.baseInMap.linear()(2, 2))), std::hypot(3.0, 5.0), 0.5);
+}
+
+/// What a 3D scanner on a robot at @p baseInMap has of @p world: walls and floor from elsewhere than the
+/// map's points, a ceiling, and rays that nothing answered.
+LiveScan scanIn(const FlatWorld& world, const Pose& baseInMap) {
+    LiveScan live;
+    live.sensorInBase = poseFrom({0.1, 0.05, 0.4}, 0, degrees(10), degrees(30));
+    const Pose sensorInMap = baseInMap * live.sensorInBase;
+    std::mt19937 random(11);
+    std::normal_distribution<double> noise(0.0, 0.01);
+    auto scan = std::make_shared<Scan>();
+    scan->end = Time(1000s);
+    const auto add = [&](const Eigen::Vector3d& inMap) {
+        const Eigen::Vector3d off(noise(random), noise(random), noise(random));
+        scan->points.push_back((sensorInMap.inverse() * Eigen::Vector3d(inMap + off)).cast<float>());
+    };
+    for (const Eigen::Vector3f& point : world.map().cloud.points) {
+        add(point.cast<double>());
+        if (point.z() < -0.45F) add(point.cast<double>() + Eigen::Vector3d(0, 0, 1.2));
+        scan->points.push_back(Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    }
+    live.scan = scan;
+    live.up = sensorInMap.linear().transpose() * Eigen::Vector3d::UnitZ();
+    live.levelKnown = true;
+    return live;
+}
+
+TEST(LaserView, AThreeDimensionalScanPlacesARobotAsItsLaserWould) {
+    const FlatWorld world = FlatWorld::nook();
+    const Pose tilted = There * poseFrom({0, 0, 0.02}, degrees(3), degrees(-5), 0);
+    for (const double turn : {-20.0, 0.0, 20.0}) {
+        const Pose guess = There * poseFrom({0.3, -0.25, 0}, 0, 0, degrees(turn));
+        const LaserView view = laserView(scanIn(world, tilted));
+        const Placement found = placeRobot(view, world.map(), guess, SearchWindow{});
+        EXPECT_TRUE(found.certain) << found.how;
+        EXPECT_LT(off(found.baseInMap, There), 0.05) << turn;
+        EXPECT_NEAR(inDegrees(std::acos(found.baseInMap.linear()(2, 2))), std::hypot(3.0, 5.0), 0.5);
+    }
+    const FlatWorld corridor = FlatWorld::corridor();
+    const Placement open = placeRobot(laserView(scanIn(corridor, FlatWorld::at(0, 0.2, 0))), corridor.map(),
+                                      FlatWorld::at(0.3, 0, 0.1), SearchWindow{});
+    EXPECT_LT(open.certainty, 0.5) << "between two walls a direction is open";
 }
 
 /// A robot whose odometry is right but for @ref slip, followed in the nook.
