@@ -7,6 +7,7 @@
 #include "widgets/models/pad/pad_table.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -46,7 +47,7 @@ private:
     void buildTable();
     [[nodiscard]] QWidget* buildShape();
     [[nodiscard]] QWidget* buildButtons();
-    QSlider* addSlider(class QGridLayout& grid, int row, const QString& name, const QString& hint, int least,
+    QSlider* addSlider(QGridLayout& grid, int row, const QString& name, const QString& hint, int least,
                        int most);
     void showBindings();
     void showState();
