@@ -32,7 +32,32 @@ file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt alone REGEX "^[^#]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt)
 list(TRANSFORM alone PREPEND ${CMAKE_SOURCE_DIR}/)
 
+# leitstand_headers(name LIBS libs... HEADERS headers...): headers of others that are read once for all targets which
+# take them, by leitstand_warnings(target name). Only with LEITSTAND_UNITY: those are builds of everything.
+function(leitstand_headers name)
+    cmake_parse_arguments(ARG "" "" "LIBS;HEADERS" ${ARGN})
+    if(LEITSTAND_UNITY)
+        file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${name}.cpp CONTENT "")
+        add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cpp)
+        target_link_libraries(${name} PRIVATE ${ARG_LIBS})
+        target_compile_options(${name} PRIVATE -fpch-preprocess)
+        target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+    endif()
+endfunction()
+set(standard_headers <algorithm> <array> <atomic> <chrono> <cmath> <deque> <filesystem> <functional> <map> <memory>
+    <mutex> <optional> <set> <span> <stop_token> <string> <string_view> <thread> <utility> <variant> <vector>
+    <Eigen/Core> <Eigen/Geometry>)
+set(window_headers <QAction> <QApplication> <QBoxLayout> <QLabel> <QMainWindow> <QPainter> <QTableView> <QToolButton>
+    <QWidget>)
+
+# leitstand_warnings(target [headers]): what each target of ours has.
 function(leitstand_warnings target)
+    set(headers leitstand_headers ${ARGN})
+    list(GET headers -1 headers)
+    if(TARGET ${headers})
+        target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+        target_precompile_headers(${target} REUSE_FROM ${headers})
+    endif()
     set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # GCC's word counts; clang, which builds the fuzz targets, warns of other things.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wall -Wextra -Wconversion -Werror>)
@@ -42,23 +67,23 @@ endfunction()
 # leitstand_precompile(target HEADERS...): only where many units share heavy headers.
 function(leitstand_precompile target)
     if(LEITSTAND_UNITY)
-        return()  # a dozen files share one reading of them already
+        return()  # see leitstand_headers
     endif()
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>)  # for ccache
     target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
-# leitstand_library(name FOLDERS a b ... [PUBLIC libs] [PRIVATE libs] [QT])
+# leitstand_library(name FOLDERS a b ... [PUBLIC libs] [PRIVATE libs] [HEADERS headers] [QT])
 # Takes every .cpp and .h of the folders.
 function(leitstand_library name)
-    cmake_parse_arguments(ARG "QT" "" "FOLDERS;PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(ARG "QT" "HEADERS" "FOLDERS;PUBLIC;PRIVATE" ${ARGN})
     set(sources)
     foreach(folder ${ARG_FOLDERS})
         file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
         list(APPEND sources ${found})
     endforeach()
     add_library(${name} STATIC ${sources})
-    leitstand_warnings(${name})
+    leitstand_warnings(${name} ${ARG_HEADERS})
     target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     if(ARG_QT)
         set_target_properties(${name} PROPERTIES AUTOMOC ON)
