@@ -66,6 +66,27 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
 }
 
+TEST_F(LiveWindowTest, AKeyThatIsHeldDrivesNobodyOnceAnotherWindowHasTheKeyboard) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    press(Qt::Key_F2);
+    ASSERT_TRUE(
+        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+    QTest::qWait(300);  // the operator's hand is not faster
+    QTest::keyPress(m_window.get(), Qt::Key_W);
+    ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+    ASSERT_TRUE(soon([&] { return !m_window->driving() && std::abs(speed()) < 0.02; }));
+    EXPECT_FALSE(robot().stop.stopped) << "it stands, and needs no release";
+    m_window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
+    EXPECT_FALSE(QTest::qWaitFor([&] { return std::abs(speed()) > 0.02; }, 1'000))
+        << "the key that is still down does not drive on by itself";
+    QTest::keyRelease(m_window.get(), Qt::Key_W);
+}
+
 TEST_F(LiveWindowTest, TheStopButtonStopsAllAndAHandleHeldForASecondReleasesItsRobotAlone) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
     m_window->findChild<QToolButton*>(QStringLiteral("grant"))->click();
