@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <QAction>
+#include <QComboBox>
 #include <QLabel>
 #include <QTableView>
 
@@ -61,6 +62,32 @@ protected:
         return mode + (robot().stop.standing ? ", stopped, " : ", ") + std::to_string(speed()) + " m/s";
     }
     [[nodiscard]] MapView& map() const { return m_window->mapView(); }
+    /// Presses the map at @p place and lets go 0.6 m ahead of it, once both are to be seen.
+    void draw(const Pose& place) {
+        const Eigen::Vector3d ahead = place * Eigen::Vector3d(0.6, 0, 0);
+        ASSERT_TRUE(soon([&] {
+            const auto at = map().project(place.translation()), to = map().project(ahead);
+            return at && to && map().rect().contains(at->toPoint()) && map().rect().contains(to->toPoint()) &&
+                   map().settled();
+        }));
+        const QPoint from = map().project(place.translation())->toPoint();
+        const QPoint to = map().project(ahead)->toPoint();
+        QTest::mousePress(&map(), Qt::LeftButton, {}, from);
+        QMouseEvent drag(QEvent::MouseMove, to, map().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&map(), &drag);
+        QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
+        EXPECT_FALSE(map().drawing());
+    }
+    /// Kurt3D goes until the map has two scans, and stands.
+    void mapTwoScans() {
+        station().ask("kurt3d");
+        ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
+        ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
+        ASSERT_TRUE(soon([&] { return station().mapping().scans()->scans.size() >= 2; }))
+            << "it moved not: " << told();
+        station().stopAll();
+        ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    }
 };
 
 /// An empty hall: nothing warm is more important to a robot than where it was sent.
@@ -143,13 +170,7 @@ TEST_F(LiveMapOnScreen, SpaceTakesBackAGoalThatWasNotSentYet) {
 }
 
 TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
-    station().ask("kurt3d");
-    ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
-    ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
-    ASSERT_TRUE(soon([&] { return station().mapping().scans()->scans.size() >= 2; }))
-        << "it moved not: " << told();
-    station().stopAll();
-    ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    ASSERT_NO_FATAL_FAILURE(mapTwoScans());
     const auto scans = [&] { return station().mapping().scans()->scans; };
     const auto aside = [&] {
         const auto all = scans();
@@ -185,6 +206,36 @@ TEST_F(LiveMapOnScreen, RejectRewindAndUndoChangeMapAndLog) {
     lookAt("map_decisions");
 }
 
+TEST_F(LiveMapOnScreen, AScanIsTriedAgainWithAnotherSearchAndFromAPoseThatIsDrawn) {
+    ASSERT_NO_FATAL_FAILURE(mapTwoScans());
+    auto* const table = m_window->findChild<QTableView*>("keyScans");
+    auto* const schedules = m_window->findChild<QComboBox*>("retrySchedule");
+    ASSERT_TRUE(table != nullptr && schedules != nullptr);
+    ASSERT_TRUE(soon([&] { return table->model()->rowCount() >= 2; }));
+    const auto newest = [&] { return station().mapping().scans()->scans.back(); };
+    const LiveKeyScan before = newest();
+    const auto off = [&] {
+        return (newest().pose.scanInMap.translation() - before.pose.scanInMap.translation()).norm();
+    };
+    table->selectRow(table->model()->rowCount() - 1);
+    schedules->setCurrentIndex(schedules->count() - 1);
+    trigger("scan.retry");
+    ASSERT_TRUE(soon([&] { return operatorDecisions() == 1; }));
+    ASSERT_TRUE(soon([&] { return newest().pose.trust == ScanTrust::Certain; }));
+    EXPECT_LT(off(), 0.05) << "it is where it was found at first";
+
+    schedules->setCurrentIndex(0);
+    trigger("map.followAbove");
+    const Pose was = before.pose.scanInMap * before.sensorInBase.inverse();
+    trigger("scan.retryFromPose");
+    ASSERT_NO_FATAL_FAILURE(draw(was * poseFrom({0.25, 0.15, 0}, 0, 0, degrees(10))));
+    ASSERT_TRUE(soon([&] { return operatorDecisions() == 2; })) << m_window->newest().toStdString();
+    ASSERT_TRUE(soon([&] { return newest().pose.trust == ScanTrust::Certain; }));
+    EXPECT_LT(off(), 0.05) << "it finds back from where it was drawn";
+    trigger("scan.nextUncertain");
+    EXPECT_TRUE(m_window->newest().contains("No scan waits")) << m_window->newest().toStdString();
+}
+
 TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
     ASSERT_TRUE(soon([&] { return place("crawler").certain; })) << "it was not found beside Kurt3D";
@@ -193,22 +244,11 @@ TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
     // Away from where it is and turned, farther than its laser is matched about a drawn place.
     const Pose before = place("crawler").baseInMap;
     const Pose drawn = before * poseFrom(Eigen::Vector3d(0.5, 0.3, 0), 0, 0, degrees(60));
-    const Eigen::Vector3d ahead = drawn * Eigen::Vector3d(0.6, 0, 0);
-    ASSERT_TRUE(soon([&] {
-        const auto at = map().project(drawn.translation()), to = map().project(ahead);
-        return at && to && map().rect().contains(at->toPoint()) && map().rect().contains(to->toPoint()) &&
-               map().settled();
-    }));
     const auto told = [&] { return station().mission()->robots.at("crawler")->place; };
     ASSERT_TRUE(told().has_value());
     ASSERT_NE(told()->sample.cause, RobotPlaceSample::Cause::Operator) << "it was placed by itself";
     trigger("map.placeRobot");
-    const QPoint from = map().project(drawn.translation())->toPoint(), to = map().project(ahead)->toPoint();
-    QTest::mousePress(&map(), Qt::LeftButton, {}, from);
-    QMouseEvent drag(QEvent::MouseMove, to, map().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&map(), &drag);
-    QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
-    EXPECT_FALSE(map().drawing());
+    ASSERT_NO_FATAL_FAILURE(draw(drawn));
     // Its laser may go on to look for it: what the operator did is told first.
     std::optional<RobotPlaceSample> placed;
     ASSERT_TRUE(soon([&] {
