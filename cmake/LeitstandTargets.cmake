@@ -32,15 +32,20 @@ file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt alone REGEX "^[^#]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt)
 list(TRANSFORM alone PREPEND ${CMAKE_SOURCE_DIR}/)
 
-# leitstand_headers(name LIBS libs... HEADERS headers...): headers of others that are read once for all targets which
-# take them, by leitstand_warnings(target name). Only with LEITSTAND_UNITY: those are builds of everything.
+# leitstand_headers(name LIBS libs... HEADERS headers... [PROGRAMS]): headers of others that are read once for all
+# targets which take them, by leitstand_warnings(target name): libraries, or programs with PROGRAMS, since the two are
+# compiled with different flags. Only with LEITSTAND_UNITY: those are builds of everything.
 function(leitstand_headers name)
-    cmake_parse_arguments(ARG "" "" "LIBS;HEADERS" ${ARGN})
+    cmake_parse_arguments(ARG "PROGRAMS" "" "LIBS;HEADERS" ${ARGN})
     if(LEITSTAND_UNITY)
         file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${name}.cpp CONTENT "")
         add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cpp)
         target_link_libraries(${name} PRIVATE ${ARG_LIBS})
         target_compile_options(${name} PRIVATE -fpch-preprocess)
+        if(ARG_PROGRAMS)
+            set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+            target_compile_options(${name} PRIVATE -fPIE)
+        endif()
         target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
     endif()
 endfunction()
@@ -52,9 +57,12 @@ set(window_headers <QAction> <QApplication> <QBoxLayout> <QLabel> <QMainWindow> 
 
 # leitstand_warnings(target [headers]): what each target of ours has.
 function(leitstand_warnings target)
-    set(headers leitstand_headers ${ARGN})
-    list(GET headers -1 headers)
-    if(TARGET ${headers})
+    get_target_property(type ${target} TYPE)
+    set(headers ${ARGN})
+    if(NOT headers AND type STREQUAL "STATIC_LIBRARY")
+        set(headers leitstand_headers)
+    endif()
+    if(headers AND TARGET ${headers})
         target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
         target_precompile_headers(${target} REUSE_FROM ${headers})
     endif()
