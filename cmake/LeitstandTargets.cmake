@@ -34,7 +34,7 @@ list(TRANSFORM alone PREPEND ${CMAKE_SOURCE_DIR}/)
 
 # leitstand_headers(name LIBS libs... HEADERS headers... [PROGRAMS]): headers of others that are read once for all
 # targets which take them, by leitstand_warnings(target name): libraries, or programs with PROGRAMS, since the two are
-# compiled with different flags. Only with LEITSTAND_UNITY: those are builds of everything.
+# compiled with different flags (programs that link Qt as libraries). Only with LEITSTAND_UNITY: those are builds of everything.
 function(leitstand_headers name)
     cmake_parse_arguments(ARG "PROGRAMS" "" "LIBS;HEADERS" ${ARGN})
     if(LEITSTAND_UNITY)
