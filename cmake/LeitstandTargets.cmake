@@ -17,7 +17,7 @@ if(CCACHE_PROGRAM)
 endif()
 set(CMAKE_PCH_INSTANTIATE_TEMPLATES ON)
 
-# A build from nothing takes half the time; after a change more is compiled than with a unit of each file.
+# A build from nothing reads headers once a batch; after a change more is compiled than with a unit of each file.
 option(LEITSTAND_UNITY "Compile a target's files a dozen at a time" OFF)
 set(CMAKE_UNITY_BUILD ${LEITSTAND_UNITY})
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)

@@ -104,8 +104,8 @@ TEST(LaserView, AQuickTurnAndATiltAreTakenOut) {
     EXPECT_NEAR(inDegrees(std::acos(found.baseInMap.linear()(2, 2))), std::hypot(3.0, 5.0), 0.5);
 }
 
-/// What a 3D scanner on a robot at @p baseInMap has of @p world: walls and floor from elsewhere than the
-/// map's points, a ceiling, and rays that nothing answered.
+/// What a 3D scanner on a robot at @p baseInMap has of @p world: walls and floor with noise, a ceiling, and
+/// rays that nothing answered.
 LiveScan scanIn(const FlatWorld& world, const Pose& baseInMap) {
     LiveScan live;
     live.sensorInBase = poseFrom({0.1, 0.05, 0.4}, 0, degrees(10), degrees(30));
