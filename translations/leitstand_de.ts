@@ -5480,6 +5480,10 @@ F1 listet alle Tasten</translation>
         <source>What each find adds, and what would bring more</source>
         <translation>Was jeder Fund beiträgt, und was mehr brächte</translation>
     </message>
+    <message>
+        <source>Nothing to score yet: what a find brings is told here</source>
+        <translation>Noch nichts zu werten: hier steht, was ein Fund bringt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>

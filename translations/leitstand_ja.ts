@@ -5480,6 +5480,10 @@ F1 でキー一覧</translation>
         <source>What each find adds, and what would bring more</source>
         <translation>各発見物の点数と、さらに点になるもの</translation>
     </message>
+    <message>
+        <source>Nothing to score yet: what a find brings is told here</source>
+        <translation>まだ採点対象がありません。発見ごとの得点がここに表示されます</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScoreText</name>

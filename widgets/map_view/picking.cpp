@@ -77,21 +77,29 @@ bool isDrawn(const SceneScan& scan, std::size_t point, const MapViewSettings& se
     return isShown((scan.poseInMap * inScan).z(), scan.points->labels[point], settings);
 }
 
-void search(const SceneContent& content, std::size_t index, const CursorFrame& frame,
-            Candidates& candidates) {
+/// Takes note of point @p point of scan @p index where it is nearer than those found so far.
+void consider(const SceneContent& content, std::size_t index, std::size_t point, const CursorFrame& frame,
+              Candidates& candidates) {
     constexpr auto Reach = static_cast<float>(Rings.back() * Rings.back());
     const SceneScan& scan = content.scans[index];
-    for (const PointCell& cell : scan.points->cells) {
+    float squaredPixels = 0.0F, depth = 0.0F;
+    frame.look(scan.points->points[point], squaredPixels, depth);
+    if (!(squaredPixels <= Reach) || depth < NearestDepth) return;
+    std::size_t ring = 0;
+    while (squaredPixels > static_cast<float>(Rings[ring] * Rings[ring])) ++ring;
+    const bool better = depth < candidates[ring].depth;
+    if (better && isDrawn(scan, point, content.settings)) candidates[ring] = {depth, index, point};
+}
+
+void search(const SceneContent& content, std::size_t index, const CursorFrame& frame,
+            Candidates& candidates) {
+    const ScanPoints& points = *content.scans[index].points;
+    for (const PointCell& cell : points.cells) {
         if (!frame.mayReach(cell.centre, cell.radius)) continue;
-        for (std::size_t i = cell.first; i < cell.end; ++i) {
-            const std::size_t point = scan.points->cellMembers[i];
-            float squaredPixels = 0.0F, depth = 0.0F;
-            frame.look(scan.points->points[point], squaredPixels, depth);
-            if (!(squaredPixels <= Reach) || depth < NearestDepth) continue;
-            std::size_t ring = 0;
-            while (squaredPixels > static_cast<float>(Rings[ring] * Rings[ring])) ++ring;
-            const bool better = depth < candidates[ring].depth;
-            if (better && isDrawn(scan, point, content.settings)) candidates[ring] = {depth, index, point};
+        for (std::size_t run = cell.first; run < cell.end; ++run) {
+            for (std::size_t point = points.runs[run].first; point < points.runs[run].end; ++point) {
+                consider(content, index, point, frame, candidates);
+            }
         }
     }
 }

@@ -16,7 +16,9 @@ ScorePane::ScorePane(QWidget* parent)
       m_score(new QLabel(this)),
       m_left(new QLabel(this)),
       m_rules(new QLabel(this)),
+      m_calm(new QLabel(tr("Nothing to score yet: what a find brings is told here"), this)),
       m_more(new QLabel(tr("More would bring"))),
+      m_lines(new QScrollArea(this)),
       m_finds(new QFormLayout),
       m_advice(new QFormLayout),
       m_buttons(new ButtonFlow) {
@@ -28,6 +30,9 @@ ScorePane::ScorePane(QWidget* parent)
     m_score->setFont(large);
     m_rules->setProperty("muted", true);
     m_rules->setWordWrap(true);
+    m_calm->setProperty("muted", true);
+    m_calm->setAlignment(Qt::AlignCenter);
+    m_calm->setWordWrap(true);
     m_more->setProperty("muted", true);
     m_more->hide();  // until there is something
     auto* head = new QHBoxLayout;
@@ -45,19 +50,21 @@ ScorePane::ScorePane(QWidget* parent)
         list->setHorizontalSpacing(12);
         list->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     }
-    auto* area = new QScrollArea(this);
-    area->setWidget(lists);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::TabFocus);
-    area->setAccessibleName(tr("What each find adds, and what would bring more"));
+    m_lines->setObjectName(QStringLiteral("scoreLines"));
+    m_lines->setWidget(lists);
+    m_lines->setWidgetResizable(true);
+    m_lines->setFrameShape(QFrame::NoFrame);
+    m_lines->setFocusPolicy(Qt::TabFocus);
+    m_lines->setAccessibleName(tr("What each find adds, and what would bring more"));
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 6, 8, 6);
     rows->addLayout(head);
     rows->addWidget(m_rules);
-    rows->addWidget(area, 1);
+    rows->addWidget(m_lines, 1);
+    rows->addWidget(m_calm, 1);
     m_buttons->setSpacing(2);
     rows->addLayout(m_buttons);
+    m_lines->hide();  // until there is something
 }
 
 void ScorePane::setCommands(const std::vector<QAction*>& commands) {
@@ -85,6 +92,9 @@ void ScorePane::show(const ScoreText& text) {
     fill(*m_finds, text.finds);
     fill(*m_advice, text.advice);
     m_more->setVisible(!text.advice.empty());
+    const bool calm = text.finds.empty() && text.advice.empty();
+    m_calm->setVisible(calm);
+    m_lines->setVisible(!calm);
 }
 
 }  // namespace leitstand

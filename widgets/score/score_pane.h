@@ -10,6 +10,7 @@ class QAction;
 class QFormLayout;
 class QLabel;
 class QLayout;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace leitstand {
@@ -31,7 +32,8 @@ private:
     void fill(QFormLayout& list, const std::vector<ScoreLine>& lines);
 
     ScoreText m_text;
-    QLabel *m_score, *m_left, *m_rules, *m_more;
+    QLabel *m_score, *m_left, *m_rules, *m_calm, *m_more;
+    QScrollArea* m_lines;
     QFormLayout *m_finds, *m_advice;
     QLayout* m_buttons;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -11,13 +10,14 @@ namespace {
 
 constexpr double MinRange = 0.4, MaxRange = 15.0;
 
-/// Points of two walls, as a key scan of the live map has them.
+/// Points of two walls in upright rows, one wall after the other, as a key scan of the live map has them.
 Scan keyScan(std::size_t count) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> along(-4.0F, 4.0F), up(-0.5F, 1.5F);
+    constexpr std::size_t Row = 50;
     Scan scan;
     for (std::size_t i = 0; i < count; ++i) {
-        scan.points.emplace_back(along(random), i % 2 == 0 ? 2.0F : -2.0F, up(random));
+        const float along = -4.0F + 8.0F * static_cast<float>(i) / static_cast<float>(count);
+        const float up = -0.5F + 2.0F * static_cast<float>(i % Row) / static_cast<float>(Row);
+        scan.points.emplace_back(along, i < count / 2 ? 2.0F : -2.0F, up);
         scan.labels.push_back(i % 5 == 0 ? Label::Ceiling : Label::Wall);
     }
     return scan;
@@ -28,8 +28,8 @@ TEST(ScanPoints, AKeyScanIsDrawnFromItsOwnMemory) {
     const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
     EXPECT_EQ(points.points.data(), scan->points.data());
     EXPECT_EQ(points.labels.data(), scan->labels.data());
-    // Its order and, for picking, its places: four bytes each.
-    EXPECT_LE(points.memory(*scan), 9 * scan->points.size());
+    // Its order is four bytes each; for picking, the places of whole runs of points are kept.
+    EXPECT_LE(points.memory(*scan), 5 * scan->points.size());
     EXPECT_EQ(points.labelCounts[static_cast<std::size_t>(Label::Ceiling)], 2'000U);
 }
 
@@ -74,10 +74,11 @@ TEST(ScanPoints, ItsCellsHaveEveryPointOnce) {
     const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
     std::vector<int> met(points.points.size());
     for (const PointCell& cell : points.cells) {
-        for (std::size_t i = cell.first; i < cell.end; ++i) {
-            const std::uint32_t point = points.cellMembers[i];
-            ++met[point];
-            EXPECT_LE((points.points[point] - cell.centre).norm(), cell.radius + 1e-4F);
+        for (std::size_t run = cell.first; run < cell.end; ++run) {
+            for (std::size_t i = points.runs[run].first; i < points.runs[run].end; ++i) {
+                ++met[i];
+                EXPECT_LE((points.points[i] - cell.centre).norm(), cell.radius + 1e-4F);
+            }
         }
     }
     EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](int count) { return count == 1; }));

@@ -30,5 +30,20 @@ TEST(ScorePane, NamesNoListThatIsEmpty) {
     EXPECT_FALSE(says(pane, more));
 }
 
+TEST(ScorePane, TellsThatThereIsNothingToScoreYet) {
+    ScorePane pane;
+    pane.resize(500, 260);
+    const QString nothing = QStringLiteral("Nothing to score yet: what a find brings is told here");
+    EXPECT_TRUE(says(pane, nothing)) << "before the first estimate";
+    ScoreText text;
+    text.score = QStringLiteral("0 points");
+    pane.show(text);
+    EXPECT_TRUE(says(pane, nothing));
+    text.finds = {{QStringLiteral("V1"), QStringLiteral("20"), Tone::Normal}};
+    pane.show(text);
+    EXPECT_FALSE(says(pane, nothing));
+    EXPECT_TRUE(says(pane, QStringLiteral("V1")));
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -16,8 +16,14 @@
 namespace leitstand {
 namespace {
 
-constexpr int Margin = 12, Padding = 9, Square = 10, Gap = 6, Space = 14, RampWidth = 120;  // [px]
+constexpr int Margin = 12, Square = 10, Gap = 6;  // [px]
 constexpr std::size_t MostScans = 8;
+
+/// How much room the legend leaves itself [px].
+struct Spacing {
+    int padding, space, ramp;
+};
+constexpr Spacing Roomy{9, 14, 120}, Tight{6, 8, 60};
 
 /// A coloured square and its meaning.
 struct Entry {
@@ -119,15 +125,15 @@ public:
         m_x += Square + Gap;
     }
 
-    void ramp() {
+    void ramp(int width) {
         constexpr int Steps = 16;
-        QLinearGradient gradient(m_x, 0, m_x + RampWidth, 0);
+        QLinearGradient gradient(m_x, 0, m_x + width, 0);
         for (int i = 0; i <= Steps; ++i) {
             const double t = static_cast<double>(i) / Steps;
             gradient.setColorAt(t, asColour(viridis(t)));
         }
-        m_painter.fillRect(m_x, m_box.center().y() - 3, RampWidth, 8, gradient);
-        m_x += RampWidth + Gap;
+        m_painter.fillRect(m_x, m_box.center().y() - 3, width, 8, gradient);
+        m_x += width + Gap;
     }
 
 private:
@@ -137,14 +143,15 @@ private:
 };
 
 int widthOf(const std::vector<Entry>& entries, const std::optional<RampText>& ramp,
-            const QFontMetrics& metrics) {
-    int width = 0;
+            const QFontMetrics& metrics, const Spacing& spacing) {
+    int width = 2 * spacing.padding;
     for (const Entry& entry : entries) {
-        width += Square + Gap + metrics.horizontalAdvance(entry.text) + Space;
+        width += Square + Gap + metrics.horizontalAdvance(entry.text) + spacing.space;
     }
-    if (!ramp) return width - Space;
-    return width + metrics.horizontalAdvance(ramp->title) + Space + metrics.horizontalAdvance(ramp->low) +
-           Gap + RampWidth + Gap + metrics.horizontalAdvance(ramp->high);
+    if (!ramp) return width - spacing.space;
+    return width + metrics.horizontalAdvance(ramp->title) + spacing.space +
+           metrics.horizontalAdvance(ramp->low) + Gap + spacing.ramp + Gap +
+           metrics.horizontalAdvance(ramp->high);
 }
 
 }  // namespace
@@ -158,20 +165,24 @@ QRect paintLegend(QPainter& painter, const SceneContent& content, QSize size, co
     painter.setFont(style.font);
     const QFontMetrics metrics = painter.fontMetrics();
     const int height = metrics.height() + 10;
-    QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics) + 2 * Padding, height);
-    if (box.right() + Gap > taken.left()) box.moveBottom(taken.top() - Gap);
+    const auto fits = [&](const Spacing& spacing) {
+        return Margin + widthOf(entries, ramp, metrics, spacing) + Gap <= taken.left();
+    };
+    const Spacing& spacing = fits(Roomy) ? Roomy : Tight;
+    QRect box(Margin, size.height() - Margin - height, widthOf(entries, ramp, metrics, spacing), height);
+    if (!fits(spacing)) box.moveBottom(taken.top() - Gap);
     paintPanel(painter, box, style);
 
     const QColor text = asColour(style.colours.text), muted = asColour(style.colours.muted);
-    LineWriter line(painter, box.adjusted(Padding, 0, -Padding, 0));
+    LineWriter line(painter, box.adjusted(spacing.padding, 0, -spacing.padding, 0));
     for (const Entry& entry : entries) {
         line.square(asColour(entry.colour));
-        line.text(entry.text, text, Space);
+        line.text(entry.text, text, spacing.space);
     }
     if (!ramp) return box;
-    line.text(ramp->title, muted, Space);
+    line.text(ramp->title, muted, spacing.space);
     line.text(ramp->low, text, Gap);
-    line.ramp();
+    line.ramp(spacing.ramp);
     line.text(ramp->high, text, 0);
     return box;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -24,23 +25,40 @@ std::uint64_t cellKey(const Eigen::Vector3f& point) {
     return key;
 }
 
+/// Points of one cell that follow each other.
+struct KeyedRun {
+    std::uint64_t cell = 0;
+    PointRun run;
+};
+
+std::vector<KeyedRun> runsOf(std::span<const Eigen::Vector3f> points) {
+    std::vector<KeyedRun> runs;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const std::uint64_t cell = cellKey(points[i]);
+        if (runs.empty() || runs.back().cell != cell) runs.push_back({cell, {i, i}});
+        runs.back().run.end = i + 1;
+    }
+    return runs;
+}
+
 PointCell cellOver(const ScanPoints& points, std::size_t first, std::size_t end) {
     Eigen::AlignedBox3f box;
-    for (std::size_t i = first; i < end; ++i) box.extend(points.points[points.cellMembers[i]]);
-    return {box.center(), 0.5F * box.diagonal().norm(), first, end};
+    for (std::size_t run = first; run < end; ++run) {
+        for (std::size_t i = points.runs[run].first; i < points.runs[run].end; ++i)
+            box.extend(points.points[i]);
+    }
+    return {box.center(), 0.5F * box.diagonal().norm(), static_cast<std::uint32_t>(first),
+            static_cast<std::uint32_t>(end)};
 }
 
 void addCells(ScanPoints& points) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
-    keyed.reserve(points.points.size());
-    for (const Eigen::Vector3f& point : points.points) {
-        keyed.emplace_back(cellKey(point), static_cast<std::uint32_t>(keyed.size()));
-    }
-    std::sort(keyed.begin(), keyed.end());
-    points.cellMembers.reserve(keyed.size());
-    for (const auto& [key, index] : keyed) points.cellMembers.push_back(index);
+    std::vector<KeyedRun> keyed = runsOf(points.points);
+    std::stable_sort(keyed.begin(), keyed.end(),
+                     [](const KeyedRun& a, const KeyedRun& b) { return a.cell < b.cell; });
+    points.runs.reserve(keyed.size());
+    for (const KeyedRun& run : keyed) points.runs.push_back(run.run);
     for (std::size_t first = 0, end = 0; first < keyed.size(); first = end) {
-        while (end < keyed.size() && keyed[end].first == keyed[first].first) ++end;
+        while (end < keyed.size() && keyed[end].cell == keyed[first].cell) ++end;
         points.cells.push_back(cellOver(points, first, end));
     }
     points.cells.shrink_to_fit();
@@ -62,7 +80,7 @@ ScanPtr copyOf(const Scan& scan, const std::vector<std::int32_t>& kept, bool lab
 }  // namespace
 
 std::size_t ScanPoints::memory(const Scan& scan) const {
-    std::size_t bytes = cells.capacity() * sizeof(PointCell) + cellMembers.capacity() * sizeof(std::uint32_t);
+    std::size_t bytes = cells.capacity() * sizeof(PointCell) + runs.capacity() * sizeof(PointRun);
     if (order) bytes += order->capacity() * sizeof(std::int32_t);
     if (owner && owner.get() != &scan) bytes += points.size_bytes() + labels.size_bytes();
     return bytes;

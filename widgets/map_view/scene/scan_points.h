@@ -13,11 +13,16 @@
 
 namespace leitstand {
 
+/// Points of a scan that follow each other in its list.
+struct PointRun {
+    std::uint32_t first = 0, end = 0;  ///< in ScanPoints::points
+};
+
 /// The points of a scan in one small part of space.
 struct PointCell {
-    Eigen::Vector3f centre;          ///< of a ball around them, in the scan's frame [m]
-    float radius = 0.0F;             ///< [m]
-    std::size_t first = 0, end = 0;  ///< in ScanPoints::cellMembers
+    Eigen::Vector3f centre;            ///< of a ball around them, in the scan's frame [m]
+    float radius = 0.0F;               ///< [m]
+    std::uint32_t first = 0, end = 0;  ///< in ScanPoints::runs
 };
 
 /// The points of a scan that can be drawn. A map has hundreds of scans: where all of a scan's points can be
@@ -29,8 +34,10 @@ struct ScanPoints {
     /// All points once, at random: every beginning of the list is a fair sample.
     std::shared_ptr<const std::vector<std::int32_t>> order;
     std::array<std::size_t, LabelCount> labelCounts{};
-    std::vector<PointCell> cells;            ///< all points by place, for picking
-    std::vector<std::uint32_t> cellMembers;  ///< the cells' points
+    std::vector<PointCell> cells;  ///< all points by place, for picking
+    /// The cells' points. A scanner passes through a cell in runs of a dozen: these are a fraction of the
+    /// points.
+    std::vector<PointRun> runs;
 
     /// The @p i-th point at random.
     [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[at(i)]; }
