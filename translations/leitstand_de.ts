@@ -4313,6 +4313,54 @@ F1 listet alle Tasten</translation>
         <source>It may drop every drive command as too old: set its clock (NTP)</source>
         <translation>Er verwirft womöglich jeden Fahrbefehl als zu alt: seine Uhr stellen (NTP)</translation>
     </message>
+    <message>
+        <source>the key was let go</source>
+        <translation>die Taste wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>the robot was not to be driven any more</source>
+        <translation>der Roboter durfte nicht mehr gefahren werden</translation>
+    </message>
+    <message>
+        <source>nothing tells whether there is room ahead</source>
+        <translation>nichts sagt, ob vorn Platz ist</translation>
+    </message>
+    <message>
+        <source>only %1 m are free ahead, %2 m are needed</source>
+        <translation>vorn sind nur %1 m frei, nötig sind %2 m</translation>
+    </message>
+    <message>
+        <source>the station may not drive the robot</source>
+        <translation>die Station darf den Roboter nicht fahren</translation>
+    </message>
+    <message>
+        <source>the robot hears no drive commands</source>
+        <translation>der Roboter hört keine Fahrbefehle</translation>
+    </message>
+    <message>
+        <source>no odometry comes</source>
+        <translation>es kommt keine Odometrie</translation>
+    </message>
+    <message>
+        <source>the sticks were not let go</source>
+        <translation>die Steuerung wurde nicht losgelassen</translation>
+    </message>
+    <message>
+        <source>the robot did not stand</source>
+        <translation>der Roboter stand nicht still</translation>
+    </message>
+    <message>
+        <source>the robot did not come to its speed</source>
+        <translation>der Roboter kam nicht auf seine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>no odometry came after the cut</source>
+        <translation>nach dem Abbruch der Befehle kam keine Odometrie</translation>
+    </message>
+    <message>
+        <source>nothing tells why</source>
+        <translation>der Grund ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -6971,6 +7019,57 @@ Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurü
     <message>
         <source>Newest message</source>
         <translation>Neueste Meldung</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::WireWords</name>
+    <message>
+        <source>robot offers %1, we asked for %2</source>
+        <translation>Roboter bietet %1, wir verlangen %2</translation>
+    </message>
+    <message>
+        <source>we offer %1, robot asks for %2</source>
+        <translation>wir bieten %1, Roboter verlangt %2</translation>
+    </message>
+    <message>
+        <source>robot sends %1, we expected %2</source>
+        <translation>Roboter sendet %1, wir erwarten %2</translation>
+    </message>
+    <message>
+        <source>robot expects %1, we send %2</source>
+        <translation>Roboter erwartet %1, wir senden %2</translation>
+    </message>
+    <message>
+        <source>robot's topic has keys, ours has none as in ROS 2</source>
+        <translation>das Topic des Roboters hat Schlüssel, unseres wie in ROS 2 keine</translation>
+    </message>
+    <message>
+        <source>robot offers exclusive ownership, we share as ROS 2 does</source>
+        <translation>Roboter bietet exklusive Ownership, wir teilen wie ROS 2</translation>
+    </message>
+    <message>
+        <source>robot asks for exclusive ownership, we share as ROS 2 does</source>
+        <translation>Roboter verlangt exklusive Ownership, wir teilen wie ROS 2</translation>
+    </message>
+    <message>
+        <source>robot is in partition "%1", we are in the default one</source>
+        <translation>Roboter ist in Partition „%1“, wir sind in der voreingestellten</translation>
+    </message>
+    <message>
+        <source>robot writes XCDR2 only, we read XCDR1</source>
+        <translation>Roboter schreibt nur XCDR2, wir lesen XCDR1</translation>
+    </message>
+    <message>
+        <source>robot reads XCDR2 only, we write XCDR1</source>
+        <translation>Roboter liest nur XCDR2, wir schreiben XCDR1</translation>
+    </message>
+    <message>
+        <source>robot asks for a liveliness that we do not offer</source>
+        <translation>Roboter verlangt eine Liveliness, die wir nicht bieten</translation>
+    </message>
+    <message>
+        <source>security: permissions or governance of one side do not let them talk</source>
+        <translation>Sicherheit: Permissions oder Governance einer Seite erlauben den Austausch nicht</translation>
     </message>
 </context>
 </TS>

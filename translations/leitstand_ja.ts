@@ -4313,6 +4313,54 @@ F1 でキー一覧</translation>
         <source>It may drop every drive command as too old: set its clock (NTP)</source>
         <translation>古すぎるとして走行コマンドをすべて捨てることがあります。時計を合わせてください (NTP)</translation>
     </message>
+    <message>
+        <source>the key was let go</source>
+        <translation>キーが放されました</translation>
+    </message>
+    <message>
+        <source>the robot was not to be driven any more</source>
+        <translation>ロボットを走行させられなくなりました</translation>
+    </message>
+    <message>
+        <source>nothing tells whether there is room ahead</source>
+        <translation>前方に空きがあるか分かりません</translation>
+    </message>
+    <message>
+        <source>only %1 m are free ahead, %2 m are needed</source>
+        <translation>前方の空きは %1 m だけです（%2 m 必要）</translation>
+    </message>
+    <message>
+        <source>the station may not drive the robot</source>
+        <translation>このステーションはロボットを操縦できません</translation>
+    </message>
+    <message>
+        <source>the robot hears no drive commands</source>
+        <translation>ロボットに走行コマンドが届いていません</translation>
+    </message>
+    <message>
+        <source>no odometry comes</source>
+        <translation>オドメトリが届きません</translation>
+    </message>
+    <message>
+        <source>the sticks were not let go</source>
+        <translation>スティックが放されませんでした</translation>
+    </message>
+    <message>
+        <source>the robot did not stand</source>
+        <translation>ロボットが停止していませんでした</translation>
+    </message>
+    <message>
+        <source>the robot did not come to its speed</source>
+        <translation>ロボットが所定の速度に達しませんでした</translation>
+    </message>
+    <message>
+        <source>no odometry came after the cut</source>
+        <translation>コマンド停止後にオドメトリが届きませんでした</translation>
+    </message>
+    <message>
+        <source>nothing tells why</source>
+        <translation>理由は分かりません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -6971,6 +7019,57 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
     <message>
         <source>Newest message</source>
         <translation>最新メッセージ</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::WireWords</name>
+    <message>
+        <source>robot offers %1, we asked for %2</source>
+        <translation>ロボットの提供は %1、こちらの要求は %2</translation>
+    </message>
+    <message>
+        <source>we offer %1, robot asks for %2</source>
+        <translation>こちらの提供は %1、ロボットの要求は %2</translation>
+    </message>
+    <message>
+        <source>robot sends %1, we expected %2</source>
+        <translation>ロボットの送信は %1、こちらの期待は %2</translation>
+    </message>
+    <message>
+        <source>robot expects %1, we send %2</source>
+        <translation>ロボットの期待は %1、こちらの送信は %2</translation>
+    </message>
+    <message>
+        <source>robot's topic has keys, ours has none as in ROS 2</source>
+        <translation>ロボットのトピックにはキーがあり、こちらは ROS 2 と同じくキーなし</translation>
+    </message>
+    <message>
+        <source>robot offers exclusive ownership, we share as ROS 2 does</source>
+        <translation>ロボットの提供は exclusive ownership、こちらは ROS 2 と同じ shared</translation>
+    </message>
+    <message>
+        <source>robot asks for exclusive ownership, we share as ROS 2 does</source>
+        <translation>ロボットの要求は exclusive ownership、こちらは ROS 2 と同じ shared</translation>
+    </message>
+    <message>
+        <source>robot is in partition "%1", we are in the default one</source>
+        <translation>ロボットはパーティション「%1」、こちらは既定のパーティション</translation>
+    </message>
+    <message>
+        <source>robot writes XCDR2 only, we read XCDR1</source>
+        <translation>ロボットは XCDR2 のみ書き込み、こちらは XCDR1 を読み取り</translation>
+    </message>
+    <message>
+        <source>robot reads XCDR2 only, we write XCDR1</source>
+        <translation>ロボットは XCDR2 のみ読み取り、こちらは XCDR1 を書き込み</translation>
+    </message>
+    <message>
+        <source>robot asks for a liveliness that we do not offer</source>
+        <translation>ロボットが要求する liveliness をこちらは提供していません</translation>
+    </message>
+    <message>
+        <source>security: permissions or governance of one side do not let them talk</source>
+        <translation>セキュリティ：一方の permissions または governance が通信を許可していません</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/robot/qos.h"
+#include "core/robot/wire_complaint.h"
 #include "transport/dds/guid.h"
 
 namespace leitstand {
@@ -36,9 +37,8 @@ struct RemoteEndpoint {
 
 /// Why one of our readers or writers does not exchange samples with a remote endpoint of its topic.
 struct Mismatch {
-    std::string topic;  ///< ROS name
-    Guid remote;        ///< the other endpoint
-    std::string text;   ///< "/kurt3d/odom: robot offers best effort, we asked for reliable"
+    WireComplaint complaint;
+    Guid remote;  ///< the other endpoint
 };
 
 }  // namespace leitstand

@@ -101,7 +101,8 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
         }
         if (settings.mission.robots.empty()) subscribeHeard();
         for (const Mismatch& mismatch : node->mismatches()) {
-            sayOnce(mismatch.text, mismatch.text);
+            const std::string text = toString(mismatch.complaint);
+            sayOnce(text, text);
         }
     }
 }
@@ -148,7 +149,7 @@ RecorderStatus MissionRecorder::status() const {
     RecorderStatus status{.log = m_state->mission->status(), .topics = {}, .links = {}, .mismatches = {}};
     if (m_state->node) {
         for (const Mismatch& mismatch : m_state->node->mismatches())
-            status.mismatches.push_back(mismatch.text);
+            status.mismatches.push_back(toString(mismatch.complaint));
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
     status.topics = m_state->feed->topics();

@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::size_t Piece = 1U << 20U;  ///< [B]
 
-bool speaksOf(const std::string& text, const std::string& robot) {
-    return text.starts_with("/" + robot + "/");
+bool speaksOf(const WireComplaint& complaint, const std::string& robot) {
+    return complaint.topic.starts_with("/" + robot + "/");
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
     PreflightFacts facts;
     facts.now = stationTime();
     const StationSettings& settings = m_station.settings();
-    std::vector<std::string> complaints = m_station.mismatches();
+    std::vector<WireComplaint> complaints = m_station.mismatches();
     for (const RobotDescription& robot : m_station.robots()) {
         RobotFacts one;
         one.robot = robot;
@@ -87,7 +87,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
         one.brakeOverridden = m_station.brakes().isOverridden(robot.name);
         const auto own =
             std::stable_partition(complaints.begin(), complaints.end(),
-                                  [&](const std::string& text) { return !speaksOf(text, robot.name); });
+                                  [&](const WireComplaint& one) { return !speaksOf(one, robot.name); });
         one.complaints.assign(own, complaints.end());
         complaints.erase(own, complaints.end());
         facts.robots.push_back(std::move(one));

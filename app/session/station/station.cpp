@@ -76,10 +76,10 @@ LiveMissionStatus Station::log() const {
     return m_state->mission->status();
 }
 
-std::vector<std::string> Station::mismatches() const {
-    std::vector<std::string> texts;
-    for (const Mismatch& mismatch : m_state->node->mismatches()) texts.push_back(mismatch.text);
-    return texts;
+std::vector<WireComplaint> Station::mismatches() const {
+    std::vector<WireComplaint> complaints;
+    for (const Mismatch& mismatch : m_state->node->mismatches()) complaints.push_back(mismatch.complaint);
+    return complaints;
 }
 
 void Station::focus(const std::string& robot) {

@@ -18,6 +18,7 @@
 #include "core/mission/event.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_view.h"
+#include "core/robot/wire_complaint.h"
 
 namespace leitstand {
 
@@ -79,11 +80,11 @@ public:
     [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
     /// What was searched with each kind of sensor; null until there is a map.
     [[nodiscard]] std::shared_ptr<const SearchedFloor> searched() const;
-    [[nodiscard]] StationAlarms& alarms();                      ///< what the operator has to know
-    [[nodiscard]] std::vector<std::string> mismatches() const;  ///< between robots and us, in words
-    [[nodiscard]] std::vector<std::string> limits() const;      ///< of this computer, that cost samples
-    [[nodiscard]] std::vector<SeenTopic> heard() const;         ///< what others say and hear in the domain
-    [[nodiscard]] const StationSettings& settings() const;      ///< as it was opened
+    [[nodiscard]] StationAlarms& alarms();                        ///< what the operator has to know
+    [[nodiscard]] std::vector<WireComplaint> mismatches() const;  ///< between robots and us
+    [[nodiscard]] std::vector<std::string> limits() const;        ///< of this computer, that cost samples
+    [[nodiscard]] std::vector<SeenTopic> heard() const;           ///< what others say and hear in the domain
+    [[nodiscard]] const StationSettings& settings() const;        ///< as it was opened
 
     /// Gives the sticks to one robot: all others stand. Empty: to none.
     void focus(const std::string& robot);

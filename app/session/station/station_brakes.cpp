@@ -78,7 +78,7 @@ void StationBrakes::end(const std::string& robot) {
     if (entry == nullptr || !entry->running) return;
     {
         const std::lock_guard lock(m_mutex);
-        if (entry->test.phase() != BrakeTest::Phase::Cut) entry->test.end("the key was let go");
+        if (entry->test.phase() != BrakeTest::Phase::Cut) entry->test.end(BrakeResult::Cause::KeyLetGo);
     }
     look(robot);
 }
@@ -137,7 +137,7 @@ void StationBrakes::keep(Entry& entry, const BrakeResult& result) {
     entry.refused = entry.last.verdict == Verdict::Failed;
 }
 
-void StationBrakes::finish(const std::string& robot, BrakeResult result) {
+void StationBrakes::finish(const std::string& robot, const BrakeResult& result) {
     std::map<std::string, BrakeResult> all;
     {
         const std::lock_guard lock(m_mutex);
@@ -145,8 +145,7 @@ void StationBrakes::finish(const std::string& robot, BrakeResult result) {
     }
     // Robots that the station does not drive today keep what they had.
     for (const auto& known : readBrakes(m_file)) all.insert(known);
-    if (const auto kept = writeBrakes(m_file, all); !kept) result.why = kept.error().text;
-    m_hands.done(robot, result);
+    m_hands.done(robot, result, writeBrakes(m_file, all));
 }
 
 BrakeTest::Phase StationBrakes::phase(const std::string& robot) const {

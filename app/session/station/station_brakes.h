@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/mission/event.h"
 #include "core/robot/preflight/brake_test.h"
 #include "core/robot/robot_description.h"
@@ -27,7 +28,9 @@ public:
         std::function<void(const std::string& robot, const DriveVelocity& sticks)> push;
         std::function<void(const std::string& robot, bool on)> focus;  ///< of driving; all others lose it
         std::function<void(const std::string& robot)> refresh;         ///< the conditions of driving changed
-        std::function<void(const std::string& robot, const BrakeResult& result)> done;
+        /// @p kept: whether the result could be written where it is remembered.
+        std::function<void(const std::string& robot, const BrakeResult& result, const Result<void>& kept)>
+            done;
     };
     /// @p file: where results are remembered.
     StationBrakes(const std::vector<RobotDescription>& robots, std::filesystem::path file, Hands hands);
@@ -67,7 +70,7 @@ private:
     [[nodiscard]] const Entry* find(const std::string& robot) const;
     void step(const std::string& robot, Entry& entry);
     static void keep(Entry& entry, const BrakeResult& result);  ///< locked
-    void finish(const std::string& robot, BrakeResult result);
+    void finish(const std::string& robot, const BrakeResult& result);
 
     const std::filesystem::path m_file;
     const Hands m_hands;

@@ -141,11 +141,12 @@ void Station::State::listen() {
 
 void Station::State::tellMismatches() {
     for (const Mismatch& mismatch : node->mismatches()) {
+        const std::string text = toString(mismatch.complaint);
         {
             const std::lock_guard lock(mutex);
-            if (!told.insert(mismatch.text).second) continue;
+            if (!told.insert(text).second) continue;
         }
-        say(mismatch.text);
+        say(text);
     }
 }
 
@@ -173,7 +174,8 @@ void Station::State::watchBrakes() {
         }
     };
     hands.refresh = [this](const std::string& robot) { refresh(robot); };
-    hands.done = [this](const std::string& robot, const BrakeResult& result) {
+    hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
+        if (!kept) say(kept.error().text);
         const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
         say(robot + ": " + note.text);
         const std::lock_guard lock(mutex);

@@ -7,8 +7,41 @@
 namespace leitstand {
 namespace {
 
+using Cause = BrakeResult::Cause;
+
 double seconds(std::chrono::nanoseconds duration) {
     return std::chrono::duration<double>(duration).count();
+}
+
+std::string causeOf(const BrakeResult& result) {
+    switch (result.cause) {
+        case Cause::None:
+            break;
+        case Cause::KeyLetGo:
+            return "the key was let go";
+        case Cause::NotDriven:
+            return "the robot was not to be driven any more";
+        case Cause::RoomUnknown:
+            return "nothing tells whether there is room ahead";
+        case Cause::NoRoom:
+            return fmt::format("only {:.1f} m are free ahead, {:.1f} m are needed", result.free,
+                               result.needed);
+        case Cause::NotAllowed:
+            return "the station may not drive the robot";
+        case Cause::Deaf:
+            return "the robot hears no drive commands";
+        case Cause::NoOdometry:
+            return "no odometry comes";
+        case Cause::SticksHeld:
+            return "the sticks were not let go";
+        case Cause::NotStanding:
+            return "the robot did not stand";
+        case Cause::TooSlow:
+            return "the robot did not come to its speed";
+        case Cause::OdometryEnded:
+            return "no odometry came after the cut";
+    }
+    return "nothing tells why";
 }
 
 }  // namespace
@@ -26,7 +59,7 @@ std::string toString(const BrakeResult& result) {
                 "brake test FAILED: without commands it still moved after {:.2f} s and {:.0f} cm",
                 result.seconds, 100.0 * result.metres);
         case Verdict::Inconclusive:
-            return "brake test without result: " + result.why;
+            return "brake test without result: " + causeOf(result);
     }
     return {};
 }
@@ -61,9 +94,9 @@ void BrakeTest::finish(BrakeResult::Verdict verdict, double duration, double way
     m_phase = Phase::Done;
 }
 
-void BrakeTest::end(const std::string& why) {
+void BrakeTest::end(BrakeResult::Cause cause) {
     if (!isRunning()) return;
-    m_result = {.verdict = BrakeResult::Verdict::Inconclusive, .why = why};
+    m_result = {.verdict = BrakeResult::Verdict::Inconclusive, .cause = cause};
     m_phase = Phase::Done;
 }
 
@@ -71,9 +104,9 @@ BrakeTest::Step BrakeTest::step(const BrakeFacts& facts, SteadyTime now) {
     if (!isRunning()) return {};
     // Once the stream is cut the robot is on its own: the key being let go tells nothing against it.
     if (m_phase != Phase::Cut && seconds(now - m_held) > m_settings.hold) {
-        end("the key was let go");
+        end(Cause::KeyLetGo);
     } else if (m_phase != Phase::Neutral && !facts.mayDrive) {
-        end("the robot was not to be driven any more");
+        end(Cause::NotDriven);
     }
     switch (m_phase) {
         case Phase::Neutral:
@@ -93,20 +126,21 @@ BrakeTest::Step BrakeTest::neutral(const BrakeFacts& facts, SteadyTime now) {
     if (ready && !m_released) m_released = now;
     if (m_released && seconds(now - *m_released) >= m_settings.neutral) {
         if (std::isnan(facts.spaceAhead)) {
-            end("nothing tells whether there is room ahead");
+            end(Cause::RoomUnknown);
         } else if (facts.spaceAhead < m_settings.space) {
-            end(fmt::format("only {:.1f} m are free ahead, {:.1f} m are needed", facts.spaceAhead,
-                            m_settings.space));
+            end(Cause::NoRoom);
+            m_result.free = facts.spaceAhead;
+            m_result.needed = m_settings.space;
         } else {
             enter(Phase::Driving, now);
             return {{m_settings.speed, 0.0, 0.0}, false};
         }
     } else if (seconds(now - m_since) > m_settings.start) {
-        end(!facts.mayDrive      ? "the station may not drive the robot"
-            : !facts.listening   ? "the robot hears no drive commands"
-            : !m_newest          ? "no odometry comes"
-            : facts.needsNeutral ? "the sticks were not let go"
-                                 : "the robot did not stand");
+        end(!facts.mayDrive      ? Cause::NotAllowed
+            : !facts.listening   ? Cause::Deaf
+            : !m_newest          ? Cause::NoOdometry
+            : facts.needsNeutral ? Cause::SticksHeld
+                                 : Cause::NotStanding);
     }
     return {};
 }
@@ -121,7 +155,7 @@ BrakeTest::Step BrakeTest::drive(SteadyTime now) {
         return {{}, true};
     }
     if (seconds(now - m_since) <= m_settings.drive) return driving;
-    end("the robot did not come to its speed");
+    end(Cause::TooSlow);
     return {};
 }
 
@@ -139,7 +173,7 @@ BrakeTest::Step BrakeTest::watch(SteadyTime now) {
         return {};
     }
     if (seconds(now - m_since) > 2.0 * m_settings.giveUp) {
-        end("no odometry came");
+        end(Cause::OdometryEnded);
         return {};
     }
     // What goes on too long or too far is stopped by zeros at once; it has failed all the same.

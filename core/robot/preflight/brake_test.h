@@ -37,11 +37,27 @@ struct BrakeResult {
         Failed,        ///< it did not stop, or too late, or too far
         Inconclusive,  ///< it was not driven or not watched to the end: nothing is known
     };
+    /// Why it is inconclusive.
+    enum class Cause : std::uint8_t {
+        None,
+        KeyLetGo,
+        NotDriven,     ///< the robot was not to be driven any more
+        RoomUnknown,   ///< nothing tells whether there is room ahead
+        NoRoom,        ///< free, needed
+        NotAllowed,    ///< the station may not drive the robot
+        Deaf,          ///< the robot hears no drive commands
+        NoOdometry,    ///< none comes
+        SticksHeld,    ///< they were not let go
+        NotStanding,   ///< it moved before it was driven
+        TooSlow,       ///< it did not come to its speed
+        OdometryEnded  ///< none came after the cut
+    };
     Verdict verdict = Verdict::Untested;
     double seconds = 0.0;  ///< from the cut until standing [s]; of a robot that did not stop: until given up
     double metres = 0.0;   ///< on that way [m]
-    std::string why = {};  ///< of Inconclusive, in English
-    Time when{};           ///< station's clock
+    Cause cause = Cause::None;
+    double free = 0.0, needed = 0.0;  ///< of NoRoom [m]
+    Time when{};                      ///< station's clock
     friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
 };
 
@@ -75,7 +91,7 @@ public:
     /// The newest odometry, @p stamp on the robot's clock: speeds in its own frame [m/s, rad/s].
     void odometry(Time stamp, const Eigen::Vector2d& position, double speed, double turn);
     Step step(const BrakeFacts& facts, SteadyTime now);
-    void end(const std::string& why);  ///< inconclusive, unless it is over
+    void end(BrakeResult::Cause cause);  ///< inconclusive, unless it is over
 
     [[nodiscard]] Phase phase() const { return m_phase; }
     [[nodiscard]] bool isRunning() const { return m_phase != Phase::Idle && m_phase != Phase::Done; }

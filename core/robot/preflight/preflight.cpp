@@ -40,6 +40,11 @@ public:
     void add(Kind kind, CheckState state, std::string detail = {}, double number = 0.0, double other = 0.0) {
         m_checks.push_back({kind, state, m_robot, std::move(detail), number, other});
     }
+    void add(const WireComplaint& complaint) {
+        add(Kind::Wire, CheckState::Attention);
+        newest().wire = complaint;
+    }
+    [[nodiscard]] PreflightCheck& newest() { return m_checks.back(); }
 
 private:
     std::vector<PreflightCheck>& m_checks;
@@ -53,8 +58,9 @@ bool judgeLink(Page& page, const LinkStatus& link) {
         return false;
     }
     const bool good = link.state == LinkState::Connected;
-    page.add(Kind::RobotConnected, good ? CheckState::Ok : CheckState::Attention, toString(link.reasons),
+    page.add(Kind::RobotConnected, good ? CheckState::Ok : CheckState::Attention, {},
              link.roundTrip ? link.roundTrip->median : 0.0);
+    page.newest().reasons = link.reasons;
     return true;
 }
 
@@ -120,7 +126,9 @@ void judgeBrake(Page& page, const RobotFacts& facts, Time now) {
         case Verdict::Untested:
             return page.add(Kind::BrakeUntested, CheckState::Attention);
         case Verdict::Inconclusive:
-            return page.add(Kind::BrakeUnclear, CheckState::Attention, brake.why);
+            page.add(Kind::BrakeUnclear, CheckState::Attention);
+            page.newest().brake = brake;
+            return;
         case Verdict::Failed:
             return page.add(facts.brakeOverridden ? Kind::BrakeOverridden : Kind::BrakeFailed,
                             facts.brakeOverridden ? CheckState::Attention : CheckState::Fail, {},
@@ -136,8 +144,7 @@ void judgeBrake(Page& page, const RobotFacts& facts, Time now) {
 void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Time now, double farClock) {
     Page page(checks, facts.robot.name);
     const bool there = judgeLink(page, facts.view.link);
-    for (const std::string& complaint : facts.complaints)
-        page.add(Kind::Wire, CheckState::Attention, complaint);
+    for (const WireComplaint& complaint : facts.complaints) page.add(complaint);
     if (!there) return;
     judgeStreams(page, facts);
     judgeClock(page, facts.view.link, farClock);
@@ -156,8 +163,7 @@ void judgeNetwork(Page& page, const PreflightFacts& facts) {
     page.add(own ? Kind::Network : Kind::NetworkNone, own ? CheckState::Ok : CheckState::Attention,
              joined(used));
     for (const std::string& limit : facts.limits) page.add(Kind::Limits, CheckState::Attention, limit);
-    for (const std::string& complaint : facts.complaints)
-        page.add(Kind::Wire, CheckState::Attention, complaint);
+    for (const WireComplaint& complaint : facts.complaints) page.add(complaint);
     for (const std::string& robot : facts.strangers) page.add(Kind::Stranger, CheckState::Ok, robot);
 }
 

@@ -10,6 +10,7 @@
 #include "core/robot/preflight/brake_test.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/robot_view.h"
+#include "core/robot/wire_complaint.h"
 
 namespace leitstand {
 
@@ -24,17 +25,17 @@ struct NetworkCard {
 struct RobotFacts {
     RobotDescription robot;
     RobotView view;
-    BrakeResult brake;                    ///< newest
-    bool brakeOverridden = false;         ///< driven although it failed
-    std::vector<std::string> complaints;  ///< of the wire, in words
+    BrakeResult brake;             ///< newest
+    bool brakeOverridden = false;  ///< driven although it failed
+    std::vector<WireComplaint> complaints;
 };
 
 /// Everything that the preflight page judges.
 struct PreflightFacts {
     std::vector<RobotFacts> robots;
-    std::vector<std::string> strangers;   ///< robots in the domain that the station does not drive
-    std::vector<std::string> complaints;  ///< of the wire, about no robot in particular
-    std::vector<std::string> limits;      ///< of this computer, that cost samples
+    std::vector<std::string> strangers;     ///< robots in the domain that the station does not drive
+    std::vector<WireComplaint> complaints;  ///< about no robot in particular
+    std::vector<std::string> limits;        ///< of this computer, that cost samples
     std::vector<NetworkCard> cards;
     std::string folder;  ///< of the mission
     std::uint64_t freeBytes = 0;
@@ -54,14 +55,14 @@ enum class CheckState : std::uint8_t { Ok, Attention, Fail };
 /// One line of the page. Core finds what is so; widgets find the words for it by its kind.
 struct PreflightCheck {
     enum class Kind : std::uint8_t {
-        RobotConnected,  ///< number: round trip [s]; detail: why it is degraded
+        RobotConnected,  ///< number: round trip [s]; reasons: why it is degraded
         RobotMissing,    ///< never heard, or lost; number: silence [s]
         StreamsComing,   ///< number: how many
         StreamsMissing,  ///< detail: which; a stream of its file that never came
         StreamsStale,    ///< detail: which came, and do not any more
         PicturesFresh,   ///< number: age of the oldest camera's newest picture [s]
         PicturesOld,     ///< detail: which; number: age of the oldest [s]
-        Wire,            ///< detail: what readers and writers complain about
+        Wire,            ///< wire: what stands between a reader and a writer
         ClockSteady,     ///< number: how far the robot's clock is ahead [s]
         ClockFar,        ///< number: the same, and that is much
         ClockUnknown,
@@ -75,7 +76,7 @@ struct PreflightCheck {
         BrakeUntested,
         BrakeFailed,      ///< refused for driving
         BrakeOverridden,  ///< failed, and driven nevertheless
-        BrakeUnclear,     ///< detail: why
+        BrakeUnclear,     ///< brake: why
         Stranger,         ///< detail: name of a robot that may be added
         Network,          ///< detail: card and address that are used
         NetworkNone,      ///< no card but the computer's own
@@ -95,6 +96,9 @@ struct PreflightCheck {
     std::string robot = {};   ///< name; empty: the station's own
     std::string detail = {};  ///< as the kind says
     double number = 0.0, other = 0.0;
+    BrakeResult brake = {};
+    WireComplaint wire = {};
+    std::vector<LinkReason> reasons = {};
 };
 
 /// What is in order, what needs a look, what prevents the mission: robot by robot in their order, then the

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> mismatchTexts(const Node& node) {
     std::vector<std::string> texts;
-    for (const Mismatch& mismatch : node.mismatches()) texts.push_back(mismatch.text);
+    for (const Mismatch& mismatch : node.mismatches()) texts.push_back(toString(mismatch.complaint));
     return texts;
 }
 

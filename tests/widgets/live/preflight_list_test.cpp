@@ -1,5 +1,7 @@
 #include "widgets/models/live/preflight_list.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <QAbstractItemModelTester>
@@ -63,9 +65,39 @@ TEST_F(PreflightListTest, RowsNameTheirRobotOnce) {
 TEST_F(PreflightListTest, TheBrakeTestTellsHowItStands) {
     using Phase = BrakeTest::Phase;
     EXPECT_THAT(brakeText(Phase::Driving, {}).toStdString(), testing::HasSubstr("keep holding"));
-    EXPECT_THAT(brakeText(Phase::Done, {Verdict::Inconclusive, 0, 0, "the key was let go"}).toStdString(),
-                testing::HasSubstr("let go"));
+    EXPECT_EQ(brakeText(Phase::Done, {.verdict = Verdict::Inconclusive,
+                                      .cause = BrakeResult::Cause::NoRoom,
+                                      .free = 0.34,
+                                      .needed = 0.6}),
+              "No result: only 0.3 m are free ahead, 0.6 m are needed");
     EXPECT_EQ(brakeText(Phase::Idle, {Verdict::Passed, 0.31, 0.02}), "Passed: stands after 310 ms and 2 cm");
+}
+
+TEST_F(PreflightListTest, EveryCauseOfABrakeTestWithoutResultIsTold) {
+    std::set<QString> texts;
+    constexpr int Last = int(BrakeResult::Cause::OdometryEnded);
+    for (int cause = 1; cause <= Last; ++cause) {
+        PreflightCheck check{Kind::BrakeUnclear, CheckState::Attention, "k"};
+        check.brake = {.verdict = Verdict::Inconclusive, .cause = BrakeResult::Cause(cause)};
+        texts.insert(checkText(check));
+        EXPECT_NE(checkText(check), "brake: no result (nothing tells why)") << cause;
+    }
+    EXPECT_EQ(texts.size(), std::size_t(Last)) << "each has words of its own";
+}
+
+TEST_F(PreflightListTest, WhatTheWireComplainsAboutAndADegradedLinkAreTold) {
+    PreflightCheck wire{Kind::Wire, CheckState::Attention, "k"};
+    wire.wire.topic = "/k/odom";
+    constexpr int Last = int(WireProblem::Kind::Security);
+    for (int kind = 0; kind <= Last; ++kind) {
+        wire.wire.problems = {{WireProblem::Kind(kind), "best effort", "reliable"}};
+        // English words are those of the log.
+        EXPECT_EQ(checkText(wire).toStdString(), toString(wire.wire));
+    }
+    PreflightCheck link{Kind::RobotConnected, CheckState::Attention, "k"};
+    link.reasons = {{.kind = LinkReason::Kind::Slow, .value = 0.38},
+                    {.kind = LinkReason::Kind::NoAnswer, .value = 3.1}};
+    EXPECT_EQ(checkText(link), "connected, but round trip 380 ms, no answer to pings for 3.1 s");
 }
 
 }  // namespace

@@ -18,15 +18,18 @@ using Kind = PreflightCheck::Kind;
 using State = CheckState;
 
 std::vector<PreflightCheck> checks() {
+    PreflightCheck degraded{Kind::RobotConnected, State::Attention, "crawler"};
+    degraded.reasons = {{.kind = LinkReason::Kind::Slow, .value = 0.38}};
+    PreflightCheck wire{Kind::Wire, State::Attention, "crawler"};
+    wire.wire = {"/crawler/scan", {{WireProblem::Kind::OffersLess, "best effort", "reliable"}}};
     return {{Kind::RobotConnected, State::Ok, "kurt3d", {}, 0.022},
             {Kind::StreamsComing, State::Ok, "kurt3d", {}, 16},
             {Kind::PicturesOld, State::Fail, "kurt3d", "left/image/compressed", 4.0},
             {Kind::ClockSteady, State::Ok, "kurt3d", {}, 0.003},
             {Kind::GrantFree, State::Ok, "kurt3d"},
             {Kind::BrakePassed, State::Ok, "kurt3d", {}, 0.31, 0.02},
-            {Kind::RobotConnected, State::Attention, "crawler", "round trip 380 ms", 0.38},
-            {Kind::Wire, State::Attention, "crawler",
-             "/crawler/scan: robot offers best effort, we asked for reliable"},
+            degraded,
+            wire,
             {Kind::BrakeFailed, State::Fail, "crawler", {}, 1.6, 0.16},
             {Kind::Network, State::Ok, {}, "wlan0 192.168.0.7"},
             {Kind::Stranger, State::Ok, {}, "rover"},

@@ -193,10 +193,9 @@ std::vector<Mismatch> Discovery::mismatches() const {
             const bool sameTopic = theirs.kind == theirKind && theirs.topic == rosTopicOf(ours.ddsTopic);
             if (!sameTopic || ours.matched.contains(guid)) continue;
             auto why = whyNoMatch(ours, theirs, known.terms);
-            if (!why && m_secure && Clock::now() - known.since > SecureMatchTime) {
-                why = "security: permissions or governance of one side do not let them talk";
-            }
-            if (why) all.push_back({theirs.topic, guid, theirs.topic + ": " + *why});
+            if (why.empty() && m_secure && Clock::now() - known.since > SecureMatchTime)
+                why.push_back({WireProblem::Kind::Security});
+            if (!why.empty()) all.push_back({{theirs.topic, std::move(why)}, guid});
         }
     }
     return all;

@@ -1,8 +1,8 @@
 #include "transport/dds/detail/mismatch.h"
 
 #include <algorithm>
-#include <string_view>
-#include <vector>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 namespace leitstand::detail {
 namespace {
 
-std::string_view words(Qos::Reliability reliability) {
+std::string words(Qos::Reliability reliability) {
     return reliability == Qos::Reliability::Reliable ? "reliable" : "best effort";
 }
 
-std::string_view words(Qos::Durability durability) {
+std::string words(Qos::Durability durability) {
     return durability == Qos::Durability::TransientLocal ? "transient local" : "volatile";
 }
 
@@ -23,11 +23,14 @@ std::string deadlineWords(double seconds) {
     return seconds > 0.0 ? fmt::format("a deadline of {:g} s", seconds) : "no deadline";
 }
 
+using Problems = std::vector<WireProblem>;
+using Kind = WireProblem::Kind;
+
 /// Offers meet requests: which side is which depends on who writes.
-void compareQos(const Qos& offered, const Qos& asked, bool weRead, std::vector<std::string>& reasons) {
-    const auto add = [&](std::string_view offer, std::string_view request) {
-        reasons.push_back(weRead ? fmt::format("robot offers {}, we asked for {}", offer, request)
-                                 : fmt::format("we offer {}, robot asks for {}", offer, request));
+void compareQos(const Qos& offered, const Qos& asked, bool weRead, Problems& problems) {
+    const auto add = [&](std::string offer, std::string request) {
+        problems.push_back(weRead ? WireProblem{Kind::OffersLess, std::move(offer), std::move(request)}
+                                  : WireProblem{Kind::AsksMore, std::move(request), std::move(offer)});
     };
     if (offered.reliability < asked.reliability) add(words(offered.reliability), words(asked.reliability));
     if (offered.durability < asked.durability) add(words(offered.durability), words(asked.durability));
@@ -37,37 +40,22 @@ void compareQos(const Qos& offered, const Qos& asked, bool weRead, std::vector<s
 
 }  // namespace
 
-std::optional<std::string> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
-                                      const MatchTerms& terms) {
-    std::vector<std::string> reasons;
+Problems whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs, const MatchTerms& terms) {
+    Problems problems;
     const bool weRead = ours.kind == LocalEndpoint::Kind::Reader;
-    if (const std::string expected = rosTypeOf(ours.ddsType); theirs.type != expected) {
-        reasons.push_back(weRead ? fmt::format("robot sends {}, we expected {}", theirs.type, expected)
-                                 : fmt::format("robot expects {}, we send {}", theirs.type, expected));
-    }
-    if (theirs.keyed) {
-        reasons.emplace_back("robot's topic has keys, ours has none as in ROS 2");
-    }
-    compareQos(weRead ? theirs.qos : ours.qos, weRead ? ours.qos : theirs.qos, weRead, reasons);
-    if (theirs.exclusiveOwnership) {
-        reasons.push_back(fmt::format("robot {} exclusive ownership, we share as ROS 2 does",
-                                      weRead ? "offers" : "asks for"));
-    }
+    if (const std::string expected = rosTypeOf(ours.ddsType); theirs.type != expected)
+        problems.push_back({weRead ? Kind::SendsOther : Kind::ExpectsOther, theirs.type, expected});
+    if (theirs.keyed) problems.push_back({Kind::Keyed});
+    compareQos(weRead ? theirs.qos : ours.qos, weRead ? ours.qos : theirs.qos, weRead, problems);
+    if (theirs.exclusiveOwnership) problems.push_back({weRead ? Kind::OffersExclusive : Kind::AsksExclusive});
     const auto isDefault = [](const std::string& partition) { return partition.empty() || partition == "*"; };
     if (!theirs.partitions.empty() &&
         std::none_of(theirs.partitions.begin(), theirs.partitions.end(), isDefault)) {
-        reasons.push_back(fmt::format("robot is in partition \"{}\", we are in the default one",
-                                      fmt::join(theirs.partitions, "\", \"")));
+        problems.push_back({Kind::Partition, fmt::format("{}", fmt::join(theirs.partitions, "\", \"")), {}});
     }
-    if (!terms.xcdr1) {
-        reasons.push_back(weRead ? "robot writes XCDR2 only, we read XCDR1"
-                                 : "robot reads XCDR2 only, we write XCDR1");
-    }
-    if (!weRead && !terms.automaticLiveliness) {
-        reasons.emplace_back("robot asks for a liveliness that we do not offer");
-    }
-    if (reasons.empty()) return std::nullopt;
-    return fmt::format("{}", fmt::join(reasons, "; "));
+    if (!terms.xcdr1) problems.push_back({weRead ? Kind::WritesXcdr2 : Kind::ReadsXcdr2});
+    if (!weRead && !terms.automaticLiveliness) problems.push_back({Kind::Liveliness});
+    return problems;
 }
 
 }  // namespace leitstand::detail

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include <vector>
 
+#include "core/robot/wire_complaint.h"
 #include "transport/dds/detail/local_endpoint.h"
 #include "transport/dds/endpoint.h"
 
@@ -14,9 +14,8 @@ struct MatchTerms {
     bool automaticLiveliness = true;  ///< a reader that is content with participants that tell they live
 };
 
-/// Why @p ours and @p theirs, of one topic, do not match: "robot offers best effort, we asked for reliable",
-/// several reasons joined by "; ". None when nothing stands against it.
-[[nodiscard]] std::optional<std::string> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
-                                                    const MatchTerms& terms);
+/// Why @p ours and @p theirs, of one topic, do not match; empty when nothing stands against it.
+[[nodiscard]] std::vector<WireProblem> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
+                                                  const MatchTerms& terms);
 
 }  // namespace leitstand::detail

@@ -5,7 +5,9 @@
 #include <QStringList>
 
 #include "widgets/models/live/freshness.h"
+#include "widgets/models/live/link_text.h"
 #include "widgets/models/live/preflight_list.h"
+#include "widgets/models/live/wire_words.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -26,6 +28,44 @@ QString standing(const PreflightCheck& check) {
         .arg(secondsText(check.number), numberText(100.0 * check.other, 0));
 }
 
+QString reasonsText(const std::vector<LinkReason>& reasons) {
+    QStringList texts;
+    for (const LinkReason& reason : reasons) texts += linkReasonText(reason);
+    return texts.join(QStringLiteral(", "));
+}
+
+QString causeText(const BrakeResult& result) {
+    using Cause = BrakeResult::Cause;
+    switch (result.cause) {
+        case Cause::None:
+            break;
+        case Cause::KeyLetGo:
+            return Words::tr("the key was let go");
+        case Cause::NotDriven:
+            return Words::tr("the robot was not to be driven any more");
+        case Cause::RoomUnknown:
+            return Words::tr("nothing tells whether there is room ahead");
+        case Cause::NoRoom:
+            return Words::tr("only %1 m are free ahead, %2 m are needed")
+                .arg(numberText(result.free, 1), numberText(result.needed, 1));
+        case Cause::NotAllowed:
+            return Words::tr("the station may not drive the robot");
+        case Cause::Deaf:
+            return Words::tr("the robot hears no drive commands");
+        case Cause::NoOdometry:
+            return Words::tr("no odometry comes");
+        case Cause::SticksHeld:
+            return Words::tr("the sticks were not let go");
+        case Cause::NotStanding:
+            return Words::tr("the robot did not stand");
+        case Cause::TooSlow:
+            return Words::tr("the robot did not come to its speed");
+        case Cause::OdometryEnded:
+            return Words::tr("no odometry came after the cut");
+    }
+    return Words::tr("nothing tells why");
+}
+
 QString hours(double count) {
     return count < 1.0 ? Words::tr("%1 min").arg(numberText(60.0 * count, 0))
                        : Words::tr("%1 h").arg(numberText(count, 0));
@@ -40,7 +80,7 @@ QString clockText(const PreflightCheck& check) {
 QString robotText(const PreflightCheck& check, const QString& detail) {
     switch (check.kind) {
         case Kind::RobotConnected:
-            if (!detail.isEmpty()) return Words::tr("connected, but %1").arg(detail);
+            if (!check.reasons.empty()) return Words::tr("connected, but %1").arg(reasonsText(check.reasons));
             return check.number > 0.0 ? Words::tr("connected, round trip %1").arg(secondsText(check.number))
                                       : Words::tr("connected");
         case Kind::RobotMissing:
@@ -76,7 +116,7 @@ QString robotText(const PreflightCheck& check, const QString& detail) {
     }
 }
 
-QString brakeCheckText(const PreflightCheck& check, const QString& detail) {
+QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
     switch (check.kind) {
         case Kind::BrakePassed:
             return Words::tr("brake: %1 without commands").arg(standing(check));
@@ -89,7 +129,7 @@ QString brakeCheckText(const PreflightCheck& check, const QString& detail) {
         case Kind::BrakeOverridden:
             return Words::tr("brake: FAILED, and driven nevertheless");
         case Kind::BrakeUnclear:
-            return Words::tr("brake: no result (%1)").arg(detail);
+            return Words::tr("brake: no result (%1)").arg(causeText(check.brake));
         default:
             return {};
     }
@@ -98,6 +138,7 @@ QString brakeCheckText(const PreflightCheck& check, const QString& detail) {
 QString stationText(const PreflightCheck& check, const QString& detail) {
     switch (check.kind) {
         case Kind::Wire:
+            return wireText(check.wire);
         case Kind::Limits:
         case Kind::Versions:
         case Kind::Secured:
@@ -228,7 +269,6 @@ QString brakeText(BrakeTest::Phase phase, const BrakeResult& result) {
     PreflightCheck check;
     check.number = result.seconds;
     check.other = result.metres;
-    check.detail = result.why;
     switch (result.verdict) {
         case BrakeResult::Verdict::Untested:
             return Words::tr("0.6 m must be free ahead");
@@ -237,7 +277,7 @@ QString brakeText(BrakeTest::Phase phase, const BrakeResult& result) {
         case BrakeResult::Verdict::Failed:
             return Words::tr("FAILED: moves without commands");
         case BrakeResult::Verdict::Inconclusive:
-            return Words::tr("No result: %1").arg(QString::fromStdString(result.why));
+            return Words::tr("No result: %1").arg(causeText(result));
     }
     return {};
 }

@@ -50,7 +50,7 @@ public:
 TEST(BrakeTest, ARobotWithAWatchdogPasses) {
     Track track;
     const BrakeResult& result = track.run();
-    EXPECT_EQ(result.verdict, Verdict::Passed) << result.why;
+    EXPECT_EQ(result.verdict, Verdict::Passed) << toString(result);
     EXPECT_NEAR(result.seconds, 0.42, 0.08);
     EXPECT_NEAR(result.metres, 0.035, 0.01);
     EXPECT_LT(track.x, 0.2) << "it needs little room";
@@ -80,7 +80,7 @@ TEST(BrakeTest, LettingTheKeyGoEndsItWithoutAVerdict) {
     track.holding = false;
     for (int i = 0; i < 20; ++i) track.tick();
     EXPECT_EQ(track.test.result().verdict, Verdict::Inconclusive);
-    EXPECT_THAT(track.test.result().why, HasSubstr("let go"));
+    EXPECT_THAT(toString(track.test.result()), HasSubstr("the key was let go"));
     EXPECT_EQ(track.wish, 0.0);
     EXPECT_FALSE(track.silent);
 }
@@ -110,7 +110,7 @@ TEST(BrakeTest, NothingMovesWithoutRoomGrantNeutralSticksOrEars) {
         track.facts.*fact = fact == &BrakeFacts::needsNeutral;
         EXPECT_EQ(track.run().verdict, Verdict::Inconclusive);
         EXPECT_EQ(track.x, 0.0);
-        EXPECT_FALSE(track.test.result().why.empty());
+        EXPECT_NE(track.test.result().cause, BrakeResult::Cause::None);
     }
 }
 
@@ -118,7 +118,7 @@ TEST(BrakeTest, ARobotThatDoesNotMoveProvesNothing) {
     Track track;
     track.moves = false;
     EXPECT_EQ(track.run().verdict, Verdict::Inconclusive);
-    EXPECT_THAT(track.test.result().why, HasSubstr("speed"));
+    EXPECT_THAT(toString(track.test.result()), HasSubstr("speed"));
 }
 
 TEST(BrakeTest, WithoutOdometryAfterTheCutNothingIsKnown) {
@@ -130,7 +130,7 @@ TEST(BrakeTest, WithoutOdometryAfterTheCutNothingIsKnown) {
         (void)track.test.step(track.facts, track.now);
     }
     EXPECT_EQ(track.test.result().verdict, Verdict::Inconclusive);
-    EXPECT_THAT(track.test.result().why, HasSubstr("odometry"));
+    EXPECT_THAT(toString(track.test.result()), HasSubstr("odometry"));
 }
 
 }  // namespace

@@ -120,8 +120,9 @@ TEST_F(Preflight, ADegradedLinkAClockAndComplaintsNeedALook) {
     expect(Kind::ClockFar, CheckState::Attention);
     robot().view.link.clock.reset();
     expect(Kind::ClockUnknown, CheckState::Attention);
-    robot().complaints = {"/kurt3d/odom: robot offers best effort, we asked for reliable"};
+    robot().complaints = {{"/kurt3d/odom", {{WireProblem::Kind::OffersLess, "best effort", "reliable"}}}};
     expect(Kind::Wire, CheckState::Attention);
+    EXPECT_EQ(find(preflight(facts), Kind::Wire)->wire, robot().complaints.front());
 }
 
 TEST_F(Preflight, AClockIsFarFromWhereTheAlarmTellsOfIt) {
@@ -166,7 +167,9 @@ TEST_F(Preflight, Brakes) {
     robot().brake = {};
     expect(Kind::BrakeUntested, CheckState::Attention);
     robot().brake.verdict = Verdict::Inconclusive;
+    robot().brake.cause = BrakeResult::Cause::Deaf;
     expect(Kind::BrakeUnclear, CheckState::Attention);
+    EXPECT_EQ(find(preflight(facts), Kind::BrakeUnclear)->brake.cause, BrakeResult::Cause::Deaf);
 }
 
 TEST_F(Preflight, DiskAndNetwork) {
