@@ -16,13 +16,15 @@ using Verdict = BrakeResult::Verdict;
 TEST(BrakeFile, WhatIsKnownComesBackAndWhatIsNotIsLeftOut) {
     const TemporaryFolder folder;
     const auto file = folder / "brakes.yaml";
-    ASSERT_TRUE(writeBrakes(file, {{"kurt3d", {Verdict::Passed, 0.312, 0.021, {}, Time(1'700'000'000s)}},
-                                   {"rover", {Verdict::Failed, 1.6, 0.16, {}, Time(1'700'000'100s)}},
-                                   {"other", {Verdict::Inconclusive, 0, 0, "the key was let go", {}}}})
-                    .ok());
+    const BrakeResult passed{
+        .verdict = Verdict::Passed, .seconds = 0.312, .metres = 0.021, .when = Time(1'700'000'000s)};
+    const BrakeResult failed{
+        .verdict = Verdict::Failed, .seconds = 1.6, .metres = 0.16, .when = Time(1'700'000'100s)};
+    const BrakeResult unclear{.verdict = Verdict::Inconclusive, .cause = BrakeResult::Cause::KeyLetGo};
+    ASSERT_TRUE(writeBrakes(file, {{"kurt3d", passed}, {"rover", failed}, {"other", unclear}}).ok());
     const auto read = readBrakes(file);
     ASSERT_EQ(read.size(), 2u);
-    EXPECT_EQ(read.at("kurt3d"), (BrakeResult{Verdict::Passed, 0.312, 0.021, {}, Time(1'700'000'000s)}));
+    EXPECT_EQ(read.at("kurt3d"), passed);
     EXPECT_EQ(read.at("rover").verdict, Verdict::Failed);
 }
 
