@@ -97,7 +97,7 @@ TEST_F(PreflightListTest, WhatTheWireComplainsAboutAndADegradedLinkAreTold) {
     PreflightCheck link{Kind::RobotConnected, CheckState::Attention, "k"};
     link.reasons = {{.kind = LinkReason::Kind::Slow, .value = 0.38},
                     {.kind = LinkReason::Kind::NoAnswer, .value = 3.1}};
-    EXPECT_EQ(checkText(link), "connected, but round trip 380 ms, no answer to pings for 3.1 s");
+    EXPECT_EQ(checkText(link), "connected, but slow: 380 ms, no answer for 3.1 s");
 }
 
 }  // namespace
