@@ -5874,6 +5874,22 @@ F1 listet alle Tasten</translation>
         <source>{}: no station of ours recorded it, so that it stays as it is; nothing can be written into it</source>
         <translation>{}: keine Leitstand-Station hat sie aufgezeichnet, deshalb bleibt sie, wie sie ist; nichts kann hineingeschrieben werden</translation>
     </message>
+    <message>
+        <source>key scan {}: expected one of the map</source>
+        <translation>Schlüsselscan {}: erwartet wird einer der Karte</translation>
+    </message>
+    <message>
+        <source>"{}" is none of the station's robots</source>
+        <translation>„{}“ ist kein Roboter dieser Station</translation>
+    </message>
+    <message>
+        <source>{}: its file names no stream_command stream</source>
+        <translation>{}: seine Datei nennt keinen stream_command-Strom</translation>
+    </message>
+    <message>
+        <source>{}: {} is none of the streams that it sends</source>
+        <translation>{}: {} ist keiner der Ströme, die er sendet</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

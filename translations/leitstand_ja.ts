@@ -5874,6 +5874,22 @@ F1 でキー一覧</translation>
         <source>{}: no station of ours recorded it, so that it stays as it is; nothing can be written into it</source>
         <translation>{}: Leitstand のステーションの記録ではないため、そのまま残します。書き込みはできません</translation>
     </message>
+    <message>
+        <source>key scan {}: expected one of the map</source>
+        <translation>キースキャン {}：地図にあるものを指定してください</translation>
+    </message>
+    <message>
+        <source>"{}" is none of the station's robots</source>
+        <translation>「{}」はこのステーションのロボットではありません</translation>
+    </message>
+    <message>
+        <source>{}: its file names no stream_command stream</source>
+        <translation>{}：設定ファイルに stream_command ストリームがありません</translation>
+    </message>
+    <message>
+        <source>{}: {} is none of the streams that it sends</source>
+        <translation>{}：{} は送信されるストリームではありません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

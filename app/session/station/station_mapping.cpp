@@ -185,7 +185,8 @@ Result<void> StationMapping::State::known(std::uint64_t id) const {
     const bool found = std::any_of(scans->scans.begin(), scans->scans.end(),
                                    [&](const LiveKeyScan& scan) { return scan.id == id; });
     if (found) return {};
-    return Error{fmt::format("key scan {}: expected one of the map", id)};
+    return Error{
+        leitstand::fill(translate("leitstand::Station", "key scan {}: expected one of the map"), id)};
 }
 
 void StationMapping::State::decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what) {
@@ -334,7 +335,8 @@ MapCrop StationMapping::crop() const {
 Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
     if (auto may = m_state->granted(); !may) return may;
     if (!m_state->robots.contains(robot))
-        return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
     if (scans()->scans.empty())
         return Error{translate("leitstand::Station", "there is no map yet to put a robot into")};
     m_state->mapping->place(robot, baseInMap);

@@ -8,6 +8,7 @@
 #include "app/session/log/link_line.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
+#include "core/base/words.h"
 #include "core/io/settings/alarm_file.h"
 #include "core/mission/station_topics.h"
 
@@ -255,7 +256,9 @@ RobotView Station::State::view(const std::string& name) const {
 
 Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
     RobotLine* const to = line(robot);
-    if (to == nullptr) return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+    if (to == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
     return to->say(role, sample);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -38,11 +38,15 @@ Result<void> StationStreams::wish(const std::string& robot, const std::string& t
                                   const StreamWish& wish) {
     const std::lock_guard lock(m_mutex);
     Line* const line = find(robot);
-    if (line == nullptr) return Error{fmt::format("\"{}\" is none of the station's robots", robot)};
+    if (line == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
     if (line->robot.stream(StreamRole::StreamCommand) == nullptr)
-        return Error{fmt::format("{}: its file names no stream_command stream", robot)};
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{}: its file names no stream_command stream"), robot)};
     if (!comesFrom(line->robot, topic))
-        return Error{fmt::format("{}: {} is none of the streams that it sends", robot, topic)};
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{}: {} is none of the streams that it sends"), robot, topic)};
     line->wishes.set(topic, wish);
     share();
     return {};

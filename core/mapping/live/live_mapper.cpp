@@ -157,7 +157,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         key.entered = now;
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
-        key.reduced = std::make_shared<const PointCloud>(std::move(ready.reduced));
+        key.reduced = std::make_shared<const PackedCloud>(ready.reduced);
         update.keyScan = KeyScanSample{now, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;

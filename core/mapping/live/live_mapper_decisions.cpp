@@ -2,8 +2,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "core/base/words.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/live_mapper_state.h"
@@ -13,7 +11,8 @@ namespace leitstand {
 namespace {
 
 Error unknown(std::uint64_t id) {
-    return Error{fmt::format("key scan {}: expected one of the map", id)};
+    return Error{
+        leitstand::fill(translate("leitstand::Station", "key scan {}: expected one of the map"), id)};
 }
 
 bool same(const ScanPose& a, const ScanPose& b) {
@@ -94,7 +93,7 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
     std::vector<LiveKeyScan> others = state.map.scans;
     std::erase_if(others, [&](const LiveKeyScan& other) { return other.id == id; });
     const PointCloud cloud = settings.match.reduce == state.settings.match.reduce
-                                 ? *scan->reduced
+                                 ? scan->reduced->unpacked()
                                  : reducedAgain(*scan->scan, settings.match);
     const Match found = match(cloud, localMap(others, guess, state.settings.local), guess, {}, scan->up,
                               settings.match, state.settings.fit, settings.match.wide);
@@ -135,7 +134,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
     key.matched = sample.matched;
     key.entered = sample.stamp;
-    key.reduced = std::make_shared<const PointCloud>(reducedAgain(*sample.scan, state.settings.match));
+    key.reduced = std::make_shared<const PackedCloud>(reducedAgain(*sample.scan, state.settings.match));
     const std::string robot = sample.scan->robot;
     const auto place =
         std::upper_bound(state.map.scans.begin(), state.map.scans.end(), key.id,

@@ -34,7 +34,7 @@ LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const L
     PointCloud all;
     for (const Candidate& candidate : candidates) {
         local.scans.push_back(candidate.scan->id);
-        append(all, *candidate.scan->reduced, candidate.scan->pose.scanInMap);
+        append(all, candidate.scan->reduced->unpacked(), candidate.scan->pose.scanInMap);
     }
     if (all.points.empty()) return local;
     local.cloud = voxelGrid(all, settings.voxel, VoxelPoint::Centroid);

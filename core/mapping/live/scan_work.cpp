@@ -93,9 +93,7 @@ std::size_t memoryOf(const LiveKeyScan& scan) {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list.front()); };
     std::size_t sum = sizeof(LiveKeyScan);
     if (scan.scan) sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels);
-    if (scan.reduced)
-        sum += bytes(scan.reduced->points) + bytes(scan.reduced->normals) + bytes(scan.reduced->labels) +
-               bytes(scan.reduced->weights);
+    if (scan.reduced) sum += scan.reduced->memory();
     return sum;
 }
 

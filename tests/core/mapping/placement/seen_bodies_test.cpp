@@ -117,8 +117,7 @@ struct Sought {
     Sought() {
         LiveKeyScan scan;
         scan.id = 1;
-        auto cloud = std::make_shared<PointCloud>(world.map().cloud);
-        scan.reduced = cloud;
+        scan.reduced = std::make_shared<const PackedCloud>(world.map().cloud);
         auto live = std::make_shared<LiveMap>();
         live->scans.push_back(scan);
         map = live;
