@@ -74,6 +74,36 @@ TEST_F(PreflightDeskTest, FindsWhatIsInOrderAndARobotThatMayBeAdded) {
     EXPECT_TRUE(desk.strangers().empty());
 }
 
+TEST_F(PreflightDeskTest, ARobotWithAnotherQosOrTypeThanItsFileSaysIsTold) {
+    RobotDescription robot = kurt3d();
+    const auto asked =
+        std::find_if(robot.streams.begin(), robot.streams.end(),
+                     [](const StreamDescription& stream) { return stream.role == StreamRole::Odometry; });
+    ASSERT_NE(asked, robot.streams.end());
+    asked->qos = reliable(5);
+    const StreamDescription odometry = *asked;
+    const StreamDescription* const points = robot.stream(StreamRole::Points);
+    ASSERT_NE(points, nullptr);
+    const auto node = nodeIn(m_domain, {.name = "kurt3d"});
+    const auto careless = must(node->publisher({odometry.topic, odometry.type, bestEffort()}));
+    const auto other = must(node->publisher({points->topic, "sensor_msgs/msg/LaserScan", reliable(5)}));
+    const auto station = stationFor({robot});
+    const PreflightDesk desk(*station);
+
+    const WireComplaint qos{odometry.topic, {{WireProblem::Kind::OffersLess, "best effort", "reliable"}}};
+    const WireComplaint type{points->topic,
+                             {{WireProblem::Kind::SendsOther, "sensor_msgs/msg/LaserScan", points->type}}};
+    const auto isTold = [&](const WireComplaint& complaint) {
+        const auto found = checks(desk);
+        return std::any_of(found.begin(), found.end(), [&](const PreflightCheck& one) {
+            return one.kind == Kind::Wire && one.robot == "kurt3d" && one.wire == complaint &&
+                   one.state == CheckState::Attention;
+        });
+    };
+    EXPECT_TRUE(waitUntil([&] { return isTold(qos) && isTold(type); }, 30s)) << words();
+    EXPECT_THAT(words(), testing::HasSubstr(toString(qos))) << "messages tell it too";
+}
+
 TEST_F(PreflightDeskTest, ADiskIsMeasuredAndLeavesNothingBehind) {
     const auto rate = measureDisk(m_folder / ".", 2);
     ASSERT_TRUE(rate.ok());
