@@ -2128,6 +2128,38 @@ Funk: %4 %5</translation>
         <source>Undo</source>
         <translation>Zurück</translation>
     </message>
+    <message>
+        <source>&amp;Merge with the nearest</source>
+        <translation>Mit dem nächsten v&amp;ereinen</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinen</translation>
+    </message>
+    <message>
+        <source>The chosen find is the same as the nearest one of its kind, which gets its evidence</source>
+        <translation>Der gewählte Fund ist derselbe wie der nächste seiner Art, der seine Belege erhält</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>Fund auf der Karte ver&amp;schieben</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is</source>
+        <translation>Auf der Karte anklicken, wo der gewählte Fund ist</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 moved (as finished)</source>
+        <translation>%1 verschoben (Endstand)</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::Freshness</name>
@@ -3215,6 +3247,21 @@ F1 listet alle Tasten</translation>
     <message>
         <source>missed by scanner</source>
         <translation>vom Scanner übersehen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MergeWords</name>
+    <message>
+        <source>There is no other find of this kind to merge it with</source>
+        <translation>Es gibt keinen anderen Fund dieser Art zum Vereinen</translation>
+    </message>
+    <message>
+        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
+        <translation>%1, der nächste Fund bei %2, ist %3 m davon entfernt: erst einen von beiden dorthin verschieben</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now, %3 m away</source>
+        <translation>%1 ist jetzt Teil von %2 (%3 m entfernt)</translation>
     </message>
 </context>
 <context>
@@ -6833,10 +6880,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Nichts ist erfasst, das bestätigt werden könnte: F erfasst, was der Roboter sieht</translation>
     </message>
     <message>
-        <source>There is no other find of this kind to merge it with</source>
-        <translation>Es gibt keinen anderen Fund dieser Art zum Vereinen</translation>
-    </message>
-    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
     </message>
@@ -6863,14 +6906,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>This field has no choices: words are typed into it</source>
         <translation>Dieses Feld hat keine Auswahl: Worte werden hineingetippt</translation>
-    </message>
-    <message>
-        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
-        <translation>%1, der nächste Fund bei %2, ist %3 m davon entfernt: erst einen von beiden dorthin verschieben</translation>
-    </message>
-    <message>
-        <source>%1 is part of %2 now, %3 m away</source>
-        <translation>%1 ist jetzt Teil von %2 (%3 m entfernt)</translation>
     </message>
 </context>
 <context>

@@ -2128,6 +2128,38 @@ Link: %4 %5</source>
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
+    <message>
+        <source>&amp;Merge with the nearest</source>
+        <translation>最寄りと統合(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>統合</translation>
+    </message>
+    <message>
+        <source>The chosen find is the same as the nearest one of its kind, which gets its evidence</source>
+        <translation>選択した発見は最寄りの同種の発見と同一。証拠はそちらに移る</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>発見を地図上で移動(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is</source>
+        <translation>選択した発見の位置を地図上でクリック</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>%1 moved (as finished)</source>
+        <translation>%1 を移動（最終状態）</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::Freshness</name>
@@ -3215,6 +3247,21 @@ F1 でキー一覧</translation>
     <message>
         <source>missed by scanner</source>
         <translation>スキャナの見落とし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MergeWords</name>
+    <message>
+        <source>There is no other find of this kind to merge it with</source>
+        <translation>統合できる同種の発見がほかにない</translation>
+    </message>
+    <message>
+        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
+        <translation>%2 に最も近い %1 は %3 m 離れています。先にどちらかを移動してください</translation>
+    </message>
+    <message>
+        <source>%1 is part of %2 now, %3 m away</source>
+        <translation>%1 は %3 m 離れた %2 に統合されました</translation>
     </message>
 </context>
 <context>
@@ -6833,10 +6880,6 @@ A function of this program, no certified emergency stop.</source>
         <translation>確定できる登録がない: F でロボットが見ているものを登録</translation>
     </message>
     <message>
-        <source>There is no other find of this kind to merge it with</source>
-        <translation>統合できる同種の発見がほかにない</translation>
-    </message>
-    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
     </message>
@@ -6863,14 +6906,6 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>This field has no choices: words are typed into it</source>
         <translation>この欄に選択肢はありません。文字を入力します</translation>
-    </message>
-    <message>
-        <source>%1, the nearest to %2, is %3 m away from it: move one of them there first</source>
-        <translation>%2 に最も近い %1 は %3 m 離れています。先にどちらかを移動してください</translation>
-    </message>
-    <message>
-        <source>%1 is part of %2 now, %3 m away</source>
-        <translation>%1 は %3 m 離れた %2 に統合されました</translation>
     </message>
 </context>
 <context>

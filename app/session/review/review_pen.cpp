@@ -12,6 +12,7 @@
 #include "app/session/log/sequencer.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/finds/find_book.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -103,12 +104,28 @@ Result<void> ReviewPen::note(Time at, const std::string& robot, const std::strin
 
 Result<void> ReviewPen::correct(VictimSample victim) {
     if (auto opened = open(); !opened) return opened;
-    if (!mission()->state()->victims->contains({victim.kind, victim.number}))
-        return Error{leitstand::fill(translate("leitstand::Station", "{}: the mission has no {}"),
-                                     m_folder.string(), nameOf(victim.kind, victim.number))};
+    const FindKey find{victim.kind, victim.number};
+    if (!mission()->state()->victims->contains(find)) return unknown(find);
     victim.stamp = stationTime();
     victim.station = m_station;
     return say(victim, station_topic::Victims);
+}
+
+Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {
+    if (auto opened = open(); !opened) return opened;
+    const auto merged = mergedInto(*mission()->state(), find, into, m_station, stationTime());
+    return merged ? say(*merged, station_topic::Victims) : unknown(find);
+}
+
+Result<void> ReviewPen::move(const FindKey& find, const Eigen::Vector3d& placeInMap) {
+    if (auto opened = open(); !opened) return opened;
+    const auto moved = movedTo(*mission()->state(), find, placeInMap, m_station, stationTime());
+    return moved ? say(*moved, station_topic::Victims) : unknown(find);
+}
+
+Error ReviewPen::unknown(const FindKey& find) const {
+    return Error{leitstand::fill(translate("leitstand::Station", "{}: the mission has no {}"),
+                                 m_folder.string(), nameOf(find.first, find.second))};
 }
 
 bool ReviewPen::canUndo() const {

@@ -35,6 +35,10 @@ public:
     Result<void> note(Time at, const std::string& robot, const std::string& text);
     /// @p victim as it is to be from now on: of the number it has, which the mission has to know.
     Result<void> correct(VictimSample victim);
+    /// @p find is part of the one of its kind with number @p into.
+    Result<void> merge(const FindKey& find, std::uint32_t into);
+    /// @p find is at @p placeInMap [m].
+    Result<void> move(const FindKey& find, const Eigen::Vector3d& placeInMap);
     /// Takes back the newest that this pen wrote and that is not taken back.
     Result<void> undo();
     [[nodiscard]] bool canUndo() const;
@@ -50,6 +54,7 @@ private:
     Result<void> open();
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
+    [[nodiscard]] Error unknown(const FindKey& find) const;
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;

@@ -8,10 +8,14 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/map/map_feature.h"
+#include "app/window/live/map/map_gestures.h"
+#include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "app/window/review/review_bridge.h"
 #include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/victims/merge_words.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -79,16 +83,34 @@ void FindsFeature::addCommands() {
                  [this](const FindKey& find) { judge(find, Status::Discarded); }),
         ofChosen(add("review.form", tr("Form of the f&ind…"), tr("Form…"),
                      tr("The chosen find's form: what is known of it")),
-                 [this](const FindKey& find) { openForm(find); })};
+                 [this](const FindKey& find) { openForm(find); }),
+        ofChosen(
+            add("review.merge", tr("&Merge with the nearest"), tr("Merge"),
+                tr("The chosen find is the same as the nearest one of its kind, which gets its evidence")),
+            [this](const FindKey& find) { merge(find); })};
     QAction& note = add("review.note", tr("Write a n&ote…"), tr("Note…"),
                         tr("About the moment that is shown"), QKeySequence(Qt::CTRL | Qt::Key_N));
+    m_note = &note;
     connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
                   tr("Takes back what was written last in this review"), QKeySequence::Undo);
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
+}
+
+void FindsFeature::placeOn(MapFeature& map) {
+    QAction& action = m_context.commands.add({.id = QStringLiteral("review.move"),
+                                              .menu = CommandMenu::Mission,
+                                              .text = tr("Mo&ve the find on the map"),
+                                              .hint = tr("Click on the map where the chosen find is"),
+                                              .keys = QKeySequence(Qt::SHIFT | Qt::Key_V),
+                                              .checkable = true});
+    action.setIconText(tr("Move"));
+    connect(&action, &QAction::triggered, this, [this, &map, &action](bool on) { move(map, action, on); });
+    m_ofChosen.push_back(&action);
     std::vector<QAction*> buttons = m_ofChosen;
-    buttons.insert(buttons.end(), {m_undo, &note});
+    buttons.insert(buttons.end(), {m_undo, m_note});
     m_panel->setCommands(buttons);
+    enable();
 }
 
 std::optional<FindKey> FindsFeature::chosen() const {
@@ -98,15 +120,16 @@ std::optional<FindKey> FindsFeature::chosen() const {
 
 const MissionState& FindsFeature::state() const {
     // What was written counts as finished: then is then.
-    const bool finished = m_bridge.player().map() == ReviewMap::Finished;
-    if (!finished) return *m_bridge.reviewed()->mission;
+    return m_bridge.player().map() == ReviewMap::Finished ? finished() : *m_bridge.reviewed()->mission;
+}
+
+const MissionState& FindsFeature::finished() const {
     m_written = m_bridge.pen().state();
     return m_written ? *m_written : *m_bridge.index()->finished;
 }
 
 const VictimSample* FindsFeature::newest(const FindKey& find) const {
-    const MissionStatePtr written = m_bridge.pen().state();
-    const MissionState& now = written ? *written : *m_bridge.index()->finished;
+    const MissionState& now = finished();
     const auto found = now.victims->find(find);
     return found == now.victims->end() ? nullptr : &found->second.victim;
 }
@@ -154,6 +177,25 @@ void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
             return pen.correct(whole);
         },
         tr("%1: %2 (as finished)").arg(name, statusText(judged)));
+}
+
+void FindsFeature::merge(const FindKey& find) {
+    const MergeOffer offer = mergeOffer(finished(), find);
+    if (!offer.into) return emit told(offer.text);
+    m_bridge.write([find, into = *offer.into](ReviewPen& pen) { return pen.merge(find, into); }, offer.text);
+}
+
+void FindsFeature::move(MapFeature& map, QAction& by, bool on) {
+    const auto find = chosen();
+    if (!on || !find) return map.gestures().disarm();
+    const QString name = QString::fromStdString(nameOf(find->first, find->second));
+    map.gestures().armPose(
+        by, map.robots().placeMark(m_context.selection.name().toStdString()),
+        tr("Click where %1 is · right button: not at all").arg(name),
+        [this, name, find = *find](const GroundPose& pose) {
+            m_bridge.write([find, place = pose.place](ReviewPen& pen) { return pen.move(find, place); },
+                           tr("%1 moved (as finished)").arg(name));
+        });
 }
 
 void FindsFeature::openForm(const FindKey& find) {

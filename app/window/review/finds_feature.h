@@ -14,6 +14,7 @@ class QAction;
 
 namespace leitstand {
 
+class MapFeature;
 class ReviewBridge;
 class VictimForm;
 class VictimsPanel;
@@ -27,6 +28,8 @@ public:
 
     [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
     [[nodiscard]] std::optional<FindKey> chosen() const;
+    /// Finds are moved on @p map from now on.
+    void placeOn(MapFeature& map);
 
 public slots:
     void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
@@ -43,6 +46,9 @@ private:
     void enable();  ///< commands that mean something now
     void show();
     void judge(const FindKey& find, VictimSample::Status status);
+    void merge(const FindKey& find);
+    void move(MapFeature& map, QAction& by, bool on);
+    [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
     void openForm(const FindKey& find);
     void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
@@ -56,7 +62,7 @@ private:
     VictimForm* m_form;
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
-    QAction* m_undo = nullptr;
+    QAction *m_undo = nullptr, *m_note = nullptr;
     mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
 };
 

@@ -58,6 +58,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
+    m_finds->placeOn(*m_map);
     addCoverage(context);
     new ScanFeature(context);
     m_messages = new MessagesFeature(context);

@@ -85,6 +85,33 @@ TEST_F(ReviewPenTest, AVictimIsCorrectedAndTheCorrectionTakenBack) {
     EXPECT_THAT(unknown.error().text, HasSubstr("V77"));
 }
 
+TEST_F(ReviewPenTest, FindsAreMergedAndMoved) {
+    const auto folder = m_folder / "two";
+    {
+        WrittenMission mission(folder);
+        writeMinute(mission);
+        mission.sayVictim(61.0, 2, VictimSample::Status::Hypothesis);
+        mission.close();
+    }
+    ReviewPen writes(folder, {Mission::robot()}, "reviewer", "test");
+    const FindKey first{VictimSample::Kind::Victim, 1}, second{VictimSample::Kind::Victim, 2};
+    const auto now = [&](const FindKey& find) { return writes.state()->victims->at(find).victim; };
+    ASSERT_TRUE(writes.merge(second, 1).ok());
+    EXPECT_EQ(now(second).mergedInto, 1U);
+    EXPECT_EQ(now(second).station, "reviewer");
+    const Eigen::Vector3d before = now(first).positionInMap, there(2.0, -0.4, 0.3);
+    ASSERT_TRUE(writes.move(first, there).ok());
+    EXPECT_TRUE(now(first).positionInMap.isApprox(there)) << now(first).positionInMap.transpose();
+    EXPECT_EQ(now(first).status, VictimSample::Status::Confirmed) << "it is the same find";
+    ASSERT_TRUE(writes.undo().ok());
+    EXPECT_TRUE(now(first).positionInMap.isApprox(before));
+    EXPECT_EQ(now(second).mergedInto, 1U) << "one at a time";
+    ASSERT_TRUE(writes.undo().ok());
+    EXPECT_EQ(now(second).mergedInto, 0U);
+    EXPECT_FALSE(writes.merge(first, 9).ok());
+    EXPECT_FALSE(writes.move({VictimSample::Kind::Hazard, 1}, there).ok());
+}
+
 TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {
     const auto one = pen(), other = pen();
     ASSERT_TRUE(one->note(Mission::at(1.0), "", "first").ok());

@@ -204,6 +204,36 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_TRUE(soon([&] { return found(0, 1) == "confirmed"; }));
 }
 
+TEST_F(ReviewWindowTest, AVictimIsMovedOnTheMapAndMergedOnlyWithWhatIsThere) {
+    goTo(47.0);
+    m_window->commands().trigger(QStringLiteral("review.finished"));
+    ASSERT_TRUE(soon([&] { return finds() == 1; }));
+    EXPECT_FALSE(m_window->commands().find(QStringLiteral("review.move"))->isEnabled()) << "none is chosen";
+    find<QTableView>("finds").selectRow(0);
+    find<QToolButton>("review.merge").click();
+    EXPECT_TRUE(m_window->newest().contains(QStringLiteral("no other find")))
+        << m_window->newest().toStdString();
+    MapView& map = m_window->mapView();
+    const Eigen::Vector3d there(2.0, -0.4, 0.0);
+    ASSERT_TRUE(soon([&] {
+        const auto at = map.project(there);
+        return at && map.rect().contains(at->toPoint()) && map.settled();
+    }));
+    find<QToolButton>("review.move").click();
+    EXPECT_TRUE(map.drawing());
+    QTest::mouseClick(&map, Qt::LeftButton, {}, map.project(there)->toPoint());
+    EXPECT_FALSE(map.drawing());
+    const auto away = [&] {
+        const MissionStatePtr written = m_bridge->pen().state();
+        if (!written) return 99.0;
+        return (written->victims->begin()->second.victim.positionInMap - there).head<2>().norm();
+    };
+    EXPECT_TRUE(soon([&] { return away() < 0.2; })) << away() << " m off";
+    EXPECT_TRUE(soon([&] { return m_window->newest().contains(QStringLiteral("moved")); }));
+    find<QToolButton>("review.undo").click();
+    EXPECT_TRUE(soon([&] { return away() > 0.5; }));
+}
+
 TEST_F(ReviewWindowTest, NothingOffersToMoveARobot) {
     for (const char* id : {"robot.stop", "robot.drive", "map.goTo", "camera.left", "camera.snapshot"})
         EXPECT_EQ(m_window->commands().find(QLatin1String(id)), nullptr) << id;

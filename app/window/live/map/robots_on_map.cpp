@@ -86,6 +86,13 @@ RobotMark RobotsOnMap::mark(const std::string& robot) const {
     return *robotMarkOf(m_context.selection.faceOfRobot(*known), *known, place, {}, false);
 }
 
+RobotMark RobotsOnMap::placeMark(const std::string& robot) const {
+    RobotMark square = mark(robot);
+    square.footprint = {{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
+    square.height = 0.2;
+    return square;
+}
+
 std::string RobotsOnMap::toPlace() const {
     const std::string selected = m_context.selection.name().toStdString();
     if (!placed(selected)) return selected;

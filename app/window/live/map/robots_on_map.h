@@ -28,6 +28,8 @@ public:
 
     /// As drawn last; a robot that nobody knows the place of stands at the selected one's, or the origin.
     [[nodiscard]] RobotMark mark(const std::string& robot) const;
+    /// A small square in @p robot's colours, for what is placed by hand.
+    [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
     [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
     /// The robot that most needs to be placed: one that is not in the map yet, else the selected one.
     [[nodiscard]] std::string toPlace() const;

@@ -22,6 +22,7 @@
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/victims/merge_words.h"
 #include "widgets/models/victims/move_words.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -189,28 +190,20 @@ void VictimsFeature::confirm() {
 void VictimsFeature::merge() {
     const auto find = meant();
     if (!find) return emit told(tr("Choose the find that is part of another one"));
-    const auto into = nearestOfKind(*m_context.source.moment().mission, *find);
-    if (!into) return emit told(tr("There is no other find of this kind to merge it with"));
-    const QString one = QString::fromStdString(nameOf(find->first, find->second));
-    const QString other = QString::fromStdString(nameOf(find->first, into->find.second));
-    const QString apart = numberText(into->distance, 1);
-    if (into->distance > MergeReach)
-        return emit told(tr("%1, the nearest to %2, is %3 m away from it: move one of them there first")
-                             .arg(other, one, apart));
-    if (const auto merged = desk().merge(*find, into->find.second); !merged) return answer(merged);
-    emit told(tr("%1 is part of %2 now, %3 m away").arg(one, other, apart));
+    const MergeOffer offer = mergeOffer(*m_context.source.moment().mission, *find);
+    if (offer.into) {
+        if (const auto merged = desk().merge(*find, *offer.into); !merged) return answer(merged);
+    }
+    emit told(offer.text);
 }
 
 void VictimsFeature::move(bool on) {
     if (!on) return m_map.gestures().disarm();
     const auto chosen = m_panel->chosen();
     const std::string robot = m_context.selection.name().toStdString();
-    RobotMark mark = m_map.robots().mark(robot);
-    mark.footprint = {{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
-    mark.height = 0.2;
     const bool filed = chosen && chosen->filed();
     m_map.gestures().armPose(
-        *m_actions.at(QStringLiteral("victim.move")), mark,
+        *m_actions.at(QStringLiteral("victim.move")), m_map.robots().placeMark(robot),
         filed ? tr("Click where %1 is · right button: not at all").arg(chosen->name)
               : tr("Click where the victim is · right button: not at all"),
         [this, robot, filed, find = filed ? chosen->find : FindKey()](const GroundPose& pose) {
