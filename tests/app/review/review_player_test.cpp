@@ -210,6 +210,23 @@ TEST_F(ReviewPlayerTest, RatesStayWithinTheirBounds) {
     EXPECT_EQ(m_player->rate(), 0.0);
 }
 
+TEST_F(ReviewPlayerTest, KeepsItsPaceFromATenthToThirtyTwoTimes) {
+    using Clock = std::chrono::steady_clock;
+    const auto seconds = [](auto span) { return std::chrono::duration<double>(span).count(); };
+    for (const double rate : {0.1, 0.5, 8.0, 32.0, -32.0}) {
+        const double start = rate > 0.0 ? 4.0 : 56.0;  // 32 times needs 48 of the 60 s
+        m_player->seek(Mission::at(start));
+        ASSERT_TRUE(reaches(start));
+        m_player->play(rate);
+        const auto began = Clock::now();
+        ASSERT_TRUE(waitUntil([&] { return Clock::now() - began > 1500ms; }, 60s));
+        const double passed = seconds(m_player->position() - Mission::at(start));
+        const double real = seconds(Clock::now() - began);
+        m_player->play(0.0);
+        EXPECT_NEAR(passed / real, rate, 0.2 * std::abs(rate));
+    }
+}
+
 TEST_F(ReviewPlayerTest, PausesWhereItIs) {
     m_player->play(32.0);
     ASSERT_TRUE(waitUntil([this] { return now() > 5.0; }, 60s));
