@@ -16,7 +16,7 @@
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mapping/live/scan_cleaning.h"
+#include "core/mapping/live/cropped_scans.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
 
@@ -83,6 +83,7 @@ void ReportSource::readState() {
 
 void ReportSource::readKeyScans(const Progress& progress) {
     const auto& known = *m_input.state.keyScans;
+    const auto crop = cropOf(m_input.state);
     for (KeyScanSample& sample : keyScansOf(*m_bag)) {
         m_hasKeyScans = true;
         const auto state = known.find(sample.id);
@@ -92,13 +93,8 @@ void ReportSource::readKeyScans(const Progress& progress) {
             continue;
         }
         ScanPtr scan = std::move(sample.scan);
-        if (const auto& crop = m_input.state.crop; crop && scan) {
-            // Spectators who were scanned before the area was drawn.
-            auto inside = std::make_shared<Scan>(*scan);
-            leaveOutCropped(*inside, {crop->sample.polygon, crop->sample.ceiling},
-                            state->second.pose.scanInMap);
-            scan = std::move(inside);
-        }
+        // Spectators may have been scanned before the area was drawn.
+        if (crop) scan = insideCrop(scan, *crop, state->second.pose.scanInMap);
         m_input.scans.push_back({.id = sample.id,
                                  .scan = std::move(scan),
                                  .scanInMap = state->second.pose.scanInMap,

@@ -8,6 +8,7 @@
 
 #include "app/session/review/reviewed_robot.h"
 #include "app/session/station/live_mapping.h"
+#include "app/session/station/mission_map.h"
 #include "core/perception/virtual_scan.h"
 
 namespace leitstand {
@@ -71,8 +72,9 @@ bool hasScans(const MissionState& state, const std::string& robot) {
     });
 }
 
-LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index) {
+LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index, CroppedScans& cropped) {
     auto map = std::make_shared<LiveMap>();
+    cropped.setCrop(cropOf(state).value_or(MapCrop{}));
     for (const auto& [id, kept] : *state.keyScans) {
         const auto found = index.keyScans.find(id);
         if (found == index.keyScans.end()) continue;  // its event cannot be read
@@ -83,6 +85,7 @@ LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index) {
         scan.pose = kept.pose;
         scan.matched = kept.entry.matched;
         scan.entered = kept.entry.stamp;
+        cropped.fit(scan);
         map->scans.push_back(std::move(scan));
     }
     return map;
@@ -139,10 +142,14 @@ void ReviewScene::look(Time at) {
 }
 
 void ReviewScene::showMap(const MissionState& state) {
-    const bool same = m_map && &*m_mapped.keyScans == &*state.keyScans;
+    const auto saidCrop = [](const MissionState& mission) {
+        return mission.crop ? mission.crop->sequence : 0;
+    };
+    const bool same =
+        m_map && &*m_mapped.keyScans == &*state.keyScans && saidCrop(m_mapped) == saidCrop(state);
     if (same) return;
     m_mapped = state;  // keeps the scans that the comparison is with
-    m_scans = scansOf(state, m_index);
+    m_scans = scansOf(state, m_index, m_cropped);
     m_map = shownMap(*m_scans, m_map);
 }
 

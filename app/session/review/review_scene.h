@@ -10,6 +10,7 @@
 #include "app/session/review/review_index.h"
 #include "app/session/review/review_log.h"
 #include "app/session/station/robot_sight.h"
+#include "core/mapping/live/cropped_scans.h"
 #include "core/mapping/live/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/map.h"
@@ -68,6 +69,7 @@ private:
     bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
     Time m_seen{};                        ///< up to where m_sight knows
     std::optional<VirtualScanView> m_around;
+    CroppedScans m_cropped;
     MissionState m_mapped;  ///< whose scans m_scans and m_map are
     LiveMapPtr m_scans;
     MapPtr m_map;

@@ -62,7 +62,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
       m_listener(std::move(listener)),
       m_mapper(station, settingsOf(robots, settings)) {
     for (const RobotDescription& robot : m_descriptions) {
-        m_robots.try_emplace(robot.name, robot, station);
+        m_robots.try_emplace(robot.name, robot, station).first->second.laser.setCrop(settings.crop);
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
     }
     for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
@@ -108,6 +108,13 @@ void LiveMapping::post(std::function<void(LiveMapper&)> task) {
         m_waiting.emplace_back(std::move(task));
     }
     m_came.notify_all();
+}
+
+void LiveMapping::setCrop(const MapCrop& crop) {
+    post([this, crop](LiveMapper& mapper) {
+        mapper.setCrop(crop);
+        for (auto& [name, robot] : m_robots) robot.laser.setCrop(crop);
+    });
 }
 
 RobotsInMapPtr LiveMapping::robots() const {

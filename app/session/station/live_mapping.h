@@ -57,6 +57,8 @@ public:
     void take(const Event& event);
     /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
     void post(std::function<void(LiveMapper&)> task);
+    /// What of the world belongs into the map from now on, and of what lasers see.
+    void setCrop(const MapCrop& crop);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
     /// Where the robots are; never null.

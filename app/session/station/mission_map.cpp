@@ -36,4 +36,9 @@ std::vector<ScanPose> posesOf(const MissionState& mission) {
     return poses;
 }
 
+std::optional<MapCrop> cropOf(const MissionState& mission) {
+    if (!mission.crop) return std::nullopt;
+    return MapCrop{mission.crop->sample.polygon, mission.crop->sample.ceiling};
+}
+
 }  // namespace leitstand

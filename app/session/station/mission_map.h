@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "core/mapping/live/scan_cleaning.h"
 #include "core/mission/mission_state.h"
 #include "core/robot/samples/map_samples.h"
 
@@ -17,5 +19,8 @@ class BagReader;
 
 /// Where the key scans of @p mission are now.
 [[nodiscard]] std::vector<ScanPose> posesOf(const MissionState& mission);
+
+/// What belongs into the map of @p mission now; empty: nobody said.
+[[nodiscard]] std::optional<MapCrop> cropOf(const MissionState& mission);
 
 }  // namespace leitstand

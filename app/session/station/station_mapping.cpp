@@ -164,13 +164,12 @@ void StationMapping::State::hear(const Event& event) {
             cropMoved = false;
         }
     }
-    if (changed) mapping->post([crop = *changed](LiveMapper& mapper) { mapper.setCrop(crop); });
+    if (changed) mapping->setCrop(*changed);
     if (waits) mapping->post([this](LiveMapper& mapper) { settle(mapper); });
 }
 
 MapCrop StationMapping::State::cropInLog() const {
-    const MissionStatePtr state = mission.state();
-    return state->crop ? MapCrop{state->crop->sample.polygon, state->crop->sample.ceiling} : usualCrop;
+    return cropOf(*mission.state()).value_or(usualCrop);
 }
 
 Result<void> StationMapping::State::granted() const {

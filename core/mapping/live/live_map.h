@@ -17,7 +17,7 @@ namespace leitstand {
 /// A scan that entered the live map. Its points never change, its pose may.
 struct LiveKeyScan {
     std::uint64_t id = 0;  ///< KeyScanSample::id
-    ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped
+    ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped now
     Pose sensorInBase = Pose::Identity();
     ScanPose pose;                      ///< and how sure that is
     std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none

@@ -86,7 +86,10 @@ void LiveMapper::setBody(const std::string& robot, RobotBody body) {
 }
 
 void LiveMapper::setCrop(MapCrop crop) {
+    m_state->cropped.setCrop(crop);
     m_state->settings.crop = std::move(crop);
+    for (LiveKeyScan& scan : m_state->map.scans) m_state->cropped.fit(scan);
+    m_state->localStale = true;
 }
 
 void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {

@@ -67,7 +67,9 @@ public:
 
     /// What a robot's scans are cleaned of.
     void setBody(const std::string& robot, RobotBody body);
-    void setCrop(MapCrop crop);  ///< from the next scan on
+    /// Of all scans, also those that are in the map: a wider area brings back what an earlier one left out of
+    /// them, though not what never came in.
+    void setCrop(MapCrop crop);
     /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
 

@@ -57,6 +57,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
         LiveKeyScan* scan = find(pose.scan);
         if (scan == nullptr || same(scan->pose, pose)) continue;
         scan->pose = pose;
+        cropped.fit(*scan);
         localStale = true;
         const std::string& robot = scan->scan->robot;
         if (newest[robot] == scan->id) moved.push_back(robot);
@@ -135,6 +136,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.matched = sample.matched;
     key.entered = sample.stamp;
     key.reduced = std::make_shared<const PackedCloud>(reducedAgain(*sample.scan, state.settings.match));
+    state.cropped.fit(key);
     const std::string robot = sample.scan->robot;
     const auto place =
         std::upper_bound(state.map.scans.begin(), state.map.scans.end(), key.id,

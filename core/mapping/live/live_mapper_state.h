@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/mapping/live/cropped_scans.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/local_map.h"
 #include "core/mapping/live/scan_work.h"
@@ -33,7 +34,9 @@ struct RobotTrack {
 
 /// Insides of LiveMapper.
 struct LiveMapper::State {
-    State(std::string name, LiveSettings chosen) : station(std::move(name)), settings(std::move(chosen)) {}
+    State(std::string name, LiveSettings chosen) : station(std::move(name)), settings(std::move(chosen)) {
+        cropped.setCrop(settings.crop);
+    }
 
     [[nodiscard]] Pose guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const;
     [[nodiscard]] const LocalMap& localAt(const Pose& place);
@@ -54,6 +57,7 @@ struct LiveMapper::State {
     LiveSettings settings;
     std::map<std::string, RobotTrack> robots;
     LiveMap map;
+    CroppedScans cropped;  ///< what of its scans is in the map
     std::uint64_t nextId = 1;
     LocalMap local;
     Pose localPlace = Pose::Identity();

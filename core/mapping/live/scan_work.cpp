@@ -38,17 +38,7 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
         if (!(range >= settings.minRange && range <= settings.maxRange)) continue;
         if (cells.cellOf(scan.points[i]) == kept.size()) kept.push_back(i);
     }
-    Scan result = headOf(scan);
-    const bool intensities = scan.intensities.size() == scan.points.size();
-    result.points.reserve(kept.size());  // an hour has hundreds of scans: no spare room in any
-    result.labels.reserve(kept.size());
-    if (intensities) result.intensities.reserve(kept.size());
-    for (const std::size_t i : kept) {
-        result.points.push_back(scan.points[i]);
-        result.labels.push_back(scan.labels[i]);
-        if (intensities) result.intensities.push_back(scan.intensities[i]);
-    }
-    return result;
+    return selected(scan, kept);
 }
 
 }  // namespace
@@ -77,6 +67,21 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
+}
+
+Scan selected(const Scan& scan, const std::vector<std::size_t>& kept) {
+    Scan result = headOf(scan);
+    const bool intensities = scan.intensities.size() == scan.points.size();
+    const bool labels = scan.labels.size() == scan.points.size();
+    result.points.reserve(kept.size());  // an hour has hundreds of scans: no spare room in any
+    if (labels) result.labels.reserve(kept.size());
+    if (intensities) result.intensities.reserve(kept.size());
+    for (const std::size_t i : kept) {
+        result.points.push_back(scan.points[i]);
+        if (labels) result.labels.push_back(scan.labels[i]);
+        if (intensities) result.intensities.push_back(scan.intensities[i]);
+    }
+    return result;
 }
 
 ScanPtr keptOf(const ScanPtr& scan) {

@@ -32,6 +32,9 @@ struct ReadyScan {
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                                   const LiveSettings& settings, std::span<const PlacedBody> others = {});
 
+/// The points @p kept of @p scan, unorganised, with all else that is known of it and them.
+[[nodiscard]] Scan selected(const Scan& scan, const std::vector<std::size_t>& kept);
+
 /// What the live map keeps of @p scan: nobody asks there how bright its points were, and the log has it.
 [[nodiscard]] ScanPtr keptOf(const ScanPtr& scan);
 

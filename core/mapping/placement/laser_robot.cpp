@@ -72,6 +72,7 @@ std::optional<RobotPlaceSample> LaserRobot::see(LaserView view, const LiveMapPtr
     const auto predicted = m_tracker.baseInMap(stamp);
     if (!predicted) return std::nullopt;
     leaveOut(*m_view, *predicted, others);
+    leaveOutCropped(*m_view, *predicted, m_crop);
     const MapFix fix = m_localiser.follow(*m_view, localAt(map, *predicted), *predicted, m_tracker.motion());
     const auto cause =
         m_localiser.foundAgain() ? RobotPlaceSample::Cause::FoundAgain : RobotPlaceSample::Cause::Tracked;
@@ -112,6 +113,7 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
 bool LaserRobot::contradicted(const Pose& baseInMap, std::span<const Disc> others) const {
     LaserView view = *m_view;
     leaveOut(view, baseInMap, others);
+    leaveOutCropped(view, baseInMap, m_crop);
     const WallMap walls = wallMap(m_local, baseInMap, view.low, view.high);
     return contradiction(view, m_local, walls, FlatPose::of(baseInMap)) > MostAgainst;
 }

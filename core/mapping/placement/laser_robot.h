@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
@@ -44,6 +45,8 @@ public:
     /// The operator put it to @p baseInMap: looked for about there; where it is not found it stands there,
     /// uncertain.
     [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap, const LiveMapPtr& map, Time now);
+    /// What belongs into the map: once it is placed, what its laser sees outside says nothing of where it is.
+    void setCrop(MapCrop crop) { m_crop = std::move(crop); }
     /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its
     /// odometry went on to.
     void restore(const RobotPlaceSample& place);
@@ -70,6 +73,7 @@ private:
     std::string m_station;
     LocaliserSettings m_settings;
     LaserLocaliser m_localiser;
+    MapCrop m_crop;
     std::optional<LaserView> m_view;  ///< newest
     std::optional<Pose> m_begin;      ///< base_link in odom when it was heard first
     std::optional<RobotPlaceSample> m_resumed;

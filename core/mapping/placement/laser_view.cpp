@@ -48,6 +48,16 @@ void leaveOut(LaserView& view, const Pose& baseInMap, std::span<const Disc> disc
     });
 }
 
+void leaveOutCropped(LaserView& view, const Pose& baseInMap, const MapCrop& crop) {
+    if (crop.open()) return;
+    const FlatPose at = FlatPose::of(baseInMap);
+    const double height = baseInMap.translation().z() + view.low;
+    std::erase_if(view.points, [&](const Eigen::Vector2f& point) {
+        const Eigen::Vector2d place = at * point.cast<double>();
+        return !crop.contains({place.x(), place.y(), height});
+    });
+}
+
 LaserView laserView(const RangesSample& ranges, const Pose& laserInBase, const MotionBuffer& motion) {
     LaserView view;
     const auto rays = static_cast<double>(ranges.ranges.size());

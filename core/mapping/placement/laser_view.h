@@ -9,6 +9,7 @@
 #include "core/base/time.h"
 #include "core/mapping/live/live_scan.h"
 #include "core/mapping/live/motion_buffer.h"
+#include "core/mapping/live/scan_cleaning.h"
 #include "core/robot/samples/cloud_sample.h"
 
 namespace leitstand {
@@ -29,6 +30,10 @@ struct Disc {
 
 /// Leaves out what of @p view, seen from @p baseInMap, lies within @p discs.
 void leaveOut(LaserView& view, const Pose& baseInMap, std::span<const Disc> discs);
+
+/// Leaves out what of @p view, seen from @p baseInMap, lies outside @p crop: who stands there is not in the
+/// map.
+void leaveOutCropped(LaserView& view, const Pose& baseInMap, const MapCrop& crop);
 
 /// @p ranges of a laser at @p laserInBase on a robot that moved as @p motion tells; without motion it counts
 /// as at rest and level.

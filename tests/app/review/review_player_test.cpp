@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/log/mission_thinning.h"
+#include "core/mission/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -20,6 +21,8 @@ using namespace std::chrono_literals;
 using Mission = WrittenMission;
 using Kind = TimelineMark::Kind;
 using testing::ElementsAre;
+using testing::Gt;
+using testing::Lt;
 
 double secondsOf(Time at) {
     return std::chrono::duration<double>(at - Mission::begin()).count();
@@ -95,6 +98,43 @@ TEST_F(ReviewSceneTest, TheMapIsAsThenOrAsFinished) {
     EXPECT_NEAR(early->places->front().baseInMap.translation().x(), 1.1 + 0.5, 0.011);
     m_scene->show(ReviewMap::AsThen);
     EXPECT_EQ(at(11.0)->scans->scans.size(), 3U);
+}
+
+TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
+    const auto folder = m_folder / "cropped";
+    std::uint64_t said = 0;
+    {
+        WrittenMission mission(folder);
+        mission.sayKeyScan(5.0, 1, 0.0);
+        MapCropSample crop;
+        crop.stamp = Mission::at(10.0);
+        crop.station = "test";
+        crop.polygon = {{-5.0, -5.0}, {1.0, -5.0}, {1.0, 5.0}, {-5.0, 5.0}};
+        mission.say(10.0, std::string(station_topic::MapCrop), crop);
+        said = mission.sequence();
+        mission.sayKeyScan(15.0, 2, 0.5);
+        mission.sayUndo(20.0, said);
+        mission.sayKeyScan(25.0, 3, 1.0);
+    }
+    const auto log = ReviewLog::open(folder).value();
+    const auto index = indexOf(*log);
+    ReviewScene scene(*log, *index);
+    const auto points = [&](double seconds) {
+        std::vector<std::size_t> counted;
+        for (const LiveKeyScan& scan : scene.at(Mission::at(seconds))->scans->scans) {
+            counted.push_back(scan.scan->points.size());
+        }
+        return counted;
+    };
+    const auto whole = points(6.0);
+    ASSERT_THAT(whole, ElementsAre(Gt(0U)));
+    EXPECT_THAT(points(12.0), ElementsAre(Lt(whole[0]))) << "an area was drawn";
+    EXPECT_THAT(points(16.0), ElementsAre(Lt(whole[0]), Lt(whole[0])));
+    EXPECT_THAT(points(26.0), ElementsAre(whole[0], whole[0], whole[0])) << "and taken back";
+    EXPECT_EQ(points(6.0), whole);
+    EXPECT_EQ(scene.at(Mission::at(12.0))->map, scene.at(Mission::at(13.0))->map) << "not made anew";
+    scene.show(ReviewMap::Finished);
+    EXPECT_THAT(points(12.0), ElementsAre(whole[0], whole[0], whole[0]));
 }
 
 TEST_F(ReviewSceneTest, WhatIsAroundIsThereAfterAJumpAndAsOldAsItWas) {

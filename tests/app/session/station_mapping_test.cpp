@@ -278,12 +278,14 @@ TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
     area.ceiling = 0.5;
     ASSERT_TRUE(m_mapping->setCrop(area).ok());
     ASSERT_TRUE(inLog(4));
+    ASSERT_TRUE(waitUntil([&] { return farthestAhead(0) < 1.2 + 1e-6; })) << "also what is in the map";
     EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Crop);
     ASSERT_TRUE(m_mapping->undo().ok());
     ASSERT_TRUE(waitUntil([&] { return !(crop().ceiling < 1e9); })) << "as it was before";
     EXPECT_TRUE(inLog(4));
     ASSERT_TRUE(m_mapping->undo().ok());
     ASSERT_TRUE(inLog(0));
+    ASSERT_TRUE(waitUntil([&] { return farthestAhead(0) > 1.5; })) << "it is back";
     EXPECT_FALSE(m_mapping->undoable().has_value());
     EXPECT_EQ(m_mapping->redoable()->kind, MapDecision::Kind::Crop);
     ASSERT_TRUE(m_mapping->redo().ok());
@@ -292,6 +294,7 @@ TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
     begin();
     EXPECT_EQ(crop().polygon, area.polygon) << "also after a restart";
     EXPECT_FALSE(crop().ceiling < 1e9);
+    EXPECT_LT(farthestAhead(0), 1.2 + 1e-6);
     scan();
     ASSERT_TRUE(scans(2)) << words();
     EXPECT_LT(farthestAhead(1), 1.4) << "what is outside stays out";

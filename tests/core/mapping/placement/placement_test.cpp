@@ -146,6 +146,25 @@ TEST(LaserView, AThreeDimensionalScanPlacesARobotAsItsLaserWould) {
     EXPECT_LT(open.certainty, 0.5) << "between two walls a direction is open";
 }
 
+TEST(LaserView, WhatIsOutsideOfWhatBelongsIntoTheMapIsLeftOut) {
+    LaserView view;
+    view.points = {{1.0F, 0.0F}, {3.0F, 0.0F}, {0.0F, 1.0F}, {0.0F, -1.0F}};
+    const auto left = [&](const Pose& baseInMap, const MapCrop& crop) {
+        LaserView cropped = view;
+        leaveOutCropped(cropped, baseInMap, crop);
+        return cropped.points.size();
+    };
+    MapCrop crop;
+    EXPECT_EQ(left(Pose::Identity(), crop), 4U) << "everything belongs into it";
+    crop.polygon = {{-2, -2}, {2, -2}, {2, 0.5}, {-2, 0.5}};
+    EXPECT_EQ(left(Pose::Identity(), crop), 2U);
+    EXPECT_EQ(left(poseFrom({0, 0, 0}, 0, 0, degrees(-90)), crop), 3U) << "in the map, not beside the robot";
+    crop.polygon.clear();
+    crop.ceiling = 2.0;
+    EXPECT_EQ(left(Pose::Identity(), crop), 4U);
+    EXPECT_EQ(left(poseFrom({0, 0, 2.5}, 0, 0, 0), crop), 0U) << "on a floor that is left out";
+}
+
 /// A robot whose odometry is right but for @ref slip, followed in the nook.
 struct Followed {
     FlatWorld world = FlatWorld::nook();
