@@ -180,7 +180,7 @@
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>%1 by the mission's clock</source>
+        <source>%1 by the mission&apos;s clock</source>
         <translation>%1 nach der Missionsuhr</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>%1 m über dem Boden</translation>
     </message>
     <message>
-        <source>%1, %2 after the mission's begin</source>
+        <source>%1, %2 after the mission&apos;s begin</source>
         <translation>%1, %2 nach Beginn der Mission</translation>
     </message>
     <message>
@@ -383,7 +383,7 @@
         <translation>Wertung, geschätzt</translation>
     </message>
     <message>
-        <source>Profile %1 (%2), version %3. The quality of the map is the judges' to tell; here it counts as full.</source>
+        <source>Profile %1 (%2), version %3. The quality of the map is the judges&apos; to tell; here it counts as full.</source>
         <translation>Profil %1 (%2), Version %3. Die Güte der Karte beurteilt die Jury; hier zählt sie voll.</translation>
     </message>
     <message>
@@ -752,7 +752,7 @@
         <translation>&amp;Schnappschuss sichern</translation>
     </message>
     <message>
-        <source>The newest large picture, as it came, into the mission's folder snapshots</source>
+        <source>The newest large picture, as it came, into the mission&apos;s folder snapshots</source>
         <translation>Das neueste große Bild, wie es kam, in den Ordner snapshots der Mission</translation>
     </message>
     <message>
@@ -1039,7 +1039,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>Aufgezeichnet</translation>
     </message>
     <message>
-        <source>The map pane shows the mission's own map</source>
+        <source>The map pane shows the mission&apos;s own map</source>
         <translation>Die Karte zeigt die eigene Karte der Mission</translation>
     </message>
     <message>
@@ -1079,11 +1079,11 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>Der vorige Vergleich bleibt</translation>
     </message>
     <message>
-        <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
+        <source>Registers the mission&apos;s key scans with these settings and compares; the mission stays as it is</source>
         <translation>Registriert die Schlüsselscans der Mission mit diesen Einstellungen und vergleicht; die Mission bleibt, wie sie ist</translation>
     </message>
     <message>
-        <source>Registers the mission's key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
+        <source>Registers the mission&apos;s key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
         <translation>Registriert die Schlüsselscans der Mission noch einmal mit diesen Einstellungen und stellt beide Karten nebeneinander: wie gut Scans zueinander passen, wie weit sie sich bewegten, wie lange es dauerte. An der Mission wird nichts geändert. Das neueste Ergebnis bleibt bei ihr.</translation>
     </message>
     <message>
@@ -1134,7 +1134,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>Neben der Wahrheit</translation>
     </message>
     <message>
-        <source>Root mean square of the robots' positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
+        <source>Root mean square of the robots&apos; positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
         <translation>Quadratisches Mittel der Roboterpositionen an den Schlüsselscans, nachdem die Karte bestmöglich auf die aufgezeichnete Wahrheit gedreht und verschoben wurde</translation>
     </message>
     <message>
@@ -1508,7 +1508,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>Wieder</translation>
     </message>
     <message>
-        <source>Draw map's a&amp;rea</source>
+        <source>Draw map&apos;s a&amp;rea</source>
         <translation>Karten&amp;umriss zeichnen</translation>
     </message>
     <message>
@@ -1520,7 +1520,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>A&amp;lles kartieren</translation>
     </message>
     <message>
-        <source>Nothing is outside of the map's area any more</source>
+        <source>Nothing is outside of the map&apos;s area any more</source>
         <translation>Nichts liegt mehr außerhalb des Kartenumrisses</translation>
     </message>
     <message>
@@ -1615,8 +1615,8 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>enge Suche, 0.25 m</translation>
     </message>
     <message>
-        <source>Points of coming scans above this height, in the map's frame, stay out of the map: spectators, lamps, the hall's roof</source>
-        <translation>Punkte künftiger Scans über dieser Höhe, im Koordinatensystem der Karte, bleiben aus der Karte: Zuschauer, Lampen, Hallendach</translation>
+        <source>Points above this height, in the map&apos;s frame, are left out of the map: spectators, lamps, the hall&apos;s roof</source>
+        <translation>Punkte über dieser Höhe, im Koordinatensystem der Karte, werden aus der Karte gelassen: Zuschauer, Lampen, Hallendach</translation>
     </message>
     <message>
         <source>Height above which nothing enters the map</source>
@@ -1900,7 +1900,7 @@ Funk: %4 %5</translation>
         <translation>Einen Ordner mit Scans öffnen</translation>
     </message>
     <message>
-        <source>Save the map's picture</source>
+        <source>Save the map&apos;s picture</source>
         <translation>Bild der Karte speichern</translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@ Funk: %4 %5</translation>
         <translation>Formular…</translation>
     </message>
     <message>
-        <source>The chosen find's form: what is known of it</source>
+        <source>The chosen find&apos;s form: what is known of it</source>
         <translation>Das Formular des gewählten Fundes: was man von ihm weiß</translation>
     </message>
     <message>
@@ -2232,7 +2232,7 @@ Funk: %4 %5</translation>
         <translation>%1 wurde nicht geschickt: die Odometrie begann neu, und niemand weiß wo</translation>
     </message>
     <message>
-        <source>%1 was not sent: the grant to drive it is another station's</source>
+        <source>%1 was not sent: the grant to drive it is another station&apos;s</source>
         <translation>%1 wurde nicht geschickt: das Fahrrecht hat eine andere Station</translation>
     </message>
     <message>
@@ -2251,7 +2251,7 @@ Funk: %4 %5</translation>
         <translation>B&amp;ericht in einen Ordner…</translation>
     </message>
     <message>
-        <source>Writes the judges' folder of this mission, with what was corrected in the review</source>
+        <source>Writes the judges&apos; folder of this mission, with what was corrected in the review</source>
         <translation>Schreibt den Ordner der Jury zu dieser Mission, mit allem, was in der Auswertung berichtigt wurde</translation>
     </message>
     <message>
@@ -2453,7 +2453,7 @@ Apache License 2.0</translation>
         <translation>W S A D, Pfeile</translation>
     </message>
     <message>
-        <source>drive, while driving with keys; a robot's file may bind others</source>
+        <source>drive, while driving with keys; a robot&apos;s file may bind others</source>
         <translation>fahren, solange mit Tasten gefahren wird; die Datei eines Roboters kann andere belegen</translation>
     </message>
     <message>
@@ -2461,7 +2461,7 @@ Apache License 2.0</translation>
         <translation>Umschalt, Strg</translation>
     </message>
     <message>
-        <source>while driving: a quarter of the robot's speed, all of it</source>
+        <source>while driving: a quarter of the robot&apos;s speed, all of it</source>
         <translation>beim Fahren: ein Viertel der Geschwindigkeit des Roboters, die ganze</translation>
     </message>
     <message>
@@ -2533,7 +2533,7 @@ Apache License 2.0</translation>
         <translation>Eingabe</translation>
     </message>
     <message>
-        <source>in a list: acknowledges the alarm, fills in the find's form, shows what was missed</source>
+        <source>in a list: acknowledges the alarm, fills in the find&apos;s form, shows what was missed</source>
         <translation>in einer Liste: quittiert den Alarm, füllt das Formular des Funds aus, zeigt, was übersehen wurde</translation>
     </message>
     <message>
@@ -2650,7 +2650,7 @@ Apache License 2.0</translation>
         <translation>La&amp;yout speichern als…</translation>
     </message>
     <message>
-        <source>Keeps how panes are now as a layout of one's own</source>
+        <source>Keeps how panes are now as a layout of one&apos;s own</source>
         <translation>Behält die jetzige Anordnung der Teilfenster als eigenes Layout</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ Apache License 2.0</translation>
         <translation>Dieses Layout lös&amp;chen</translation>
     </message>
     <message>
-        <source>Deletes the file of a layout of one's own</source>
+        <source>Deletes the file of a layout of one&apos;s own</source>
         <translation>Löscht die Datei eines eigenen Layouts</translation>
     </message>
     <message>
@@ -3009,7 +3009,7 @@ Apache License 2.0</translation>
         <translation>Kantenlänge der Voxel</translation>
     </message>
     <message>
-        <source>Heights above the first scan's scanner, in its frame</source>
+        <source>Heights above the first scan&apos;s scanner, in its frame</source>
         <translation>Höhen über dem Scanner des ersten Scans, in dessen Koordinatensystem</translation>
     </message>
     <message>
@@ -3213,7 +3213,7 @@ F1 listet alle Tasten</translation>
     </message>
     <message>
         <source>%1 m  dx %2 dy %3 dz %4</source>
-        <comment>length of a measurement and its parts along the map's axes</comment>
+        <comment>length of a measurement and its parts along the map&apos;s axes</comment>
         <translation>%1 m  dx %2 dy %3 dz %4</translation>
     </message>
     <message>
@@ -3390,7 +3390,7 @@ F1 listet alle Tasten</translation>
         <translation>&amp;Uhr läuft</translation>
     </message>
     <message>
-        <source>Lets the mission's clock go, or holds it</source>
+        <source>Lets the mission&apos;s clock go, or holds it</source>
         <translation>Lässt die Missionsuhr laufen oder hält sie an</translation>
     </message>
     <message>
@@ -3668,7 +3668,7 @@ F1 listet alle Tasten</translation>
 <context>
     <name>leitstand::PadInput</name>
     <message>
-        <source>%1 has no known controls: give it some in the gamepad's dialog.</source>
+        <source>%1 has no known controls: give it some in the gamepad&apos;s dialog.</source>
         <translation>%1 hat keine bekannte Belegung: im Gamepad-Dialog eine festlegen.</translation>
     </message>
 </context>
@@ -3679,7 +3679,7 @@ F1 listet alle Tasten</translation>
         <translation>Belegung des Gamepads</translation>
     </message>
     <message>
-        <source>What the gamepad's controls do; a click closes this</source>
+        <source>What the gamepad&apos;s controls do; a click closes this</source>
         <translation>Was die Bedienelemente des Gamepads bewirken; ein Klick schließt dies</translation>
     </message>
     <message>
@@ -3976,11 +3976,11 @@ F1 listet alle Tasten</translation>
         <translation>Der Roboter bewegt sich nur, solange sie gehalten wird; Loslassen hält ihn sofort an</translation>
     </message>
     <message>
-        <source>All of the robot's speed instead of 60 %</source>
+        <source>All of the robot&apos;s speed instead of 60 %</source>
         <translation>Volles Tempo des Roboters statt 60 %</translation>
     </message>
     <message>
-        <source>A quarter of the robot's speed</source>
+        <source>A quarter of the robot&apos;s speed</source>
         <translation>Ein Viertel des Tempos des Roboters</translation>
     </message>
     <message>
@@ -4205,8 +4205,8 @@ F1 listet alle Tasten</translation>
         <translation>nicht gesichert: jeder im Netz darf mitreden</translation>
     </message>
     <message>
-        <source>robot "%1" is heard, and not driven</source>
-        <translation>Roboter "%1" ist zu hören und wird nicht gefahren</translation>
+        <source>robot &quot;%1&quot; is heard, and not driven</source>
+        <translation>Roboter &quot;%1&quot; ist zu hören und wird nicht gefahren</translation>
     </message>
     <message>
         <source>network: %1</source>
@@ -4257,7 +4257,7 @@ F1 listet alle Tasten</translation>
         <translation>Näher herangehen oder Funk sparen (T)</translation>
     </message>
     <message>
-        <source>Is the sensor on? Does the robot's file name its topic?</source>
+        <source>Is the sensor on? Does the robot&apos;s file name its topic?</source>
         <translation>Ist der Sensor an? Nennt die Roboterdatei sein Topic?</translation>
     </message>
     <message>
@@ -4265,7 +4265,7 @@ F1 listet alle Tasten</translation>
         <translation>Ist die Kamera an? Ihr Treiber hängt vielleicht</translation>
     </message>
     <message>
-        <source>Change the QoS in the robot's file</source>
+        <source>Change the QoS in the robot&apos;s file</source>
         <translation>QoS in der Roboterdatei ändern</translation>
     </message>
     <message>
@@ -4556,8 +4556,8 @@ F1 listet alle Tasten</translation>
         <translation>Max. Ab&amp;stand m</translation>
     </message>
     <message>
-        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: "1.5, 0.5" comes home from starts that are up to 1 m and 20° wrong.</source>
-        <translation>Weiter entfernte Punktpaare werden verworfen. Mehrere Werte sind Stufen nacheinander: "1.5, 0.5" findet aus Startposen zurück, die bis zu 1 m und 20° falsch sind.</translation>
+        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: &quot;1.5, 0.5&quot; comes home from starts that are up to 1 m and 20° wrong.</source>
+        <translation>Weiter entfernte Punktpaare werden verworfen. Mehrere Werte sind Stufen nacheinander: &quot;1.5, 0.5&quot; findet aus Startposen zurück, die bis zu 1 m und 20° falsch sind.</translation>
     </message>
     <message>
         <source>0.01 to 10 m, each at most the one before: 1.5, 0.5</source>
@@ -4639,7 +4639,7 @@ F1 listet alle Tasten</translation>
         <translation>Brute Force</translation>
     </message>
     <message>
-        <source>Compares every point with every point: exact and very slow (first row of the paper's Table 1). Reduce the points first.</source>
+        <source>Compares every point with every point: exact and very slow (first row of the paper&apos;s Table 1). Reduce the points first.</source>
         <translation>Vergleicht jeden Punkt mit jedem: exakt und sehr langsam (erste Zeile von Tabelle 1 der Veröffentlichung). Zuerst die Punkte reduzieren.</translation>
     </message>
     <message>
@@ -4727,7 +4727,7 @@ F1 listet alle Tasten</translation>
         <translation>Median und Reduktion</translation>
     </message>
     <message>
-        <source>The paper's filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
+        <source>The paper&apos;s filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
         <translation>Der Filter der Veröffentlichung für geordnete Scans: Ausreißer eines Rohscans werden zum Median ihrer Nachbarn, nahe Punkte werden zusammengefasst.</translation>
     </message>
     <message>
@@ -4735,7 +4735,7 @@ F1 listet alle Tasten</translation>
         <translation>Odometrie</translation>
     </message>
     <message>
-        <source>Each scan starts where the robot's odometry puts it after the scan before.</source>
+        <source>Each scan starts where the robot&apos;s odometry puts it after the scan before.</source>
         <translation>Jeder Scan beginnt dort, wohin die Odometrie des Roboters ihn nach dem vorigen Scan setzt.</translation>
     </message>
     <message>
@@ -4797,7 +4797,7 @@ F1 listet alle Tasten</translation>
         <translation>&amp;Bericht in einen Ordner…</translation>
     </message>
     <message>
-        <source>Writes the judges' folder now, and again every minute</source>
+        <source>Writes the judges&apos; folder now, and again every minute</source>
         <translation>Schreibt den Ordner für die Schiedsrichter jetzt und dann jede Minute</translation>
     </message>
     <message>
@@ -4848,7 +4848,7 @@ F1 listet alle Tasten</translation>
         <translation>es gibt keine Karte: {}</translation>
     </message>
     <message>
-        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone's check</source>
+        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone&apos;s check</source>
         <translation>keine Station hat eine Karte dieses Einsatzes gemacht: {} seiner {} Scans wurden für diesen Bericht registriert, ohne dass jemand sie geprüft hat</translation>
     </message>
     <message>
@@ -4856,7 +4856,7 @@ F1 listet alle Tasten</translation>
         <translation>Kameras sahen von mehr Orten, als gezählt werden: {} Blicke fehlen im Abgesuchten</translation>
     </message>
     <message>
-        <source>the score's profile "{}" is not there: "{}" is used</source>
+        <source>the score&apos;s profile &quot;{}&quot; is not there: &quot;{}&quot; is used</source>
         <translation>das Wertungsprofil „{}“ ist nicht da: „{}“ wird benutzt</translation>
     </message>
     <message>
@@ -4888,7 +4888,7 @@ F1 listet alle Tasten</translation>
         <translation>Scan</translation>
     </message>
     <message>
-        <source>robot's pose</source>
+        <source>robot&apos;s pose</source>
         <translation>Pose des Roboters</translation>
     </message>
     <message>
@@ -4940,7 +4940,7 @@ F1 listet alle Tasten</translation>
         <translation>Ne&amp;u registrieren…</translation>
     </message>
     <message>
-        <source>Registers the mission's scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <source>Registers the mission&apos;s scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
         <translation>Registriert die Scans der Mission neu, in einem eigenen Fenster, mit eigenen Einstellungen; die Mission bleibt, wie sie ist</translation>
     </message>
     <message>
@@ -5011,7 +5011,7 @@ F1 listet alle Tasten</translation>
         <translation>{} lässt sich nicht anfordern</translation>
     </message>
     <message>
-        <source>expected a mode, found "{}"</source>
+        <source>expected a mode, found &quot;{}&quot;</source>
         <translation>Modus erwartet, „{}“ erhalten</translation>
     </message>
     <message>
@@ -5454,7 +5454,7 @@ F1 listet alle Tasten</translation>
         <translation>Position in der Karte: Meter vor, links von und über dem ersten Scan</translation>
     </message>
     <message>
-        <source>Heading in the map, to the left of the first scan's</source>
+        <source>Heading in the map, to the left of the first scan&apos;s</source>
         <translation>Richtung in der Karte, gegen die des ersten Scans nach links</translation>
     </message>
     <message>
@@ -5482,7 +5482,7 @@ F1 listet alle Tasten</translation>
         <translation>Quadratisches Mittel der Abstände der Punktpaare am Ende, in Millimetern. Sagt wenig über die Pose: Überlappung und Gewissheit sagen mehr.</translation>
     </message>
     <message>
-        <source>Share of the scan's points with a partner within 10 cm</source>
+        <source>Share of the scan&apos;s points with a partner within 10 cm</source>
         <translation>Anteil der Punkte des Scans mit einem Partner innerhalb von 10 cm</translation>
     </message>
     <message>
@@ -5786,7 +5786,7 @@ F1 listet alle Tasten</translation>
         <translation>dort nicht gefunden</translation>
     </message>
     <message>
-        <source>the map is another station's: ask it for the map, or wait until it is silent</source>
+        <source>the map is another station&apos;s: ask it for the map, or wait until it is silent</source>
         <translation>die Karte gehört einer anderen Station: sie um die Karte bitten oder warten, bis sie schweigt</translation>
     </message>
     <message>
@@ -5914,7 +5914,7 @@ F1 listet alle Tasten</translation>
         <translation>seine Odometrie begann neu</translation>
     </message>
     <message>
-        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone's check</source>
+        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone&apos;s check</source>
         <translation>keine Station hat eine Karte dieser Mission gemacht: {} ihrer {} Scans wurden für die Durchsicht registriert, ohne dass jemand sie geprüft hat</translation>
     </message>
     <message>
@@ -5926,7 +5926,7 @@ F1 listet alle Tasten</translation>
         <translation>Schlüsselscan {}: erwartet wird einer der Karte</translation>
     </message>
     <message>
-        <source>"{}" is none of the station's robots</source>
+        <source>&quot;{}&quot; is none of the station&apos;s robots</source>
         <translation>„{}“ ist kein Roboter dieser Station</translation>
     </message>
     <message>
@@ -6013,7 +6013,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Der Roboter kennt kein STOP: er wird durch Fahrbefehle null gehalten.</translation>
     </message>
     <message>
-        <source>Stopped by the robot's own button.</source>
+        <source>Stopped by the robot&apos;s own button.</source>
         <translation>Durch den eigenen Knopf des Roboters gestoppt.</translation>
     </message>
     <message>
@@ -6226,7 +6226,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>the robot's own sighting</source>
+        <source>the robot&apos;s own sighting</source>
         <translation>eigene Sichtung des Roboters</translation>
     </message>
     <message>
@@ -6434,7 +6434,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>nicht konvergiert</translation>
     </message>
     <message>
-        <source>The first scan defines the map's frame; the others are registered to it.</source>
+        <source>The first scan defines the map&apos;s frame; the others are registered to it.</source>
         <translation>Der erste Scan bestimmt das Koordinatensystem der Karte; die anderen werden darauf registriert.</translation>
     </message>
     <message>
@@ -6641,7 +6641,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>CO₂ %1 ppm</translation>
     </message>
     <message>
-        <source>the robot's own</source>
+        <source>the robot&apos;s own</source>
         <translation>vom Roboter selbst</translation>
     </message>
     <message>
@@ -6852,7 +6852,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Of the chosen find's form</source>
+        <source>Of the chosen find&apos;s form</source>
         <translation>Im Formular des gewählten Fundes</translation>
     </message>
     <message>
@@ -6938,7 +6938,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>&amp;Punkte</translation>
     </message>
     <message>
-        <source>Shows the scans' points</source>
+        <source>Shows the scans&apos; points</source>
         <translation>Zeigt die Punkte der Scans</translation>
     </message>
     <message>
@@ -7091,7 +7091,7 @@ Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurü
         <translation>Roboter erwartet %1, wir senden %2</translation>
     </message>
     <message>
-        <source>robot's topic has keys, ours has none as in ROS 2</source>
+        <source>robot&apos;s topic has keys, ours has none as in ROS 2</source>
         <translation>das Topic des Roboters hat Schlüssel, unseres wie in ROS 2 keine</translation>
     </message>
     <message>
@@ -7103,7 +7103,7 @@ Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurü
         <translation>Roboter verlangt exklusive Ownership, wir teilen wie ROS 2</translation>
     </message>
     <message>
-        <source>robot is in partition "%1", we are in the default one</source>
+        <source>robot is in partition &quot;%1&quot;, we are in the default one</source>
         <translation>Roboter ist in Partition „%1“, wir sind in der voreingestellten</translation>
     </message>
     <message>

@@ -180,7 +180,7 @@
         <translation>所要時間</translation>
     </message>
     <message>
-        <source>%1 by the mission's clock</source>
+        <source>%1 by the mission&apos;s clock</source>
         <translation>%1（ミッション時計）</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>床から %1 m</translation>
     </message>
     <message>
-        <source>%1, %2 after the mission's begin</source>
+        <source>%1, %2 after the mission&apos;s begin</source>
         <translation>%1、ミッション開始から %2</translation>
     </message>
     <message>
@@ -383,7 +383,7 @@
         <translation>得点（推定）</translation>
     </message>
     <message>
-        <source>Profile %1 (%2), version %3. The quality of the map is the judges' to tell; here it counts as full.</source>
+        <source>Profile %1 (%2), version %3. The quality of the map is the judges&apos; to tell; here it counts as full.</source>
         <translation>プロファイル %1（%2）、バージョン %3。地図の質は審判が判定する。ここでは満点として計算。</translation>
     </message>
     <message>
@@ -752,7 +752,7 @@
         <translation>静止画を保存(&amp;S)</translation>
     </message>
     <message>
-        <source>The newest large picture, as it came, into the mission's folder snapshots</source>
+        <source>The newest large picture, as it came, into the mission&apos;s folder snapshots</source>
         <translation>最新の大画面映像を受信時のまま、ミッションの snapshots フォルダに保存</translation>
     </message>
     <message>
@@ -1039,7 +1039,7 @@ The blue line is the horizon.</source>
         <translation>記録時</translation>
     </message>
     <message>
-        <source>The map pane shows the mission's own map</source>
+        <source>The map pane shows the mission&apos;s own map</source>
         <translation>地図にミッション自身の地図を表示</translation>
     </message>
     <message>
@@ -1079,11 +1079,11 @@ The blue line is the horizon.</source>
         <translation>前の比較は残る</translation>
     </message>
     <message>
-        <source>Registers the mission's key scans with these settings and compares; the mission stays as it is</source>
+        <source>Registers the mission&apos;s key scans with these settings and compares; the mission stays as it is</source>
         <translation>この設定でミッションのキースキャンを再レジストレーションして比較。ミッションは変更しない</translation>
     </message>
     <message>
-        <source>Registers the mission's key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
+        <source>Registers the mission&apos;s key scans once more, with these settings, and puts both maps beside each other: how well scans meet, how far they moved, how long it took. Nothing of the mission is changed. The newest result is kept with it.</source>
         <translation>ミッションのキースキャンをこの設定でもう一度登録し、両方の地図を比べる: スキャンの合い方、移動量、所要時間。ミッションは変更しない。最新の結果はミッションと共に保存される。</translation>
     </message>
     <message>
@@ -1134,7 +1134,7 @@ The blue line is the horizon.</source>
         <translation>真値との差</translation>
     </message>
     <message>
-        <source>Root mean square of the robots' positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
+        <source>Root mean square of the robots&apos; positions at the key scans, after the map was turned and shifted to fit the recorded truth best</source>
         <translation>記録された真値に地図を最もよく合わせた後の、キースキャンでのロボット位置の二乗平均平方根</translation>
     </message>
     <message>
@@ -1508,7 +1508,7 @@ The blue line is the horizon.</source>
         <translation>やり直し</translation>
     </message>
     <message>
-        <source>Draw map's a&amp;rea</source>
+        <source>Draw map&apos;s a&amp;rea</source>
         <translation>地図の領域を描く(&amp;R)</translation>
     </message>
     <message>
@@ -1520,7 +1520,7 @@ The blue line is the horizon.</source>
         <translation>すべてを地図に含める(&amp;V)</translation>
     </message>
     <message>
-        <source>Nothing is outside of the map's area any more</source>
+        <source>Nothing is outside of the map&apos;s area any more</source>
         <translation>地図の領域制限を解除</translation>
     </message>
     <message>
@@ -1615,8 +1615,8 @@ The blue line is the horizon.</source>
         <translation>狭い探索、0.25 m</translation>
     </message>
     <message>
-        <source>Points of coming scans above this height, in the map's frame, stay out of the map: spectators, lamps, the hall's roof</source>
-        <translation>以後のスキャンで、地図座標系のこの高さより上の点を地図に含めない: 観客、照明、屋根</translation>
+        <source>Points above this height, in the map&apos;s frame, are left out of the map: spectators, lamps, the hall&apos;s roof</source>
+        <translation>地図座標系のこの高さより上の点を地図から除く: 観客、照明、屋根</translation>
     </message>
     <message>
         <source>Height above which nothing enters the map</source>
@@ -1900,7 +1900,7 @@ Link: %4 %5</source>
         <translation>スキャンのフォルダを開く</translation>
     </message>
     <message>
-        <source>Save the map's picture</source>
+        <source>Save the map&apos;s picture</source>
         <translation>地図の画像を保存</translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@ Link: %4 %5</source>
         <translation>用紙…</translation>
     </message>
     <message>
-        <source>The chosen find's form: what is known of it</source>
+        <source>The chosen find&apos;s form: what is known of it</source>
         <translation>選んだ発見の用紙: 分かっていること</translation>
     </message>
     <message>
@@ -2232,7 +2232,7 @@ Link: %4 %5</source>
         <translation>%1 を送り出していない: オドメトリが初期化され、位置が不明</translation>
     </message>
     <message>
-        <source>%1 was not sent: the grant to drive it is another station's</source>
+        <source>%1 was not sent: the grant to drive it is another station&apos;s</source>
         <translation>%1 を送り出していない: 操縦権は別の操作卓にある</translation>
     </message>
     <message>
@@ -2251,7 +2251,7 @@ Link: %4 %5</source>
         <translation>フォルダーへ報告(&amp;E)…</translation>
     </message>
     <message>
-        <source>Writes the judges' folder of this mission, with what was corrected in the review</source>
+        <source>Writes the judges&apos; folder of this mission, with what was corrected in the review</source>
         <translation>このミッションの審判用フォルダーを、レビューでの訂正を含めて書き出す</translation>
     </message>
     <message>
@@ -2453,7 +2453,7 @@ Apache License 2.0</translation>
         <translation>W S A D、矢印</translation>
     </message>
     <message>
-        <source>drive, while driving with keys; a robot's file may bind others</source>
+        <source>drive, while driving with keys; a robot&apos;s file may bind others</source>
         <translation>キー運転中に走る。ロボットのファイルで変更可</translation>
     </message>
     <message>
@@ -2461,7 +2461,7 @@ Apache License 2.0</translation>
         <translation>Shift、Ctrl</translation>
     </message>
     <message>
-        <source>while driving: a quarter of the robot's speed, all of it</source>
+        <source>while driving: a quarter of the robot&apos;s speed, all of it</source>
         <translation>運転中: ロボットの速度の四分の一、全速</translation>
     </message>
     <message>
@@ -2533,7 +2533,7 @@ Apache License 2.0</translation>
         <translation>Return</translation>
     </message>
     <message>
-        <source>in a list: acknowledges the alarm, fills in the find's form, shows what was missed</source>
+        <source>in a list: acknowledges the alarm, fills in the find&apos;s form, shows what was missed</source>
         <translation>一覧で: 警報を確認、発見物の記入、見落としを表示</translation>
     </message>
     <message>
@@ -2650,7 +2650,7 @@ Apache License 2.0</translation>
         <translation>レイアウトを別名で保存(&amp;Y)…</translation>
     </message>
     <message>
-        <source>Keeps how panes are now as a layout of one's own</source>
+        <source>Keeps how panes are now as a layout of one&apos;s own</source>
         <translation>現在のペイン配置を独自のレイアウトとして保存</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ Apache License 2.0</translation>
         <translation>このレイアウトを削除(&amp;D)</translation>
     </message>
     <message>
-        <source>Deletes the file of a layout of one's own</source>
+        <source>Deletes the file of a layout of one&apos;s own</source>
         <translation>独自レイアウトのファイルを削除</translation>
     </message>
     <message>
@@ -3009,7 +3009,7 @@ Apache License 2.0</translation>
         <translation>ボクセルの辺長</translation>
     </message>
     <message>
-        <source>Heights above the first scan's scanner, in its frame</source>
+        <source>Heights above the first scan&apos;s scanner, in its frame</source>
         <translation>最初のスキャンのスキャナを基準とする高さ（その座標系）</translation>
     </message>
     <message>
@@ -3213,7 +3213,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>%1 m  dx %2 dy %3 dz %4</source>
-        <comment>length of a measurement and its parts along the map's axes</comment>
+        <comment>length of a measurement and its parts along the map&apos;s axes</comment>
         <translation>%1 m  dx %2 dy %3 dz %4</translation>
     </message>
     <message>
@@ -3390,7 +3390,7 @@ F1 でキー一覧</translation>
         <translation>時計を動かす(&amp;C)</translation>
     </message>
     <message>
-        <source>Lets the mission's clock go, or holds it</source>
+        <source>Lets the mission&apos;s clock go, or holds it</source>
         <translation>ミッション時計を進める、または止める</translation>
     </message>
     <message>
@@ -3668,7 +3668,7 @@ F1 でキー一覧</translation>
 <context>
     <name>leitstand::PadInput</name>
     <message>
-        <source>%1 has no known controls: give it some in the gamepad's dialog.</source>
+        <source>%1 has no known controls: give it some in the gamepad&apos;s dialog.</source>
         <translation>%1 の操作は未定義: ゲームパッドの設定で割り当てること。</translation>
     </message>
 </context>
@@ -3679,7 +3679,7 @@ F1 でキー一覧</translation>
         <translation>ゲームパッドの操作</translation>
     </message>
     <message>
-        <source>What the gamepad's controls do; a click closes this</source>
+        <source>What the gamepad&apos;s controls do; a click closes this</source>
         <translation>ゲームパッドの操作の働き。クリックで閉じる</translation>
     </message>
     <message>
@@ -3976,11 +3976,11 @@ F1 でキー一覧</translation>
         <translation>押している間だけロボットが動く。放すと直ちに停止</translation>
     </message>
     <message>
-        <source>All of the robot's speed instead of 60 %</source>
+        <source>All of the robot&apos;s speed instead of 60 %</source>
         <translation>60 % ではなく、ロボットの最高速度</translation>
     </message>
     <message>
-        <source>A quarter of the robot's speed</source>
+        <source>A quarter of the robot&apos;s speed</source>
         <translation>ロボットの最高速度の 4 分の 1</translation>
     </message>
     <message>
@@ -4205,8 +4205,8 @@ F1 でキー一覧</translation>
         <translation>保護なし: ネットワーク内の誰でも発信できる</translation>
     </message>
     <message>
-        <source>robot "%1" is heard, and not driven</source>
-        <translation>ロボット "%1" を受信、操縦対象外</translation>
+        <source>robot &quot;%1&quot; is heard, and not driven</source>
+        <translation>ロボット &quot;%1&quot; を受信、操縦対象外</translation>
     </message>
     <message>
         <source>network: %1</source>
@@ -4257,7 +4257,7 @@ F1 でキー一覧</translation>
         <translation>近づく、または低帯域にする (T)</translation>
     </message>
     <message>
-        <source>Is the sensor on? Does the robot's file name its topic?</source>
+        <source>Is the sensor on? Does the robot&apos;s file name its topic?</source>
         <translation>センサの電源を確認。ロボットファイルにトピックがあるか確認</translation>
     </message>
     <message>
@@ -4265,7 +4265,7 @@ F1 でキー一覧</translation>
         <translation>カメラの電源を確認。ドライバの停止の可能性あり</translation>
     </message>
     <message>
-        <source>Change the QoS in the robot's file</source>
+        <source>Change the QoS in the robot&apos;s file</source>
         <translation>ロボットファイルの QoS を変更</translation>
     </message>
     <message>
@@ -4556,8 +4556,8 @@ F1 でキー一覧</translation>
         <translation>最大距離 m(&amp;D)</translation>
     </message>
     <message>
-        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: "1.5, 0.5" comes home from starts that are up to 1 m and 20° wrong.</source>
-        <translation>これより離れた点対は捨てる。複数の値は段階として順に適用: "1.5, 0.5" なら初期値が最大 1 m、20° ずれていても収束する。</translation>
+        <source>Pairs of points farther apart are dropped. Several values are stages, one after another: &quot;1.5, 0.5&quot; comes home from starts that are up to 1 m and 20° wrong.</source>
+        <translation>これより離れた点対は捨てる。複数の値は段階として順に適用: &quot;1.5, 0.5&quot; なら初期値が最大 1 m、20° ずれていても収束する。</translation>
     </message>
     <message>
         <source>0.01 to 10 m, each at most the one before: 1.5, 0.5</source>
@@ -4639,7 +4639,7 @@ F1 でキー一覧</translation>
         <translation>総当たり</translation>
     </message>
     <message>
-        <source>Compares every point with every point: exact and very slow (first row of the paper's Table 1). Reduce the points first.</source>
+        <source>Compares every point with every point: exact and very slow (first row of the paper&apos;s Table 1). Reduce the points first.</source>
         <translation>全点同士を比較: 厳密だが非常に遅い（論文の表 1 の 1 行目）。先に点を減らすこと。</translation>
     </message>
     <message>
@@ -4727,7 +4727,7 @@ F1 でキー一覧</translation>
         <translation>メディアンと削減</translation>
     </message>
     <message>
-        <source>The paper's filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
+        <source>The paper&apos;s filter for organised scans: outliers of a raw scan become the median of their neighbours, close points are joined.</source>
         <translation>整列スキャン用の論文のフィルタ: 生スキャンの外れ値を近傍のメディアンに置き換え、近い点をまとめる。</translation>
     </message>
     <message>
@@ -4735,7 +4735,7 @@ F1 でキー一覧</translation>
         <translation>オドメトリ</translation>
     </message>
     <message>
-        <source>Each scan starts where the robot's odometry puts it after the scan before.</source>
+        <source>Each scan starts where the robot&apos;s odometry puts it after the scan before.</source>
         <translation>各スキャンの初期位置は、前のスキャンからロボットのオドメトリで求める。</translation>
     </message>
     <message>
@@ -4797,7 +4797,7 @@ F1 でキー一覧</translation>
         <translation>フォルダーへ報告(&amp;R)…</translation>
     </message>
     <message>
-        <source>Writes the judges' folder now, and again every minute</source>
+        <source>Writes the judges&apos; folder now, and again every minute</source>
         <translation>審判用フォルダーを今書き出し、以後毎分更新する</translation>
     </message>
     <message>
@@ -4848,7 +4848,7 @@ F1 でキー一覧</translation>
         <translation>地図がありません: {}</translation>
     </message>
     <message>
-        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone's check</source>
+        <source>no station made a map of this mission: {} of its {} scans were registered for this report, without anyone&apos;s check</source>
         <translation>このミッションの地図を作ったステーションがありません: {} / {} スキャンをこの報告のために位置合わせしました(未確認)</translation>
     </message>
     <message>
@@ -4856,7 +4856,7 @@ F1 でキー一覧</translation>
         <translation>カメラの視点が数えられる数を超えました: 探索済みの集計に {} 視点が含まれていません</translation>
     </message>
     <message>
-        <source>the score's profile "{}" is not there: "{}" is used</source>
+        <source>the score&apos;s profile &quot;{}&quot; is not there: &quot;{}&quot; is used</source>
         <translation>採点プロファイル「{}」がありません: 「{}」を使います</translation>
     </message>
     <message>
@@ -4888,7 +4888,7 @@ F1 でキー一覧</translation>
         <translation>スキャン</translation>
     </message>
     <message>
-        <source>robot's pose</source>
+        <source>robot&apos;s pose</source>
         <translation>ロボットの姿勢</translation>
     </message>
     <message>
@@ -4940,7 +4940,7 @@ F1 でキー一覧</translation>
         <translation>再度位置合わせ(&amp;R)…</translation>
     </message>
     <message>
-        <source>Registers the mission's scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <source>Registers the mission&apos;s scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
         <translation>ミッションのスキャンを別ウィンドウで独自の設定により位置合わせし直す。ミッションは変わらない</translation>
     </message>
     <message>
@@ -5011,8 +5011,8 @@ F1 でキー一覧</translation>
         <translation>{} は要求できない</translation>
     </message>
     <message>
-        <source>expected a mode, found "{}"</source>
-        <translation>モードではない: "{}"</translation>
+        <source>expected a mode, found &quot;{}&quot;</source>
+        <translation>モードではない: &quot;{}&quot;</translation>
     </message>
     <message>
         <source>the stop stands: release it first</source>
@@ -5454,7 +5454,7 @@ F1 でキー一覧</translation>
         <translation>地図上の位置: 最初のスキャンから前・左・上へのメートル</translation>
     </message>
     <message>
-        <source>Heading in the map, to the left of the first scan's</source>
+        <source>Heading in the map, to the left of the first scan&apos;s</source>
         <translation>地図上の方位: 最初のスキャンの方位から左回り</translation>
     </message>
     <message>
@@ -5482,7 +5482,7 @@ F1 でキー一覧</translation>
         <translation>終了時の点対距離の二乗平均平方根 (mm)。位置姿勢の良否はあまり示さない: 重なりと確実度の方が有用。</translation>
     </message>
     <message>
-        <source>Share of the scan's points with a partner within 10 cm</source>
+        <source>Share of the scan&apos;s points with a partner within 10 cm</source>
         <translation>10 cm 以内に対応点があるスキャンの点の割合</translation>
     </message>
     <message>
@@ -5786,7 +5786,7 @@ F1 でキー一覧</translation>
         <translation>そこには見つからない</translation>
     </message>
     <message>
-        <source>the map is another station's: ask it for the map, or wait until it is silent</source>
+        <source>the map is another station&apos;s: ask it for the map, or wait until it is silent</source>
         <translation>地図は別の局が管理中: 譲渡を求めるか、応答がなくなるまで待つ</translation>
     </message>
     <message>
@@ -5914,7 +5914,7 @@ F1 でキー一覧</translation>
         <translation>オドメトリが初期化された</translation>
     </message>
     <message>
-        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone's check</source>
+        <source>no station made a map of this mission: {} of its {} scans were registered for the review, without anyone&apos;s check</source>
         <translation>このミッションの地図はどのステーションも作成していません: {} / {} スキャンを閲覧用に位置合わせしました（誰も確認していません）</translation>
     </message>
     <message>
@@ -5926,7 +5926,7 @@ F1 でキー一覧</translation>
         <translation>キースキャン {}：地図にあるものを指定してください</translation>
     </message>
     <message>
-        <source>"{}" is none of the station's robots</source>
+        <source>&quot;{}&quot; is none of the station&apos;s robots</source>
         <translation>「{}」はこのステーションのロボットではありません</translation>
     </message>
     <message>
@@ -6013,7 +6013,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>ロボットに停止機能がない: ゼロの走行指令で保持している。</translation>
     </message>
     <message>
-        <source>Stopped by the robot's own button.</source>
+        <source>Stopped by the robot&apos;s own button.</source>
         <translation>ロボット本体のボタンで停止。</translation>
     </message>
     <message>
@@ -6226,7 +6226,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>物体</translation>
     </message>
     <message>
-        <source>the robot's own sighting</source>
+        <source>the robot&apos;s own sighting</source>
         <translation>ロボット自身の発見報告</translation>
     </message>
     <message>
@@ -6434,7 +6434,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>未収束</translation>
     </message>
     <message>
-        <source>The first scan defines the map's frame; the others are registered to it.</source>
+        <source>The first scan defines the map&apos;s frame; the others are registered to it.</source>
         <translation>最初のスキャンが地図の座標系を定め、他はそれに位置合わせする。</translation>
     </message>
     <message>
@@ -6641,7 +6641,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>CO₂ %1 ppm</translation>
     </message>
     <message>
-        <source>the robot's own</source>
+        <source>the robot&apos;s own</source>
         <translation>ロボットの検出</translation>
     </message>
     <message>
@@ -6852,7 +6852,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>次</translation>
     </message>
     <message>
-        <source>Of the chosen find's form</source>
+        <source>Of the chosen find&apos;s form</source>
         <translation>選択した発見のフォームの項目</translation>
     </message>
     <message>
@@ -6938,7 +6938,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>点群(&amp;P)</translation>
     </message>
     <message>
-        <source>Shows the scans' points</source>
+        <source>Shows the scans&apos; points</source>
         <translation>スキャンの点を表示</translation>
     </message>
     <message>
@@ -7091,7 +7091,7 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
         <translation>ロボットの期待は %1、こちらの送信は %2</translation>
     </message>
     <message>
-        <source>robot's topic has keys, ours has none as in ROS 2</source>
+        <source>robot&apos;s topic has keys, ours has none as in ROS 2</source>
         <translation>ロボットのトピックにはキーがあり、こちらは ROS 2 と同じくキーなし</translation>
     </message>
     <message>
@@ -7103,7 +7103,7 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
         <translation>ロボットの要求は exclusive ownership、こちらは ROS 2 と同じ shared</translation>
     </message>
     <message>
-        <source>robot is in partition "%1", we are in the default one</source>
+        <source>robot is in partition &quot;%1&quot;, we are in the default one</source>
         <translation>ロボットはパーティション「%1」、こちらは既定のパーティション</translation>
     </message>
     <message>

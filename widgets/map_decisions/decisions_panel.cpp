@@ -101,8 +101,8 @@ QWidget* DecisionsPanel::worldLine() {
     auto* group = new QWidget(this);
     m_cut->setObjectName(QStringLiteral("cutCeiling"));
     m_cut->setToolTip(
-        tr("Points of coming scans above this height, in the map's frame, stay out of the map: "
-           "spectators, lamps, the hall's roof"));
+        tr("Points above this height, in the map's frame, are left out of the map: spectators, lamps, the "
+           "hall's roof"));
     m_ceiling->setObjectName(QStringLiteral("ceiling"));
     m_ceiling->setAccessibleName(tr("Height above which nothing enters the map"));
     m_ceiling->setToolTip(m_cut->toolTip());

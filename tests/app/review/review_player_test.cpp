@@ -107,10 +107,10 @@ TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
         WrittenMission mission(folder);
         mission.sayKeyScan(5.0, 1, 0.0);
         MapCropSample crop;
-        crop.stamp = Mission::at(10.0);
+        crop.stamp = Mission::at(9.0);
         crop.station = "test";
         crop.polygon = {{-5.0, -5.0}, {1.0, -5.0}, {1.0, 5.0}, {-5.0, 5.0}};
-        mission.say(10.0, std::string(station_topic::MapCrop), crop);
+        mission.say(9.0, std::string(station_topic::MapCrop), crop);
         said = mission.sequence();
         mission.sayKeyScan(15.0, 2, 0.5);
         mission.sayUndo(20.0, said);
