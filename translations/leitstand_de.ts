@@ -2093,10 +2093,6 @@ Funk: %4 %5</translation>
         <translation>Bestätigen</translation>
     </message>
     <message>
-        <source>The chosen find is one</source>
-        <translation>Der gewählte Fund ist einer</translation>
-    </message>
-    <message>
         <source>&amp;Discard the find</source>
         <translation>Fund &amp;verwerfen</translation>
     </message>
@@ -2141,6 +2137,17 @@ Funk: %4 %5</translation>
         <translation>Der gewählte Fund ist derselbe wie der nächste seiner Art, der seine Belege erhält</translation>
     </message>
     <message>
+        <source>The chosen find is one; the chosen candidate is filed</source>
+        <translation>Der gewählte Fund ist einer; der gewählte Kandidat wird erfasst</translation>
+    </message>
+    <message>
+        <source>The candidate is filed (as finished)</source>
+        <translation>Der Kandidat ist erfasst (Endstand)</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsOnMap</name>
+    <message>
         <source>Mo&amp;ve the find on the map</source>
         <translation>Fund auf der Karte ver&amp;schieben</translation>
     </message>
@@ -2153,12 +2160,44 @@ Funk: %4 %5</translation>
         <translation>Verschieben</translation>
     </message>
     <message>
+        <source>Victim where I &amp;click</source>
+        <translation>Opfer dort, wo ich &amp;klicke</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>Gefahr dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>QR-Code dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>Objekt dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Then click on the map where it is: filed with the pictures of this moment</source>
+        <translation>Dann auf der Karte anklicken, wo es ist: erfasst mit den Bildern dieses Zeitpunkts</translation>
+    </message>
+    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
     </message>
     <message>
         <source>%1 moved (as finished)</source>
         <translation>%1 verschoben (Endstand)</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>Auf den Ort klicken · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>%1 filed (as finished)</source>
+        <translation>%1 erfasst (Endstand)</translation>
     </message>
 </context>
 <context>

@@ -2093,10 +2093,6 @@ Link: %4 %5</source>
         <translation>確定</translation>
     </message>
     <message>
-        <source>The chosen find is one</source>
-        <translation>選んだ発見は本物</translation>
-    </message>
-    <message>
         <source>&amp;Discard the find</source>
         <translation>発見を破棄(&amp;D)</translation>
     </message>
@@ -2141,6 +2137,17 @@ Link: %4 %5</source>
         <translation>選択した発見は最寄りの同種の発見と同一。証拠はそちらに移る</translation>
     </message>
     <message>
+        <source>The chosen find is one; the chosen candidate is filed</source>
+        <translation>選択した発見を確定。選択した候補は登録</translation>
+    </message>
+    <message>
+        <source>The candidate is filed (as finished)</source>
+        <translation>候補を登録（最終状態）</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FindsOnMap</name>
+    <message>
         <source>Mo&amp;ve the find on the map</source>
         <translation>発見を地図上で移動(&amp;V)</translation>
     </message>
@@ -2153,12 +2160,44 @@ Link: %4 %5</source>
         <translation>移動</translation>
     </message>
     <message>
+        <source>Victim where I &amp;click</source>
+        <translation>クリックした場所の被災者(&amp;C)</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>クリックした場所の危険物</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>クリックした場所の QR コード</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>クリックした場所の物体</translation>
+    </message>
+    <message>
+        <source>Then click on the map where it is: filed with the pictures of this moment</source>
+        <translation>続いて地図上の位置をクリック。この時点の映像とともに登録</translation>
+    </message>
+    <message>
         <source>Click where %1 is · right button: not at all</source>
         <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
     </message>
     <message>
         <source>%1 moved (as finished)</source>
         <translation>%1 を移動（最終状態）</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>%1 filed (as finished)</source>
+        <translation>%1 を登録（最終状態）</translation>
     </message>
 </context>
 <context>

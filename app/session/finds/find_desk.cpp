@@ -17,26 +17,6 @@ namespace {
 constexpr std::chrono::seconds LongestSearch{2};  // for where a find is
 constexpr double Nearby = 1.0;           // what nothing tells the range of lies so far ahead of the robot [m]
 constexpr double NearbyDeviation = 1.0;  // [m]
-constexpr double PointedDeviation = 0.2;  // of a place that a person pointed to [m]
-
-/// Hangs @p frozen on @p scan at @p inMap.
-void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
-          const Eigen::Vector3d& inMap) {
-    frozen.positionInMap = inMap;
-    const auto known = state.keyScans->find(scan);
-    if (known == state.keyScans->end()) return;
-    frozen.scan = scan;
-    frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
-}
-
-/// The newest key scan of @p robot that counts; 0: none.
-std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
-    std::uint64_t newest = 0;
-    for (const auto& [id, scan] : *state.keyScans) {
-        if (scan.pose.trust != ScanTrust::SetAside && (scan.entry.robot == robot || newest == 0)) newest = id;
-    }
-    return newest;
-}
 
 }  // namespace
 

@@ -31,10 +31,6 @@ Time stampOf(const Event& event) {
     return stamp == Time() ? event.received : stamp;
 }
 
-VictimEvidence evidenceOf(const char* kind, const Event& event) {
-    return {kind, event.topic, event.sequence, stampOf(event)};
-}
-
 bool isEvidence(const FrozenEvidence& frozen, const Event& event) {
     return std::any_of(frozen.evidence.begin(), frozen.evidence.end(), [&](const VictimEvidence& one) {
         return one.sequence == event.sequence && one.topic == event.topic;
@@ -152,6 +148,10 @@ void lookThrough(ChosenEvidence& chosen, const Event& picture, int width, int he
 }
 
 }  // namespace
+
+VictimEvidence evidenceOf(const char* kind, const Event& event) {
+    return {kind, event.topic, event.sequence, stampOf(event)};
+}
 
 ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
                               VictimSample::Kind kind, const std::string& looksThrough,

@@ -32,6 +32,9 @@ struct ChosenEvidence {
     double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
 };
 
+/// @p event as evidence of @p kind, as VictimEvidence has them.
+[[nodiscard]] VictimEvidence evidenceOf(const char* kind, const Event& event);
+
 /// The pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since @p since.
 [[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,
                                             Time since);

@@ -12,7 +12,6 @@
 #include "app/session/log/sequencer.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/finds/find_book.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -109,6 +108,28 @@ Result<void> ReviewPen::correct(VictimSample victim) {
     victim.stamp = stationTime();
     victim.station = m_station;
     return say(victim, station_topic::Victims);
+}
+
+Result<void> ReviewPen::file(VictimSample::Kind kind, const FrozenEvidence& seen) {
+    if (auto opened = open(); !opened) return opened;
+    const MissionStatePtr state = mission()->state();
+    FrozenEvidence now = seen;
+    // The scan that it hangs on may have been moved since the moment that was reviewed.
+    if (const auto scan = state->keyScans->find(seen.scan); scan != state->keyScans->end())
+        now.positionInMap = scan->second.pose.scanInMap * seen.positionInScan;
+    return say(filed(*state, kind, now, m_station, stationTime()), station_topic::Victims);
+}
+
+Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
+    if (auto opened = open(); !opened) return opened;
+    const MissionStatePtr state = mission()->state();
+    const auto known = state->candidates->find(id);
+    if (known == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    FrozenEvidence then;
+    then.found = known->second.candidate.stamp;
+    return say(filedFrom(*state, known->second.candidate, m_station, stationTime(), then),
+               station_topic::Victims);
 }
 
 Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {

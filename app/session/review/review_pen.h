@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/mission/finds/find_book.h"
 #include "core/mission/mission_state.h"
 #include "core/mission/timeline/timeline_marks.h"
 #include "core/robot/robot_description.h"
@@ -35,6 +36,10 @@ public:
     Result<void> note(Time at, const std::string& robot, const std::string& text);
     /// @p victim as it is to be from now on: of the number it has, which the mission has to know.
     Result<void> correct(VictimSample victim);
+    /// What @p seen tells is a find of @p kind: a new one, or more of the one that is there.
+    Result<void> file(VictimSample::Kind kind, const FrozenEvidence& seen);
+    /// Files what the station believed in and nobody filed: the candidate of that id.
+    Result<void> fileCandidate(std::uint32_t candidate);
     /// @p find is part of the one of its kind with number @p into.
     Result<void> merge(const FindKey& find, std::uint32_t into);
     /// @p find is at @p placeInMap [m].

@@ -8,9 +8,6 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/map/map_feature.h"
-#include "app/window/live/map/map_gestures.h"
-#include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "app/window/review/review_bridge.h"
@@ -76,9 +73,10 @@ void FindsFeature::addCommands() {
         });
         return &action;
     };
+    m_confirm = &add("review.confirm", tr("Con&firm the find"), tr("Confirm"),
+                     tr("The chosen find is one; the chosen candidate is filed"));
+    connect(m_confirm, &QAction::triggered, this, &FindsFeature::confirm);
     m_ofChosen = {
-        ofChosen(add("review.confirm", tr("Con&firm the find"), tr("Confirm"), tr("The chosen find is one")),
-                 [this](const FindKey& find) { judge(find, Status::Confirmed); }),
         ofChosen(add("review.discard", tr("&Discard the find"), tr("Discard"), tr("The chosen find is none")),
                  [this](const FindKey& find) { judge(find, Status::Discarded); }),
         ofChosen(add("review.form", tr("Form of the f&ind…"), tr("Form…"),
@@ -90,32 +88,25 @@ void FindsFeature::addCommands() {
             [this](const FindKey& find) { merge(find); })};
     QAction& note = add("review.note", tr("Write a n&ote…"), tr("Note…"),
                         tr("About the moment that is shown"), QKeySequence(Qt::CTRL | Qt::Key_N));
-    m_note = &note;
     connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
                   tr("Takes back what was written last in this review"), QKeySequence::Undo);
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
+    m_ofMission = {m_undo, &note};
 }
 
-void FindsFeature::placeOn(MapFeature& map) {
-    QAction& action = m_context.commands.add({.id = QStringLiteral("review.move"),
-                                              .menu = CommandMenu::Mission,
-                                              .text = tr("Mo&ve the find on the map"),
-                                              .hint = tr("Click on the map where the chosen find is"),
-                                              .keys = QKeySequence(Qt::SHIFT | Qt::Key_V),
-                                              .checkable = true});
-    action.setIconText(tr("Move"));
-    connect(&action, &QAction::triggered, this, [this, &map, &action](bool on) { move(map, action, on); });
-    m_ofChosen.push_back(&action);
-    std::vector<QAction*> buttons = m_ofChosen;
-    buttons.insert(buttons.end(), {m_undo, m_note});
+void FindsFeature::offer(QAction& action, Of of) {
+    (of == Of::Chosen ? m_ofChosen : m_ofMission).push_back(&action);
+    std::vector<QAction*> buttons = {m_confirm};
+    for (const auto* more : {&m_ofChosen, &m_ofMission})
+        buttons.insert(buttons.end(), more->begin(), more->end());
     m_panel->setCommands(buttons);
     enable();
 }
 
 std::optional<FindKey> FindsFeature::chosen() const {
     const auto row = m_panel->chosen();
-    return row ? std::optional(row->find) : std::nullopt;
+    return row && row->filed() ? std::optional(row->find) : std::nullopt;
 }
 
 const MissionState& FindsFeature::state() const {
@@ -136,13 +127,17 @@ const VictimSample* FindsFeature::newest(const FindKey& find) const {
 
 void FindsFeature::enable() {
     m_undo->setEnabled(m_bridge.pen().canUndo());
+    m_confirm->setEnabled(m_panel->chosen().has_value());
     for (QAction* action : m_ofChosen) action->setEnabled(chosen().has_value());
 }
 
 void FindsFeature::show() {
     if (!m_bridge.reviewed()) return;
     m_moves.follow(state());
-    m_panel->show(filedRows(state(), &m_moves));
+    std::vector<VictimRow> rows = filedRows(state(), &m_moves);
+    const std::vector<VictimRow> candidates = candidateRows(state(), std::nullopt);
+    rows.insert(rows.end(), candidates.begin(), candidates.end());
+    m_panel->show(rows);
     enable();
     const auto find = chosen();
     const VictimSample* const known = find ? newest(*find) : nullptr;
@@ -160,6 +155,14 @@ void FindsFeature::tellWritten(const QString& done, const QString& problem) {
 
 void FindsFeature::undo() {
     m_bridge.write([](ReviewPen& pen) { return pen.undo(); }, tr("Taken back"));
+}
+
+void FindsFeature::confirm() {
+    const auto row = m_panel->chosen();
+    if (!row) return;
+    if (row->filed()) return judge(row->find, VictimSample::Status::Confirmed);
+    m_bridge.write([candidate = row->candidate](ReviewPen& pen) { return pen.fileCandidate(candidate); },
+                   tr("The candidate is filed (as finished)"));
 }
 
 void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
@@ -183,19 +186,6 @@ void FindsFeature::merge(const FindKey& find) {
     const MergeOffer offer = mergeOffer(finished(), find);
     if (!offer.into) return emit told(offer.text);
     m_bridge.write([find, into = *offer.into](ReviewPen& pen) { return pen.merge(find, into); }, offer.text);
-}
-
-void FindsFeature::move(MapFeature& map, QAction& by, bool on) {
-    const auto find = chosen();
-    if (!on || !find) return map.gestures().disarm();
-    const QString name = QString::fromStdString(nameOf(find->first, find->second));
-    map.gestures().armPose(
-        by, map.robots().placeMark(m_context.selection.name().toStdString()),
-        tr("Click where %1 is · right button: not at all").arg(name),
-        [this, name, find = *find](const GroundPose& pose) {
-            m_bridge.write([find, place = pose.place](ReviewPen& pen) { return pen.move(find, place); },
-                           tr("%1 moved (as finished)").arg(name));
-        });
 }
 
 void FindsFeature::openForm(const FindKey& find) {

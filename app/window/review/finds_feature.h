@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,6 @@ class QAction;
 
 namespace leitstand {
 
-class MapFeature;
 class ReviewBridge;
 class VictimForm;
 class VictimsPanel;
@@ -28,8 +28,10 @@ public:
 
     [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
     [[nodiscard]] std::optional<FindKey> chosen() const;
-    /// Finds are moved on @p map from now on.
-    void placeOn(MapFeature& map);
+    /// What a command is about.
+    enum class Of : std::uint8_t { Chosen, Mission };
+    /// Offers @p action beside the list; one about the chosen find while one is chosen.
+    void offer(QAction& action, Of of);
 
 public slots:
     void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
@@ -45,9 +47,9 @@ private:
     void addCommands();
     void enable();  ///< commands that mean something now
     void show();
+    void confirm();
     void judge(const FindKey& find, VictimSample::Status status);
     void merge(const FindKey& find);
-    void move(MapFeature& map, QAction& by, bool on);
     [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
     void openForm(const FindKey& find);
     void correct(const VictimSample& corrected);  ///< as the form has it
@@ -61,8 +63,8 @@ private:
     VictimsPanel* m_panel;
     VictimForm* m_form;
     FindMoves m_moves;
-    std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
-    QAction *m_undo = nullptr, *m_note = nullptr;
+    std::vector<QAction*> m_ofChosen, m_ofMission;  ///< commands beside the list
+    QAction *m_confirm = nullptr, *m_undo = nullptr;
     mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
 };
 

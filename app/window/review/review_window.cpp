@@ -26,6 +26,7 @@
 #include "app/window/live/window_frame.h"
 #include "app/window/review/compare_feature.h"
 #include "app/window/review/finds_feature.h"
+#include "app/window/review/finds_on_map.h"
 #include "app/window/review/hand_in_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
@@ -58,7 +59,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
-    m_finds->placeOn(*m_map);
+    new FindsOnMap(context, bridge, *m_map, *m_finds);
     addCoverage(context);
     new ScanFeature(context);
     m_messages = new MessagesFeature(context);

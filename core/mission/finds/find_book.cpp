@@ -149,6 +149,23 @@ void addCues(FrozenEvidence& frozen, const CandidateSample& candidate) {
     }
 }
 
+void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
+          const Eigen::Vector3d& inMap) {
+    frozen.positionInMap = inMap;
+    const auto known = state.keyScans->find(scan);
+    if (known == state.keyScans->end()) return;
+    frozen.scan = scan;
+    frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
+}
+
+std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
+    std::uint64_t newest = 0;
+    for (const auto& [id, scan] : *state.keyScans) {
+        if (scan.pose.trust != ScanTrust::SetAside && (scan.entry.robot == robot || newest == 0)) newest = id;
+    }
+    return newest;
+}
+
 VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
                        const std::string& station, Time now, const FrozenEvidence& seen) {
     FrozenEvidence frozen;

@@ -28,6 +28,16 @@ struct FrozenEvidence {
     std::vector<VictimEvidence> evidence;
 };
 
+/// A place that a person pointed to is right within this, one standard deviation [m].
+inline constexpr double PointedDeviation = 0.2;
+
+/// Puts @p frozen to @p inMap [m], hanging on key scan @p scan; on none where @p state does not have that.
+void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
+          const Eigen::Vector3d& inMap);
+/// The newest key scan of @p robot that is not set aside, the first one of anybody where it has none; 0:
+/// none.
+[[nodiscard]] std::uint64_t newestScan(const MissionState& state, const std::string& robot);
+
 /// Finds nearer than this to each other are one [m].
 inline constexpr double SameFind = 0.6;
 

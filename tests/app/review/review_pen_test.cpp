@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/review/review_evidence.h"
 #include "app/session/review/review_index.h"
 #include "app/session/review/review_log.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"
@@ -110,6 +112,70 @@ TEST_F(ReviewPenTest, FindsAreMergedAndMoved) {
     EXPECT_EQ(now(second).mergedInto, 0U);
     EXPECT_FALSE(writes.merge(first, 9).ok());
     EXPECT_FALSE(writes.move({VictimSample::Kind::Hazard, 1}, there).ok());
+}
+
+TEST_F(ReviewPenTest, WhatNobodyFiledIsFiledWithThePicturesOfItsMoment) {
+    const auto log = ReviewLog::open(m_mission).value();
+    const auto index = indexOf(*log);
+    ReviewScene scene(*log, *index);
+    const ReviewMomentPtr moment = scene.at(Mission::at(12.04));
+    const Eigen::Vector3d there(3.0, 1.5, 0.2);
+    const FrozenEvidence seen = evidenceAt(*moment, "kurt3d", *moment->mission, there);
+    EXPECT_EQ(seen.scan, 3U) << "the newest by then";
+    ASSERT_THAT(seen.evidence, SizeIs(1));
+    EXPECT_EQ(seen.evidence.front().kind, "picture");
+    EXPECT_EQ(seen.evidence.front().sequence, moment->pictures.front().sequence);
+    EXPECT_THAT(evidenceAt(*moment, "crawler", *moment->mission, there).evidence, SizeIs(0))
+        << "another robot";
+    const auto writes = pen();
+    using Kind = VictimSample::Kind;
+    ASSERT_TRUE(writes->file(Kind::Hazard, seen).ok());
+    const FindKey hazard{Kind::Hazard, 1}, second{Kind::Victim, 2};
+    ASSERT_TRUE(writes->state()->victims->contains(hazard));
+    const VictimSample filed = writes->state()->victims->at(hazard).victim;
+    EXPECT_EQ(filed.found, Mission::at(12.04));
+    EXPECT_EQ(filed.robot, "kurt3d");
+    EXPECT_EQ(filed.status, VictimSample::Status::Hypothesis);
+    EXPECT_TRUE(filed.positionInMap.isApprox(there + Eigen::Vector3d(0.5, 0, 0)))
+        << "it hangs on the third scan, which was moved later";
+    ASSERT_TRUE(writes->file(Kind::Victim, seen).ok());
+    EXPECT_TRUE(writes->state()->victims->contains(second)) << "V1 lies elsewhere";
+    const std::size_t finds = writes->state()->victims->size();
+    ASSERT_TRUE(writes->file(Kind::Victim, seen).ok());
+    EXPECT_EQ(writes->state()->victims->size(), finds) << "the same one again";
+    ASSERT_TRUE(writes->undo().ok());
+    ASSERT_TRUE(writes->undo().ok());
+    EXPECT_FALSE(writes->state()->victims->contains(second));
+    EXPECT_TRUE(writes->state()->victims->contains(hazard));
+}
+
+TEST_F(ReviewPenTest, ACandidateThatNobodyFiledIsFiled) {
+    const auto folder = m_folder / "believed";
+    CandidateSample candidate;
+    candidate.stamp = Mission::at(31.0);
+    candidate.station = "test";
+    candidate.id = 7;
+    candidate.positionInMap = {4.0, 1.0, 0.3};
+    candidate.confidence = 0.8;
+    candidate.cues.push_back({.kind = "heat", .robot = "kurt3d", .value = 33.5});
+    {
+        WrittenMission mission(folder);
+        writeMinute(mission);
+        mission.say(61.0, std::string(station_topic::Candidates), candidate);
+        mission.close();
+    }
+    ReviewPen writes(folder, {Mission::robot()}, "reviewer", "test");
+    ASSERT_TRUE(writes.fileCandidate(7).ok());
+    const FindKey second{VictimSample::Kind::Victim, 2};
+    ASSERT_TRUE(writes.state()->victims->contains(second));
+    const VictimSample& filed = writes.state()->victims->at(second).victim;
+    EXPECT_EQ(filed.heat.value, 33.5);
+    EXPECT_EQ(filed.found, Mission::at(31.0));
+    EXPECT_TRUE(filed.positionInMap.isApprox(candidate.positionInMap));
+    EXPECT_TRUE(isFiled(*writes.state(), candidate)) << "it is not shown beside it";
+    ASSERT_TRUE(writes.undo().ok());
+    EXPECT_FALSE(isFiled(*writes.state(), candidate));
+    EXPECT_FALSE(writes.fileCandidate(8).ok());
 }
 
 TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {

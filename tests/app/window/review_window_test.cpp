@@ -234,6 +234,34 @@ TEST_F(ReviewWindowTest, AVictimIsMovedOnTheMapAndMergedOnlyWithWhatIsThere) {
     EXPECT_TRUE(soon([&] { return away() > 0.5; }));
 }
 
+TEST_F(ReviewWindowTest, WhatNobodyFiledIsFiledByAClickOnTheMap) {
+    goTo(47.0);
+    m_window->commands().trigger(QStringLiteral("review.finished"));
+    ASSERT_TRUE(soon([&] { return finds() == 1; }));
+    MapView& map = m_window->mapView();
+    const Eigen::Vector3d there(2.0, -0.4, 0.0);
+    ASSERT_TRUE(soon([&] {
+        const auto at = map.project(there);
+        return at && map.rect().contains(at->toPoint()) && map.settled();
+    }));
+    QTest::keyClick(m_window.get(), Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(map.drawing());
+    QTest::mouseClick(&map, Qt::RightButton, {}, map.project(there)->toPoint());
+    EXPECT_FALSE(map.drawing()) << "not at all";
+    find<QToolButton>("review.file").click();
+    QTest::mouseClick(&map, Qt::LeftButton, {}, map.project(there)->toPoint());
+    ASSERT_TRUE(soon([&] { return finds() == 2; })) << m_window->newest().toStdString();
+    EXPECT_EQ(found(1, 0), "V2");
+    EXPECT_EQ(found(1, 1), "unconfirmed");
+    const VictimSample filed = m_bridge->pen().state()->victims->at({VictimSample::Kind::Victim, 2}).victim;
+    EXPECT_LT((filed.positionInMap - there).head<2>().norm(), 0.2);
+    EXPECT_EQ(filed.found, m_bridge->reviewed()->now);
+    EXPECT_FALSE(filed.evidence.empty()) << "the picture of the moment";
+    lookAt("filed");
+    find<QToolButton>("review.undo").click();
+    EXPECT_TRUE(soon([&] { return finds() == 1; }));
+}
+
 TEST_F(ReviewWindowTest, NothingOffersToMoveARobot) {
     for (const char* id : {"robot.stop", "robot.drive", "map.goTo", "camera.left", "camera.snapshot"})
         EXPECT_EQ(m_window->commands().find(QLatin1String(id)), nullptr) << id;

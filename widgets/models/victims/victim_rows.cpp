@@ -85,6 +85,8 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
     row.tone = Tone::Muted;
     row.inMap = positionInMap(mission, candidate);
     row.deviation = candidate.deviation;
+    row.found = candidate.stamp;
+    row.since = wallText(candidate.stamp);
     if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
     QStringList signs;
     for (const Cue& cue : candidate.cues) {
@@ -145,6 +147,12 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
         if (entry.victim.status != Status::Discarded)
             rows.push_back(rowOf(mission, key, entry, robotInMap, moves));
     }
+    const std::vector<VictimRow> candidates = candidateRows(mission, robotInMap);
+    rows.insert(rows.end(), candidates.begin(), candidates.end());
+    return rows;
+}
+
+std::vector<VictimRow> candidateRows(const MissionState& mission, const std::optional<Pose>& robotInMap) {
     std::vector<const CandidateSample*> candidates;
     for (const auto& [id, entry] : *mission.candidates) {
         const CandidateSample& one = entry.candidate;
@@ -153,6 +161,8 @@ std::vector<VictimRow> victimRows(const MissionState& mission, const std::option
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto* a, const auto* b) { return a->confidence > b->confidence; });
+    std::vector<VictimRow> rows;
+    rows.reserve(candidates.size());
     for (const CandidateSample* one : candidates) rows.push_back(rowOf(mission, *one, robotInMap));
     return rows;
 }

@@ -29,9 +29,9 @@ struct VictimRow {
     Tone tone = Tone::Normal;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     double deviation = Unknown;                       ///< [m]
-    Time found{};                                     ///< station's clock
-    QString since = {};                               ///< "12:04:31"
-    QString place = {};                               ///< x y z in the map [m]
+    Time found{};        ///< station's clock; of candidates when it was told last
+    QString since = {};  ///< "12:04:31"
+    QString place = {};  ///< x y z in the map [m]
     QString moved = {};  ///< as movedText(), when it moved with its scan last; empty: it did not
     bool discarded = false;
 
@@ -45,6 +45,9 @@ struct VictimRow {
 [[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
                                                 const std::optional<Pose>& robotInMap,
                                                 const FindMoves* moves = nullptr);
+/// Candidates that were neither filed nor dismissed, the surest first.
+[[nodiscard]] std::vector<VictimRow> candidateRows(const MissionState& mission,
+                                                   const std::optional<Pose>& robotInMap);
 /// All that was ever filed, also what was discarded since, by kind and number.
 [[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves = nullptr);
 
