@@ -6524,16 +6524,8 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Gestalt</translation>
     </message>
     <message>
-        <source>whole body, arm, hand …</source>
-        <translation>ganzer Körper, Arm, Hand …</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>waving, breathing …</source>
-        <translation>winkt, atmet …</translation>
     </message>
     <message>
         <source>Heat</source>
@@ -6544,16 +6536,8 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>°C</translation>
     </message>
     <message>
-        <source>face, hand …</source>
-        <translation>Gesicht, Hand …</translation>
-    </message>
-    <message>
         <source>Sound</source>
         <translation>Geräusch</translation>
-    </message>
-    <message>
-        <source>calling, tapping …</source>
-        <translation>ruft, klopft …</translation>
     </message>
     <message>
         <source>CO₂</source>
@@ -6564,16 +6548,90 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>ppm</translation>
     </message>
     <message>
-        <source>rising, steady …</source>
-        <translation>steigend, gleichbleibend …</translation>
-    </message>
-    <message>
         <source>absent</source>
         <translation>fehlt</translation>
     </message>
     <message>
         <source>present</source>
         <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>whole body</source>
+        <translation>ganzer Körper</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>waving</source>
+        <translation>winkt</translation>
+    </message>
+    <message>
+        <source>breathing</source>
+        <translation>atmet</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Gesicht</translation>
+    </message>
+    <message>
+        <source>calling</source>
+        <translation>ruft</translation>
+    </message>
+    <message>
+        <source>tapping</source>
+        <translation>klopft</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation>gleichbleibend</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <comment>what one may write: waving, breathing …</comment>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between words</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>beside a wall</source>
+        <translation>an einer Wand</translation>
+    </message>
+    <message>
+        <source>in a corner</source>
+        <translation>in einer Ecke</translation>
+    </message>
+    <message>
+        <source>behind a door</source>
+        <translation>hinter einer Tür</translation>
+    </message>
+    <message>
+        <source>under a table</source>
+        <translation>unter einem Tisch</translation>
+    </message>
+    <message>
+        <source>in a box</source>
+        <translation>in einer Kiste</translation>
+    </message>
+    <message>
+        <source>the way is narrow</source>
+        <translation>der Weg ist eng</translation>
+    </message>
+    <message>
+        <source>the way is steep</source>
+        <translation>der Weg ist steil</translation>
     </message>
 </context>
 <context>
@@ -6943,8 +7001,8 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Einen angelegten Fund wählen, um sein Formular auszufüllen</translation>
     </message>
     <message>
-        <source>This field has no choices: words are typed into it</source>
-        <translation>Dieses Feld hat keine Auswahl: Worte werden hineingetippt</translation>
+        <source>Nothing to choose from here: what was typed stays</source>
+        <translation>Hier gibt es nichts auszuwählen: Getipptes bleibt</translation>
     </message>
 </context>
 <context>

@@ -6524,16 +6524,8 @@ A function of this program, no certified emergency stop.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>whole body, arm, hand …</source>
-        <translation>全身、腕、手 …</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>動き</translation>
-    </message>
-    <message>
-        <source>waving, breathing …</source>
-        <translation>手を振る、呼吸 …</translation>
     </message>
     <message>
         <source>Heat</source>
@@ -6544,16 +6536,8 @@ A function of this program, no certified emergency stop.</source>
         <translation>°C</translation>
     </message>
     <message>
-        <source>face, hand …</source>
-        <translation>顔、手 …</translation>
-    </message>
-    <message>
         <source>Sound</source>
         <translation>音</translation>
-    </message>
-    <message>
-        <source>calling, tapping …</source>
-        <translation>呼び声、叩く音 …</translation>
     </message>
     <message>
         <source>CO₂</source>
@@ -6564,16 +6548,90 @@ A function of this program, no certified emergency stop.</source>
         <translation>ppm</translation>
     </message>
     <message>
-        <source>rising, steady …</source>
-        <translation>上昇、一定 …</translation>
-    </message>
-    <message>
         <source>absent</source>
         <translation>なし</translation>
     </message>
     <message>
         <source>present</source>
         <translation>あり</translation>
+    </message>
+    <message>
+        <source>whole body</source>
+        <translation>全身</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>腕</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>waving</source>
+        <translation>手を振る</translation>
+    </message>
+    <message>
+        <source>breathing</source>
+        <translation>呼吸</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>顔</translation>
+    </message>
+    <message>
+        <source>calling</source>
+        <translation>呼び声</translation>
+    </message>
+    <message>
+        <source>tapping</source>
+        <translation>叩く音</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>上昇</translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation>一定</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <comment>what one may write: waving, breathing …</comment>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between words</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>beside a wall</source>
+        <translation>壁際</translation>
+    </message>
+    <message>
+        <source>in a corner</source>
+        <translation>隅</translation>
+    </message>
+    <message>
+        <source>behind a door</source>
+        <translation>ドアの後ろ</translation>
+    </message>
+    <message>
+        <source>under a table</source>
+        <translation>机の下</translation>
+    </message>
+    <message>
+        <source>in a box</source>
+        <translation>箱の中</translation>
+    </message>
+    <message>
+        <source>the way is narrow</source>
+        <translation>道が狭い</translation>
+    </message>
+    <message>
+        <source>the way is steep</source>
+        <translation>道が急</translation>
     </message>
 </context>
 <context>
@@ -6943,8 +7001,8 @@ A function of this program, no certified emergency stop.</source>
         <translation>記入するには登録済みの発見物を選んでください</translation>
     </message>
     <message>
-        <source>This field has no choices: words are typed into it</source>
-        <translation>この欄に選択肢はありません。文字を入力します</translation>
+        <source>Nothing to choose from here: what was typed stays</source>
+        <translation>ここに選択肢はありません。入力した文字はそのままです</translation>
     </message>
 </context>
 <context>

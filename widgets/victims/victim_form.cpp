@@ -79,7 +79,7 @@ VictimForm::VictimForm(QWidget* parent)
         using State = VictimSign::State;
         for (const State one : {State::Unknown, State::Absent, State::Present})
             state->addItem(signStateText(one), static_cast<int>(one));
-        auto* text = line(tr("%1, in words").arg(field.name), field.placeholder);
+        auto* text = line(tr("%1, in words").arg(field.name), field.placeholder());
         QLineEdit* value = nullptr;
         label(field.name, state);
         grid->addWidget(state, row, 1);
@@ -212,7 +212,37 @@ void VictimForm::nextField(int step) {
     }
 }
 
+bool VictimForm::changeLine(QLineEdit& field, int step) {
+    if (!field.isEnabled()) return false;
+    QStringList words = &field == m_tag ? m_tags : &field == m_text ? remarkChoices() : QStringList();
+    for (const Sign& sign : m_signs) {
+        if (&field == sign.value) return changeValue(sign, step);
+        if (&field == sign.text) words = sign.field.words;
+    }
+    words.prepend(QString());  // nothing is said
+    const auto at = words.indexOf(field.text().trimmed());
+    if (at < 0 || words.size() == 1) return false;
+    field.setText(words[(at + step + words.size()) % words.size()]);
+    read();
+    return true;
+}
+
+bool VictimForm::changeValue(const Sign& sign, int step) {
+    const SignField::Range& range = sign.field.range;
+    const QString text = sign.value->text().trimmed();
+    bool number = false;
+    double value = QLocale().toDouble(text, &number);
+    if (!number && !text.isEmpty()) return false;
+    value = number ? value + step * range.step : range.usual;
+    if (value > range.most) value = range.least;
+    if (value < range.least) value = range.most;
+    sign.value->setText(QLocale().toString(value, 'f', 0));
+    read();
+    return true;
+}
+
 bool VictimForm::change(int step) {
+    if (auto* field = qobject_cast<QLineEdit*>(focusWidget())) return changeLine(*field, step);
     auto* box = qobject_cast<QComboBox*>(focusWidget());
     if (box == nullptr || !box->isEnabled() || box->count() == 0) return false;
     box->setCurrentIndex((box->currentIndex() + step + box->count()) % box->count());

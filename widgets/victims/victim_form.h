@@ -27,7 +27,10 @@ public:
 
     /// The next (or, negative, previous) field gets the focus.
     void nextField(int step);
-    /// The field that has the focus gets its next (previous) choice; false: it has none.
+    /// What its tag may be: change() goes through them.
+    void setTags(const QStringList& tags) { m_tags = tags; }
+    /// The field that has the focus gets its next (previous) choice, word or value; false: it has none, or
+    /// what was typed there would be lost.
     bool change(int step);
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 320}; }
@@ -42,6 +45,8 @@ private:
         QComboBox* state;
         QLineEdit *text, *value;
     };
+    [[nodiscard]] bool changeLine(QLineEdit& line, int step);
+    [[nodiscard]] bool changeValue(const Sign& sign, int step);
     void read();
     void setEnabledParts(bool on);
     [[nodiscard]] QLineEdit* line(const QString& name, const QString& placeholder);
@@ -52,6 +57,7 @@ private:
     bool m_showing = false;
     QLabel* m_title;
     std::vector<Sign> m_signs;
+    QStringList m_tags;
     QComboBox *m_situation, *m_area;
     QLineEdit *m_tag, *m_text;
     std::vector<QWidget*> m_fields;  ///< in the order of Tab

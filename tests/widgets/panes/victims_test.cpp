@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/widgets/panes/shown.h"
+#include "widgets/models/victims/tag_choices.h"
 #include "widgets/theme.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -183,6 +184,85 @@ TEST(VictimForm, IsFilledInWithoutAMouse) {
     form.show(sign);
     form.nextField(1);
     EXPECT_EQ(form.focusWidget()->accessibleName().toStdString(), "Tag") << "a sign has no signs of life";
+}
+
+/// A form as somebody has it who holds a pad.
+class FormByPad : public testing::Test {
+protected:
+    FormByPad() {
+        m_form.setTags({QStringLiteral("R-17"), QStringLiteral("R-18")});
+        m_form.show(victim());
+        m_form.resize(420, 360);
+        m_form.QWidget::show();
+        m_form.activateWindow();
+        EXPECT_TRUE(QTest::qWaitFor([this] { return m_form.isActiveWindow(); }));
+    }
+    [[nodiscard]] QLineEdit& goTo(const QString& name) {
+        for (int i = 0; i < 40; ++i) {
+            m_form.nextField(1);
+            auto* field = qobject_cast<QLineEdit*>(m_form.focusWidget());
+            if (field != nullptr && field->accessibleName() == name) return *field;
+        }
+        throw std::runtime_error("there is no field " + name.toStdString());
+    }
+    [[nodiscard]] VictimSample said() const { return m_edited.last().at(0).value<VictimSample>(); }
+
+    VictimForm m_form;
+    QSignalSpy m_edited{&m_form, &VictimForm::edited};
+};
+
+TEST_F(FormByPad, WordsAndValuesAreChosen) {
+    (void)goTo(QStringLiteral("Motion, in words"));
+    for (const char* word : {"waving", "breathing", "", "waving"}) {
+        ASSERT_TRUE(m_form.change(1));
+        EXPECT_EQ(said().motion.text, word);
+    }
+    QLineEdit& heat = goTo(QStringLiteral("Heat, measured"));
+    heat.clear();
+    ASSERT_TRUE(m_form.change(1));
+    EXPECT_EQ(said().heat.value, 34.0) << "where skin is";
+    ASSERT_TRUE(m_form.change(1));
+    EXPECT_EQ(said().heat.value, 35.0);
+    for (int i = 0; i < 8; ++i) ASSERT_TRUE(m_form.change(1));
+    EXPECT_EQ(said().heat.value, 25.0) << "round and round";
+    QLineEdit& tag = goTo(QStringLiteral("Tag"));
+    tag.clear();
+    ASSERT_TRUE(m_form.change(1));
+    ASSERT_TRUE(m_form.change(1));
+    EXPECT_EQ(said().tag, "R-18") << "a code that was read";
+    (void)goTo(QStringLiteral("Remarks"));
+    ASSERT_TRUE(m_form.change(1));
+    EXPECT_EQ(said().text, "beside a wall");
+}
+
+TEST_F(FormByPad, WhatWasTypedIsNotLost) {
+    QLineEdit& tag = goTo(QStringLiteral("Tag"));
+    tag.setText(QStringLiteral("illegible, begins with K"));
+    EXPECT_FALSE(m_form.change(1));
+    EXPECT_EQ(tag.text(), QStringLiteral("illegible, begins with K"));
+}
+
+TEST(TagChoices, AreCodesThatWereReadTheNearestFirst) {
+    MissionState mission;
+    using Status = VictimSample::Status;
+    const auto code = [&](std::uint32_t number, double x, const char* tag, Status status) {
+        VictimSample one;
+        one.kind = Kind::Code;
+        one.number = number;
+        one.positionInMap = {x, 0, 0};
+        one.tag = tag;
+        one.status = status;
+        mission.victims.edit()[{Kind::Code, number}].victim = one;
+    };
+    code(1, 5.0, "far", Status::Confirmed);
+    code(2, 1.0, "near", Status::Hypothesis);
+    code(3, 0.1, "none", Status::Discarded);
+    CandidateSample candidate;
+    candidate.id = 1;
+    candidate.positionInMap = {2.0, 0, 0};
+    candidate.cues = {{.kind = "code", .text = "believed"}, {.kind = "code", .text = "near"}};
+    mission.candidates.edit()[1].candidate = candidate;
+    EXPECT_EQ(tagChoices(mission, VictimSample()), QStringList({"near", "believed", "far"}));
 }
 
 }  // namespace

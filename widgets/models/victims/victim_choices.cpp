@@ -27,11 +27,31 @@ std::vector<VictimChoice> areaChoices() {
 }
 
 std::vector<SignField> signFields() {
-    return {{&VictimSample::form, Say::tr("Form"), {}, Say::tr("whole body, arm, hand …")},
-            {&VictimSample::motion, Say::tr("Motion"), {}, Say::tr("waving, breathing …")},
-            {&VictimSample::heat, Say::tr("Heat"), Say::tr("°C"), Say::tr("face, hand …")},
-            {&VictimSample::sound, Say::tr("Sound"), {}, Say::tr("calling, tapping …")},
-            {&VictimSample::co2, Say::tr("CO₂"), Say::tr("ppm"), Say::tr("rising, steady …")}};
+    return {
+        {&VictimSample::form, Say::tr("Form"), {}, {Say::tr("whole body"), Say::tr("arm"), Say::tr("hand")}},
+        {&VictimSample::motion, Say::tr("Motion"), {}, {Say::tr("waving"), Say::tr("breathing")}},
+        {&VictimSample::heat,
+         Say::tr("Heat"),
+         Say::tr("°C"),
+         {Say::tr("face"), Say::tr("hand")},
+         {.usual = 34.0, .step = 1.0, .least = 25.0, .most = 42.0}},
+        {&VictimSample::sound, Say::tr("Sound"), {}, {Say::tr("calling"), Say::tr("tapping")}},
+        {&VictimSample::co2,
+         Say::tr("CO₂"),
+         Say::tr("ppm"),
+         {Say::tr("rising"), Say::tr("steady")},
+         {.usual = 1000.0, .step = 250.0, .least = 500.0, .most = 5000.0}}};
+}
+
+QString SignField::placeholder() const {
+    return Say::tr("%1 …", "what one may write: waving, breathing …")
+        .arg(words.join(Say::tr(", ", "between words")));
+}
+
+QStringList remarkChoices() {
+    return {Say::tr("beside a wall"),   Say::tr("in a corner"), Say::tr("behind a door"),
+            Say::tr("under a table"),   Say::tr("in a box"),    Say::tr("the way is narrow"),
+            Say::tr("the way is steep")};
 }
 
 QString signStateText(VictimSign::State state) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/robot/samples/victim_sample.h"
 
@@ -22,11 +23,20 @@ struct VictimChoice {
 /// One sign of life on the form.
 struct SignField {
     VictimSign VictimSample::*sign;
-    QString name;         ///< "Heat"
-    QString unit;         ///< of its value, "°C"; empty: it has none
-    QString placeholder;  ///< what one may write: "waving, breathing …"
+    QString name;       ///< "Heat"
+    QString unit;       ///< of its value, "°C"; empty: it has none
+    QStringList words;  ///< what is often said of it: "waving", "breathing"
+    /// What its value is by and large, so that it can be found without a keyboard.
+    struct Range {
+        double usual = 0.0, step = 1.0, least = 0.0, most = 0.0;  ///< in its unit
+    } range = {};
+
+    [[nodiscard]] QString placeholder() const;  ///< "waving, breathing …"
 };
 [[nodiscard]] std::vector<SignField> signFields();
+
+/// What remarks on a find often say.
+[[nodiscard]] QStringList remarkChoices();
 
 /// "unknown", "absent", "present".
 [[nodiscard]] QString signStateText(VictimSign::State state);

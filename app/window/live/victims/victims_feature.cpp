@@ -24,6 +24,7 @@
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/merge_words.h"
 #include "widgets/models/victims/move_words.h"
+#include "widgets/models/victims/tag_choices.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
 
@@ -151,7 +152,7 @@ void VictimsFeature::fillIn(int step) {
 
 void VictimsFeature::changeField() {
     if (!isFillingIn()) return fillIn(1);
-    if (!m_form->change(1)) emit told(tr("This field has no choices: words are typed into it"));
+    if (!m_form->change(1)) emit told(tr("Nothing to choose from here: what was typed stays"));
 }
 
 bool VictimsFeature::isFillingIn() const {
@@ -242,6 +243,8 @@ void VictimsFeature::showForm() {
     const auto chosen = m_panel->chosen();
     const auto& finds = *m_context.source.moment().mission->victims;
     const auto entry = chosen && chosen->filed() ? finds.find(chosen->find) : finds.end();
+    if (entry != finds.end())
+        m_form->setTags(tagChoices(*m_context.source.moment().mission, entry->second.victim));
     m_form->show(entry == finds.end() ? std::nullopt : std::optional(entry->second.victim));
 }
 
