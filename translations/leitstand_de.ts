@@ -252,18 +252,6 @@
         <translation>Von</translation>
     </message>
     <message>
-        <source>On the robots: driving in autonomous modes, approach to victims, stopping when the link is lost.</source>
-        <translation>Auf den Robotern: Fahren in autonomen Modi, Anfahrt zu Opfern, Anhalten bei Verlust der Funkverbindung.</translation>
-    </message>
-    <message>
-        <source>On the operator station: registration of the scans, this map, cues of victims, this report.</source>
-        <translation>Auf der Bedienstation: Registrierung der Scans, diese Karte, Hinweise auf Opfer, dieser Bericht.</translation>
-    </message>
-    <message>
-        <source>By the operator: everything that is marked T, and every confirmation.</source>
-        <translation>Durch den Operator: alles, was mit T gekennzeichnet ist, und jede Bestätigung.</translation>
-    </message>
-    <message>
         <source>No robot drove near it: there is no way to tell.</source>
         <translation>Kein Roboter fuhr in die Nähe: ein Weg lässt sich nicht angeben.</translation>
     </message>
@@ -461,6 +449,89 @@
     <message>
         <source>minutes of a mission</source>
         <translation>Minuten einer Mission</translation>
+    </message>
+</context>
+<context>
+    <name>WorkText</name>
+    <message>
+        <source>body heat</source>
+        <translation>Körperwärme</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>QR codes</source>
+        <translation>QR-Codes</translation>
+    </message>
+    <message>
+        <source>hazard signs</source>
+        <translation>Gefahrzeichen</translation>
+    </message>
+    <message>
+        <source>%1 drove by itself for %2</source>
+        <translation>%1 fuhr %2 lang selbst</translation>
+    </message>
+    <message>
+        <source>no robot drove by itself</source>
+        <translation>kein Roboter fuhr selbst</translation>
+    </message>
+    <message>
+        <source>they saw %1 of the candidates by themselves</source>
+        <translation>sie sahen %1 der Kandidaten selbst</translation>
+    </message>
+    <message>
+        <source>there was no map to be made</source>
+        <translation>es gab keine Karte zu machen</translation>
+    </message>
+    <message>
+        <source>%1 scans were registered into this map while robots drove</source>
+        <translation>%1 Scans wurden während der Fahrt in diese Karte registriert</translation>
+    </message>
+    <message>
+        <source>%1 scans were registered into this map for this report</source>
+        <translation>%1 Scans wurden für diesen Bericht in diese Karte registriert</translation>
+    </message>
+    <message>
+        <source>%1 candidates were told</source>
+        <translation>%1 Kandidaten wurden gemeldet</translation>
+    </message>
+    <message>
+        <source>%1 candidates were found by %2</source>
+        <translation>%1 Kandidaten wurden gefunden (%2)</translation>
+    </message>
+    <message>
+        <source>this report was written</source>
+        <translation>dieser Bericht wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 was driven for %2</source>
+        <translation>%1 wurde %2 lang gefahren</translation>
+    </message>
+    <message>
+        <source>%1 finds were filed, %2 of them that a station had told of, and %3 confirmed</source>
+        <translation>%1 Funde wurden erfasst, davon %2, die eine Station gemeldet hatte, und %3 bestätigt</translation>
+    </message>
+    <message>
+        <source>%1 decisions were made on scans and the map&apos;s area</source>
+        <translation>%1 Entscheidungen über Scans und den Bereich der Karte wurden getroffen</translation>
+    </message>
+    <message>
+        <source>On the robots:</source>
+        <translation>Auf den Robotern:</translation>
+    </message>
+    <message>
+        <source>On the operator station:</source>
+        <translation>Auf der Bedienstation:</translation>
+    </message>
+    <message>
+        <source>By people:</source>
+        <translation>Durch Menschen:</translation>
     </message>
 </context>
 <context>

@@ -252,18 +252,6 @@
         <translation>発見者</translation>
     </message>
     <message>
-        <source>On the robots: driving in autonomous modes, approach to victims, stopping when the link is lost.</source>
-        <translation>ロボット上: 自律モードでの走行、被災者への接近、通信途絶時の停止。</translation>
-    </message>
-    <message>
-        <source>On the operator station: registration of the scans, this map, cues of victims, this report.</source>
-        <translation>操作卓上: スキャンの位置合わせ、この地図、被災者の手掛かり、この報告書。</translation>
-    </message>
-    <message>
-        <source>By the operator: everything that is marked T, and every confirmation.</source>
-        <translation>オペレータ: T の付いた項目すべてと、すべての確定。</translation>
-    </message>
-    <message>
         <source>No robot drove near it: there is no way to tell.</source>
         <translation>付近を走行したロボットがないため、経路は示せない。</translation>
     </message>
@@ -461,6 +449,89 @@
     <message>
         <source>minutes of a mission</source>
         <translation>ミッションの分数</translation>
+    </message>
+</context>
+<context>
+    <name>WorkText</name>
+    <message>
+        <source>body heat</source>
+        <translation>体温</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>QR codes</source>
+        <translation>QRコード</translation>
+    </message>
+    <message>
+        <source>hazard signs</source>
+        <translation>危険物標識</translation>
+    </message>
+    <message>
+        <source>%1 drove by itself for %2</source>
+        <translation>%1 は %2 自律走行</translation>
+    </message>
+    <message>
+        <source>no robot drove by itself</source>
+        <translation>自律走行したロボットはない</translation>
+    </message>
+    <message>
+        <source>they saw %1 of the candidates by themselves</source>
+        <translation>候補のうち %1 件はロボット自身が発見</translation>
+    </message>
+    <message>
+        <source>there was no map to be made</source>
+        <translation>作成する地図はなかった</translation>
+    </message>
+    <message>
+        <source>%1 scans were registered into this map while robots drove</source>
+        <translation>走行中にスキャン %1 件をこの地図に位置合わせ</translation>
+    </message>
+    <message>
+        <source>%1 scans were registered into this map for this report</source>
+        <translation>この報告書のためにスキャン %1 件をこの地図に位置合わせ</translation>
+    </message>
+    <message>
+        <source>%1 candidates were told</source>
+        <translation>候補 %1 件を通知</translation>
+    </message>
+    <message>
+        <source>%1 candidates were found by %2</source>
+        <translation>候補 %1 件を検出（%2）</translation>
+    </message>
+    <message>
+        <source>this report was written</source>
+        <translation>この報告書を作成</translation>
+    </message>
+    <message>
+        <source>%1 was driven for %2</source>
+        <translation>%1 を %2 操縦</translation>
+    </message>
+    <message>
+        <source>%1 finds were filed, %2 of them that a station had told of, and %3 confirmed</source>
+        <translation>発見 %1 件を登録（うち %2 件は操作卓が通知）、%3 件を確定</translation>
+    </message>
+    <message>
+        <source>%1 decisions were made on scans and the map&apos;s area</source>
+        <translation>スキャンと地図範囲について %1 件を判断</translation>
+    </message>
+    <message>
+        <source>On the robots:</source>
+        <translation>ロボット上:</translation>
+    </message>
+    <message>
+        <source>On the operator station:</source>
+        <translation>操作卓上:</translation>
+    </message>
+    <message>
+        <source>By people:</source>
+        <translation>人:</translation>
     </message>
 </context>
 <context>

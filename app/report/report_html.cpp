@@ -12,6 +12,7 @@
 #include "app/report/report_numbers.h"
 #include "app/report/report_times.h"
 #include "app/report/score_html.h"
+#include "app/report/work_html.h"
 #include "app/session/report/report_words.h"
 
 namespace leitstand {
@@ -177,15 +178,6 @@ QString findRows(const ReportModel& model) {
     return table(rows);
 }
 
-QString whereComputed() {
-    return QStringLiteral("<ul><li>%1</li><li>%2</li><li>%3</li></ul>")
-        .arg(ReportText::tr("On the robots: driving in autonomous modes, approach to victims, stopping when "
-                            "the link is lost."),
-             ReportText::tr("On the operator station: registration of the scans, this map, cues of victims, "
-                            "this report."),
-             ReportText::tr("By the operator: everything that is marked T, and every confirmation."));
-}
-
 QString wayText(const ReportFind& find) {
     if (find.way.points.empty()) return ReportText::tr("No robot drove near it: there is no way to tell.");
     return ReportText::tr("%1 m from the start of %2 along the driven trail, the last %3 m straight on.")
@@ -224,7 +216,7 @@ QStringList overviewHtml(const ReportContent& content) {
     sections += finds;
     sections += coverageHtml(content);
     sections += scoreHtml(content);
-    sections += heading(ReportText::tr("What was computed where")) + whereComputed();
+    sections += heading(ReportText::tr("What was computed where")) + workHtml(content);
     if (!content.warnings.empty()) {
         QString html = heading(ReportText::tr("What is missing or doubtful")) + QStringLiteral("<ul>");
         constexpr std::size_t Most = 20;

@@ -130,6 +130,7 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
     model.facts = factsOf(input);
     model.scans = input.scans.size();
     model.uncertain = input.uncertain;
+    model.work = workOf(input.state);
     std::vector<Eigen::Vector3d> ground;
     for (const std::string& name : input.robots) {
         model.robots.push_back(robotOf(input, name));

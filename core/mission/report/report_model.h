@@ -14,6 +14,7 @@
 #include "core/mission/report/map_drawing.h"
 #include "core/mission/report/report_scan.h"
 #include "core/mission/report/report_search.h"
+#include "core/mission/report/report_work.h"
 #include "core/mission/report/robot_path.h"
 #include "core/mission/report/voxel_evidence.h"
 #include "core/mission/report/ways.h"
@@ -84,6 +85,7 @@ struct ReportModel {
     std::vector<OccupancyGrid> grids;  ///< one for each of reportBands()
     double explored = 0.0;             ///< area at the lower height [m2]
     ReportSearch search;
+    ReportWork work;
 
     [[nodiscard]] bool hasMap() const { return !evidence.empty(); }
 };

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+#include "app/session/report/report_content.h"
+
+namespace leitstand {
+
+/// What was autonomous and what was computed where in this mission: on the robots, on stations, by people.
+[[nodiscard]] QString workHtml(const ReportContent& content);
+
+}  // namespace leitstand
