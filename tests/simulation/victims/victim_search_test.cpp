@@ -166,6 +166,8 @@ TEST_P(VictimSearchLong, AYellowArenaAgainstTheTruth) {
     EXPECT_EQ(result.found, result.lookedAt);
     EXPECT_LE(result.worst, 0.2);
     EXPECT_LE(result.falseOnes, 1);
+    EXPECT_EQ(result.codesWrong, 0);
+    EXPECT_EQ(result.hazardsWrong, 0);
 }
 
 // The fourth was used for nothing before.
