@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -52,6 +53,48 @@ std::size_t blackPixelsOf(const fs::path& pages, const fs::path& picture) {
         pixels.begin(), pixels.end(), [](char pixel) { return static_cast<unsigned char>(pixel) < 96; }));
 }
 
+/// Words of @p pages, by poppler, that reach out of their page's margins or lie on another word.
+std::vector<std::string> misplacedWords(const fs::path& pages) {
+    const ProcessOutcome boxes = runProcess("/usr/bin/pdftotext", {"-bbox", pages.string(), "-"});
+    EXPECT_EQ(boxes.exitCode, 0) << boxes.err;
+    struct Word {
+        double left, top, right, bottom;  ///< [pt]
+        std::string text;
+    };
+    const std::string number = R"re(="([-0-9.]+)")re";
+    const std::regex pageLine("<page width" + number + " height" + number);
+    const std::regex wordLine("<word xMin" + number + " yMin" + number + " xMax" + number + " yMax" + number +
+                              ">(.*)</word>");
+    constexpr double Margin = 30.0, Touch = 0.5, OfLine = 0.35;
+    std::vector<std::string> misplaced;
+    std::vector<Word> words;
+    double width = 0.0, height = 0.0;
+    std::istringstream lines(boxes.out);
+    for (std::string text; std::getline(lines, text);) {
+        std::smatch found;
+        if (std::regex_search(text, found, pageLine)) {
+            width = std::stod(found[1]);
+            height = std::stod(found[2]);
+            words.clear();
+        }
+        if (!std::regex_search(text, found, wordLine)) continue;
+        const Word word{std::stod(found[1]), std::stod(found[2]), std::stod(found[3]), std::stod(found[4]),
+                        found[5]};
+        if (word.left < Margin || word.right > width - Margin || word.top < Margin ||
+            word.bottom > height - Margin)
+            misplaced.push_back(word.text + " at the edge");
+        for (const Word& other : words) {
+            const double beside = std::min(word.right, other.right) - std::max(word.left, other.left);
+            const double below = std::min(word.bottom, other.bottom) - std::max(word.top, other.top);
+            const double line = std::min(word.bottom - word.top, other.bottom - other.top);
+            if (beside > Touch && below > OfLine * line) misplaced.push_back(word.text + " on " + other.text);
+        }
+        words.push_back(word);
+    }
+    EXPECT_FALSE(words.empty()) << "no word was read";
+    return misplaced;
+}
+
 class ReportLanguage : public testing::TestWithParam<Spoken> {
 protected:
     ~ReportLanguage() override { useLanguage(QStringLiteral("en")); }
@@ -71,6 +114,7 @@ TEST_P(ReportLanguage, IsTheWindows) {
     const ProcessOutcome text = readByPoppler(pages);
     if (text.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(text.err);
     for (const std::string& word : GetParam().words) EXPECT_THAT(text.out, HasSubstr(word));
+    EXPECT_THAT(misplacedWords(pages), testing::IsEmpty());
     EXPECT_GT(blackPixelsOf(pages, folder / "first"), 2000U)
         << "is read on white paper, in a dark window too";
     if (GetParam().code != std::string("en")) {
