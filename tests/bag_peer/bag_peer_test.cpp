@@ -13,7 +13,6 @@
 namespace leitstand::test {
 namespace {
 
-constexpr int Skipped = 77;  // of tests/npm/run: no npm, no registry
 constexpr int Rounds = 3;
 
 /// One event of @p one, on a topic of its type alone.
@@ -52,7 +51,7 @@ TEST(BagPeer, ListsOurBagAndDecodesEveryMessage) {
     const auto outcome = runProcess(
         tests / "npm" / "run", {(tests / "bag_peer" / "read_bag.js").string(),
                                 (mission / "mission_0.db3").string(), (mission / "metadata.yaml").string()});
-    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
+    LEITSTAND_NEEDS(outcome);
     ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
     EXPECT_THAT(outcome.out, testing::HasSubstr(fmt::format("\"messages\":{}", types * Rounds)));
     EXPECT_THAT(outcome.out, testing::HasSubstr("\"file\":\"mission_0.db3\""));

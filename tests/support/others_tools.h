@@ -2,14 +2,12 @@
 
 #include <filesystem>
 
+#include "tests/support/missing_tool.h"
 #include "tests/support/process.h"
 
 namespace leitstand::test {
 
-/// Exit code of what is below where the program is not installed: tests then skip, and say so.
-inline constexpr int NotInstalled = 77;
-
-// Programs that we did not write read what we wrote.
+// Programs that we did not write read what we wrote. Tests ask LEITSTAND_NEEDS whether they could.
 [[nodiscard]] ProcessOutcome readByGdal(const std::filesystem::path& map);      ///< gdalinfo
 [[nodiscard]] ProcessOutcome readByOctomap(const std::filesystem::path& tree);  ///< bt2vrml; a .wrl beside it
 [[nodiscard]] ProcessOutcome readByPoppler(const std::filesystem::path& pages);  ///< pdftotext

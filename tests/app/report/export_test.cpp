@@ -89,7 +89,7 @@ TEST_F(Export, TheMapIsAGeoTiffOfTheHeightThatIsAskedFor) {
     EXPECT_EQ(below->perPixel, 0.01);
     EXPECT_NE(below->picture.bytes, above->picture.bytes);
     const ProcessOutcome read = readByGdal(low);
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_THAT(read.out, HasSubstr("Size is " + std::to_string(below->picture.width) + ", " +
                                     std::to_string(below->picture.height)));
 }
@@ -102,14 +102,14 @@ TEST_F(Export, TheOctomapHasWallsAndFreeSpace) {
     EXPECT_GT(tree->occupied, 0.5);
     EXPECT_GT(tree->free, 20.0);
     const ProcessOutcome read = readByOctomap(file);
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.err;
 }
 
 TEST_F(Export, PointsAreReadByPcl) {
     const fs::path ply = exported("map.ply");
     const ProcessOutcome read = readByPcl(ply, m_folder / "by_pcl.pcd");
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.err;
     const auto again = readPcd(m_folder / "by_pcl.pcd");
     ASSERT_TRUE(again) << again.error().text;

@@ -43,7 +43,7 @@ ProcessOutcome ReadByOthers::s_outcome;
 TEST_F(ReadByOthers, MapsByGdal) {
     for (const char* ending : {".tif", "_upper.tif"}) {
         const ProcessOutcome read = readByGdal(file(ending));
-        if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+        LEITSTAND_NEEDS(read);
         EXPECT_EQ(read.exitCode, 0) << read.err;
         EXPECT_THAT(read.out,
                     AllOf(HasSubstr("GTiff"), HasSubstr("Pixel Size = (0.01"), HasSubstr("Band 3")));
@@ -52,14 +52,14 @@ TEST_F(ReadByOthers, MapsByGdal) {
 
 TEST_F(ReadByOthers, TheOctomapByItsTools) {
     const ProcessOutcome read = readByOctomap(file(".bt"));
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.err;
     EXPECT_GT(fs::file_size(file(".bt.wrl")), 100'000u);
 }
 
 TEST_F(ReadByOthers, ThePointsByPcl) {
     const ProcessOutcome read = readByPcl(file(".ply"), *s_folder / "points.pcd");
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.out << read.err;
     EXPECT_THAT(read.out + read.err, HasSubstr("x y z label"));
     const auto ours = readPly(file(".ply"));
@@ -70,14 +70,14 @@ TEST_F(ReadByOthers, ThePointsByPcl) {
 
 TEST_F(ReadByOthers, ThePagesByPoppler) {
     const ProcessOutcome read = readByPoppler(file(".pdf"));
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.err;
     EXPECT_THAT(read.out, AllOf(HasSubstr("Leitstand"), HasSubstr("V1")));
 }
 
 TEST_F(ReadByOthers, TheLogByNpm) {
     const ProcessOutcome read = readByNpm(mission());
-    if (read.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(read.err);
+    LEITSTAND_NEEDS(read);
     EXPECT_EQ(read.exitCode, 0) << read.out << read.err;
     EXPECT_THAT(read.out, HasSubstr("\"messages\":"));
 }

@@ -112,7 +112,7 @@ TEST_P(ReportLanguage, IsTheWindows) {
     ASSERT_TRUE(written) << written.error().text;
     EXPECT_TRUE(written->whole());
     const ProcessOutcome text = readByPoppler(pages);
-    if (text.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(text.err);
+    LEITSTAND_NEEDS(text);
     for (const std::string& word : GetParam().words) EXPECT_THAT(text.out, HasSubstr(word));
     EXPECT_THAT(misplacedWords(pages), testing::IsEmpty());
     EXPECT_GT(blackPixelsOf(pages, folder / "first"), 2000U)
@@ -160,7 +160,7 @@ TEST(ReportPages, NoHeadingIsLeftAloneAtAPagesEnd) {
         ASSERT_TRUE(bytes) << bytes.error().text;
         writeText(folder / "report.pdf", *bytes);
         const ProcessOutcome text = readByPoppler(folder / "report.pdf");
-        if (text.exitCode == NotInstalled) LEITSTAND_MISSING_TOOL(text.err);
+        LEITSTAND_NEEDS(text);
         std::istringstream pages(text.out);
         std::string page;
         for (std::size_t number = 1; std::getline(pages, page, '\f'); ++number) {

@@ -14,7 +14,6 @@ namespace leitstand::test {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int Skipped = 77;  // of tests/npm/run: no npm, no registry
 
 /// A text as a JSON string.
 std::string quoted(std::string_view text) {
@@ -57,7 +56,7 @@ ProcessOutcome runScript(const std::string& script, const std::vector<std::strin
 TEST(NpmPeer, AgreesOnTheLayoutOfEveryStandardMessage) {
     const TemporaryFolder folder;
     const auto outcome = runScript("layouts.js", {writeCatalog(folder).string()});
-    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
+    LEITSTAND_NEEDS(outcome);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }
 
@@ -71,14 +70,14 @@ TEST(NpmPeer, ReadsWhatOurEncoderWrites) {
             .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
     const auto outcome = runScript("read.js", {writeCatalog(folder).string(), samples.string()});
-    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
+    LEITSTAND_NEEDS(outcome);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }
 
 TEST(NpmPeer, WritesWhatOurDecoderReads) {
     const TemporaryFolder folder;
     const auto outcome = runScript("write.js", {writeCatalog(folder).string(), folder.path().string()});
-    if (outcome.exitCode == Skipped) LEITSTAND_MISSING_TOOL(outcome.err);
+    LEITSTAND_NEEDS(outcome);
     ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
     for (const MessageType& type : messageTypes()) {
         const auto theirs = readBytes(fileOf(folder.path(), type.rosName));
