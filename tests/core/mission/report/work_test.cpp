@@ -7,14 +7,14 @@ namespace leitstand::test {
 namespace {
 
 using testing::ElementsAre;
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using FindKind = VictimSample::Kind;
+using FindStatus = VictimSample::Status;
 
 /// A mission of which the test says what was done.
 struct Worked {
     MissionState state;
 
-    void find(Kind kind, std::uint32_t number, Status status) {
+    void find(FindKind kind, std::uint32_t number, FindStatus status) {
         VictimSample one;
         one.kind = kind;
         one.number = number;
@@ -46,10 +46,10 @@ private:
 
 TEST(ReportWork, TellsWhoDidWhat) {
     Worked mission;
-    mission.find(Kind::Victim, 1, Status::Confirmed);
-    mission.find(Kind::Victim, 2, Status::Hypothesis);
-    mission.find(Kind::Victim, 3, Status::Discarded);
-    mission.find(Kind::Code, 1, Status::Confirmed);
+    mission.find(FindKind::Victim, 1, FindStatus::Confirmed);
+    mission.find(FindKind::Victim, 2, FindStatus::Hypothesis);
+    mission.find(FindKind::Victim, 3, FindStatus::Discarded);
+    mission.find(FindKind::Code, 1, FindStatus::Confirmed);
     mission.candidate(1, 0.9, 1, {"heat", "sighting"});
     mission.candidate(2, 0.8, 0, {"co2"});
     mission.candidate(3, 0.1, 0, {"motion"});  // nobody was shown that
