@@ -155,7 +155,7 @@ TEST_F(Report, ThePdfTellsAllOfIt) {
                               "along the driven trail",
                               "On the robots: kurt3d drove by itself for",
                               "registered into this map while robots drove",
-                              "By people: kurt3d was driven for",
+                              "By people:",
                               "finds were filed",
                               "0.25 to 0.35 m above the floor",
                               "36.0",
