@@ -482,28 +482,8 @@
         <translation>kein Roboter fuhr selbst</translation>
     </message>
     <message>
-        <source>they saw %1 of the candidates by themselves</source>
-        <translation>sie sahen %1 der Kandidaten selbst</translation>
-    </message>
-    <message>
         <source>there was no map to be made</source>
         <translation>es gab keine Karte zu machen</translation>
-    </message>
-    <message>
-        <source>%1 scans were registered into this map while robots drove</source>
-        <translation>%1 Scans wurden während der Fahrt in diese Karte registriert</translation>
-    </message>
-    <message>
-        <source>%1 scans were registered into this map for this report</source>
-        <translation>%1 Scans wurden für diesen Bericht in diese Karte registriert</translation>
-    </message>
-    <message>
-        <source>%1 candidates were told</source>
-        <translation>%1 Kandidaten wurden gemeldet</translation>
-    </message>
-    <message>
-        <source>%1 candidates were found by %2</source>
-        <translation>%1 Kandidaten wurden gefunden (%2)</translation>
     </message>
     <message>
         <source>this report was written</source>
@@ -512,14 +492,6 @@
     <message>
         <source>%1 was driven for %2</source>
         <translation>%1 wurde %2 lang gefahren</translation>
-    </message>
-    <message>
-        <source>%1 finds were filed, %2 of them that a station had told of, and %3 confirmed</source>
-        <translation>%1 Funde wurden erfasst, davon %2, die eine Station gemeldet hatte, und %3 bestätigt</translation>
-    </message>
-    <message>
-        <source>%1 decisions were made on scans and the map&apos;s area</source>
-        <translation>%1 Entscheidungen über Scans und den Bereich der Karte wurden getroffen</translation>
     </message>
     <message>
         <source>On the robots:</source>
@@ -532,6 +504,34 @@
     <message>
         <source>By people:</source>
         <translation>Durch Menschen:</translation>
+    </message>
+    <message>
+        <source>candidates that they saw by themselves: %1</source>
+        <translation>Kandidaten, die sie selbst sahen: %1</translation>
+    </message>
+    <message>
+        <source>scans registered into this map while robots drove: %1</source>
+        <translation>Scans, die während der Fahrt in diese Karte registriert wurden: %1</translation>
+    </message>
+    <message>
+        <source>scans registered into this map for this report: %1</source>
+        <translation>Scans, die für diesen Bericht in diese Karte registriert wurden: %1</translation>
+    </message>
+    <message>
+        <source>candidates told: %1</source>
+        <translation>gemeldete Kandidaten: %1</translation>
+    </message>
+    <message>
+        <source>candidates told: %1, by %2</source>
+        <translation>gemeldete Kandidaten: %1, durch %2</translation>
+    </message>
+    <message>
+        <source>finds filed: %1, of which a station had told: %2, confirmed: %3</source>
+        <translation>erfasste Funde: %1, davon zuvor von einer Station gemeldet: %2, bestätigt: %3</translation>
+    </message>
+    <message>
+        <source>decisions on scans and the map&apos;s area: %1</source>
+        <translation>Entscheidungen über Scans und den Bereich der Karte: %1</translation>
     </message>
 </context>
 <context>

@@ -482,28 +482,8 @@
         <translation>自律走行したロボットはない</translation>
     </message>
     <message>
-        <source>they saw %1 of the candidates by themselves</source>
-        <translation>候補のうち %1 件はロボット自身が発見</translation>
-    </message>
-    <message>
         <source>there was no map to be made</source>
         <translation>作成する地図はなかった</translation>
-    </message>
-    <message>
-        <source>%1 scans were registered into this map while robots drove</source>
-        <translation>走行中にスキャン %1 件をこの地図に位置合わせ</translation>
-    </message>
-    <message>
-        <source>%1 scans were registered into this map for this report</source>
-        <translation>この報告書のためにスキャン %1 件をこの地図に位置合わせ</translation>
-    </message>
-    <message>
-        <source>%1 candidates were told</source>
-        <translation>候補 %1 件を通知</translation>
-    </message>
-    <message>
-        <source>%1 candidates were found by %2</source>
-        <translation>候補 %1 件を検出（%2）</translation>
     </message>
     <message>
         <source>this report was written</source>
@@ -512,14 +492,6 @@
     <message>
         <source>%1 was driven for %2</source>
         <translation>%1 を %2 操縦</translation>
-    </message>
-    <message>
-        <source>%1 finds were filed, %2 of them that a station had told of, and %3 confirmed</source>
-        <translation>発見 %1 件を登録（うち %2 件は操作卓が通知）、%3 件を確定</translation>
-    </message>
-    <message>
-        <source>%1 decisions were made on scans and the map&apos;s area</source>
-        <translation>スキャンと地図範囲について %1 件を判断</translation>
     </message>
     <message>
         <source>On the robots:</source>
@@ -532,6 +504,34 @@
     <message>
         <source>By people:</source>
         <translation>人:</translation>
+    </message>
+    <message>
+        <source>candidates that they saw by themselves: %1</source>
+        <translation>ロボット自身が見た候補: %1 件</translation>
+    </message>
+    <message>
+        <source>scans registered into this map while robots drove: %1</source>
+        <translation>走行中にこの地図へ位置合わせしたスキャン: %1 件</translation>
+    </message>
+    <message>
+        <source>scans registered into this map for this report: %1</source>
+        <translation>この報告書のためにこの地図へ位置合わせしたスキャン: %1 件</translation>
+    </message>
+    <message>
+        <source>candidates told: %1</source>
+        <translation>通知した候補: %1 件</translation>
+    </message>
+    <message>
+        <source>candidates told: %1, by %2</source>
+        <translation>通知した候補: %1 件（%2）</translation>
+    </message>
+    <message>
+        <source>finds filed: %1, of which a station had told: %2, confirmed: %3</source>
+        <translation>登録した発見: %1 件、うち操作卓が通知したもの: %2 件、確定: %3 件</translation>
+    </message>
+    <message>
+        <source>decisions on scans and the map&apos;s area: %1</source>
+        <translation>スキャンと地図範囲についての判断: %1 件</translation>
     </message>
 </context>
 <context>

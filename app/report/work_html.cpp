@@ -43,7 +43,7 @@ QStringList robotsWork(const ReportModel& model) {
     }
     if (what.isEmpty()) what += WorkText::tr("no robot drove by itself");
     if (model.work.sighted > 0)
-        what += WorkText::tr("they saw %1 of the candidates by themselves").arg(model.work.sighted);
+        what += WorkText::tr("candidates that they saw by themselves: %1").arg(model.work.sighted);
     return what;
 }
 
@@ -52,16 +52,15 @@ QStringList stationsWork(const ReportModel& model) {
     if (model.scans == 0) {
         what += WorkText::tr("there was no map to be made");
     } else {
-        what +=
-            (model.work.mappedLive ? WorkText::tr("%1 scans were registered into this map while robots drove")
-                                   : WorkText::tr("%1 scans were registered into this map for this report"))
-                .arg(model.scans);
+        what += (model.work.mappedLive ? WorkText::tr("scans registered into this map while robots drove: %1")
+                                       : WorkText::tr("scans registered into this map for this report: %1"))
+                    .arg(model.scans);
     }
     if (model.work.believed > 0) {
         const QString cues = cueText(model.work.cues);
         what += cues.isEmpty()
-                    ? WorkText::tr("%1 candidates were told").arg(model.work.believed)
-                    : WorkText::tr("%1 candidates were found by %2").arg(model.work.believed).arg(cues);
+                    ? WorkText::tr("candidates told: %1").arg(model.work.believed)
+                    : WorkText::tr("candidates told: %1, by %2").arg(model.work.believed).arg(cues);
     }
     return what + QStringList(WorkText::tr("this report was written"));
 }
@@ -75,12 +74,12 @@ QStringList peoplesWork(const ReportModel& model) {
                              QString::fromStdString(spanText(robot.teleoperated)).toHtmlEscaped());
     }
     const ReportWork& work = model.work;
-    what += WorkText::tr("%1 finds were filed, %2 of them that a station had told of, and %3 confirmed")
+    what += WorkText::tr("finds filed: %1, of which a station had told: %2, confirmed: %3")
                 .arg(work.filed)
                 .arg(work.fromCandidates)
                 .arg(work.confirmed);
     if (work.scanDecisions > 0)
-        what += WorkText::tr("%1 decisions were made on scans and the map's area").arg(work.scanDecisions);
+        what += WorkText::tr("decisions on scans and the map's area: %1").arg(work.scanDecisions);
     return what;
 }
 

@@ -73,7 +73,7 @@ void VictimsPanel::show(const std::vector<VictimRow>& rows) {
     m_calm->setVisible(rows.empty());
 }
 
-void VictimsPanel::setCommands(const std::vector<QAction*>& commands) {
+void VictimsPanel::addCommands(const std::vector<QAction*>& commands) {
     addCommandButtons(*m_buttons, commands, *this);
 }
 

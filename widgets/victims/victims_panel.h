@@ -25,8 +25,8 @@ public:
 
     void show(const std::vector<VictimRow>& rows);
     using QWidget::show;
-    /// Buttons for these commands, below the list.
-    void setCommands(const std::vector<QAction*>& commands);
+    /// Buttons for these commands, too, below the list.
+    void addCommands(const std::vector<QAction*>& commands);
     /// The row that is chosen; empty: none.
     [[nodiscard]] std::optional<VictimRow> chosen() const;
     bool choose(const FindKey& find);  ///< false: it is not in the list

@@ -92,15 +92,14 @@ void FindsFeature::addCommands() {
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
                   tr("Takes back what was written last in this review"), QKeySequence::Undo);
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
-    m_ofMission = {m_undo, &note};
+    m_panel->addCommands({m_confirm});
+    m_panel->addCommands(m_ofChosen);
+    m_panel->addCommands({m_undo, &note});
 }
 
 void FindsFeature::offer(QAction& action, Of of) {
-    (of == Of::Chosen ? m_ofChosen : m_ofMission).push_back(&action);
-    std::vector<QAction*> buttons = {m_confirm};
-    for (const auto* more : {&m_ofChosen, &m_ofMission})
-        buttons.insert(buttons.end(), more->begin(), more->end());
-    m_panel->setCommands(buttons);
+    if (of == Of::Chosen) m_ofChosen.push_back(&action);
+    m_panel->addCommands({&action});
     enable();
 }
 

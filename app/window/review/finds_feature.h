@@ -63,7 +63,7 @@ private:
     VictimsPanel* m_panel;
     VictimForm* m_form;
     FindMoves m_moves;
-    std::vector<QAction*> m_ofChosen, m_ofMission;  ///< commands beside the list
+    std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction *m_confirm = nullptr, *m_undo = nullptr;
     mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
 };

@@ -248,6 +248,7 @@ TEST_F(ReviewWindowTest, WhatNobodyFiledIsFiledByAClickOnTheMap) {
     ASSERT_TRUE(map.drawing());
     QTest::mouseClick(&map, Qt::RightButton, {}, map.project(there)->toPoint());
     EXPECT_FALSE(map.drawing()) << "not at all";
+    EXPECT_EQ(m_window->findChildren<QToolButton*>("review.confirm").size(), 1) << "no button is there twice";
     find<QToolButton>("review.file").click();
     QTest::mouseClick(&map, Qt::LeftButton, {}, map.project(there)->toPoint());
     ASSERT_TRUE(soon([&] { return finds() == 2; })) << m_window->newest().toStdString();

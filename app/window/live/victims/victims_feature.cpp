@@ -51,7 +51,7 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
     addDecisions();
     addPlacing();
     addForm();
-    m_panel->setCommands({m_actions.at(QStringLiteral("victim.freeze")),
+    m_panel->addCommands({m_actions.at(QStringLiteral("victim.freeze")),
                           m_actions.at(QStringLiteral("victim.confirm")),
                           m_actions.at(QStringLiteral("victim.discard"))});
     connect(m_panel, &VictimsPanel::chosenChanged, this, &VictimsFeature::showForm);
