@@ -2172,10 +2172,6 @@ Funk: %4 %5</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>The chosen find is none</source>
-        <translation>Der gewählte Fund ist keiner</translation>
-    </message>
-    <message>
         <source>Form of the f&amp;ind…</source>
         <translation>Formular des F&amp;undes…</translation>
     </message>
@@ -2214,6 +2210,14 @@ Funk: %4 %5</translation>
     <message>
         <source>The candidate is filed (as finished)</source>
         <translation>Der Kandidat ist erfasst (Endstand)</translation>
+    </message>
+    <message>
+        <source>The chosen find, or candidate, is none</source>
+        <translation>Der gewählte Fund oder Kandidat ist keiner</translation>
+    </message>
+    <message>
+        <source>The candidate is dismissed (as finished)</source>
+        <translation>Der Kandidat ist verworfen (Endstand)</translation>
     </message>
 </context>
 <context>
@@ -2853,10 +2857,6 @@ Apache License 2.0</translation>
 </context>
 <context>
     <name>leitstand::LinkPane</name>
-    <message>
-        <source>Streams of all robots</source>
-        <translation>Datenströme aller Roboter</translation>
-    </message>
     <message>
         <source>Sent</source>
         <translation>Senden</translation>
@@ -5031,6 +5031,10 @@ F1 listet alle Tasten</translation>
         <source>Alarms</source>
         <translation>Alarme</translation>
     </message>
+    <message>
+        <source>Link</source>
+        <translation>Funk</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewReport</name>
@@ -6047,6 +6051,10 @@ F1 listet alle Tasten</translation>
         <source>{}: {} is none of the streams that it sends</source>
         <translation>{}: {} ist keiner der Ströme, die er sendet</translation>
     </message>
+    <message>
+        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
+        <translation>Nichts ist erfasst, das bestätigt werden könnte: F erfasst, was der Roboter sieht</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -6133,6 +6141,13 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Only who has the grant to drive can release it.</source>
         <translation>Freigeben kann nur, wer das Fahrrecht hat.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StreamList</name>
+    <message>
+        <source>Streams of all robots</source>
+        <translation>Datenströme aller Roboter</translation>
     </message>
 </context>
 <context>
@@ -7042,10 +7057,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Unknown, absent, present; situations; areas</source>
         <translation>Unbekannt, fehlt, vorhanden; Situationen; Bereiche</translation>
-    </message>
-    <message>
-        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
-        <translation>Nichts ist erfasst, das bestätigt werden könnte: F erfasst, was der Roboter sieht</translation>
     </message>
     <message>
         <source>Click where %1 is · right button: not at all</source>

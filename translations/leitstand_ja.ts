@@ -2172,10 +2172,6 @@ Link: %4 %5</source>
         <translation>破棄</translation>
     </message>
     <message>
-        <source>The chosen find is none</source>
-        <translation>選んだ発見は誤り</translation>
-    </message>
-    <message>
         <source>Form of the f&amp;ind…</source>
         <translation>発見の用紙(&amp;I)…</translation>
     </message>
@@ -2214,6 +2210,14 @@ Link: %4 %5</source>
     <message>
         <source>The candidate is filed (as finished)</source>
         <translation>候補を登録（最終状態）</translation>
+    </message>
+    <message>
+        <source>The chosen find, or candidate, is none</source>
+        <translation>選択した発見または候補は誤認</translation>
+    </message>
+    <message>
+        <source>The candidate is dismissed (as finished)</source>
+        <translation>候補を却下（最終状態）</translation>
     </message>
 </context>
 <context>
@@ -2853,10 +2857,6 @@ Apache License 2.0</translation>
 </context>
 <context>
     <name>leitstand::LinkPane</name>
-    <message>
-        <source>Streams of all robots</source>
-        <translation>全ロボットのストリーム</translation>
-    </message>
     <message>
         <source>Sent</source>
         <translation>送信</translation>
@@ -5031,6 +5031,10 @@ F1 でキー一覧</translation>
         <source>Alarms</source>
         <translation>警報</translation>
     </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewReport</name>
@@ -6047,6 +6051,10 @@ F1 でキー一覧</translation>
         <source>{}: {} is none of the streams that it sends</source>
         <translation>{}：{} は送信されるストリームではありません</translation>
     </message>
+    <message>
+        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
+        <translation>確定できる登録がない: F でロボットが見ているものを登録</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -6133,6 +6141,13 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Only who has the grant to drive can release it.</source>
         <translation>解除できるのは操縦権の保持者のみ。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StreamList</name>
+    <message>
+        <source>Streams of all robots</source>
+        <translation>全ロボットのストリーム</translation>
     </message>
 </context>
 <context>
@@ -7042,10 +7057,6 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Unknown, absent, present; situations; areas</source>
         <translation>不明、なし、あり。状況。エリア</translation>
-    </message>
-    <message>
-        <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
-        <translation>確定できる登録がない: F でロボットが見ているものを登録</translation>
     </message>
     <message>
         <source>Click where %1 is · right button: not at all</source>

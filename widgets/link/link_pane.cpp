@@ -7,14 +7,12 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
-#include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/link/stream_list.h"
 #include "widgets/number_box.h"
 #include "widgets/scans/fields.h"
-#include "widgets/tables/column_fitter.h"
-#include "widgets/tables/table_dress.h"
 
 namespace leitstand {
 namespace {
@@ -31,23 +29,21 @@ void addTo(QHBoxLayout& line, const QString& caption, QWidget& field, const QStr
 
 }  // namespace
 
-LinkPane::LinkPane(QAction& thin, QWidget* parent) : QWidget(parent), m_table(new QTableView(this)) {
+LinkPane::LinkPane(QAction& thin, QWidget* parent)
+    : QWidget(parent), m_list(new StreamList(StreamTable::Of::Link, this)) {
     setObjectName(QStringLiteral("link"));
-    m_table->setObjectName(QStringLiteral("streams"));
-    m_table->setAccessibleName(tr("Streams of all robots"));
-    m_table->setModel(&m_model);
-    dressTable(*m_table);
-    using Column = StreamTable::Column;
-    new ColumnFitter(*m_table, {Column::Type, Column::Loss, Column::Age, Column::Load}, Column::Setting);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_table, 1);
+    layout->addWidget(m_list, 1);
     layout->addWidget(editor());
     layout->addWidget(foot(thin));
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LinkPane::showChosen);
-    connect(&m_model, &QAbstractItemModel::modelReset, this, &LinkPane::showChosen);
+    connect(m_list, &StreamList::chosenChanged, this, &LinkPane::showChosen);
     showChosen();
+}
+
+const StreamTable& LinkPane::table() const {
+    return m_list->streams();
 }
 
 QWidget* LinkPane::editor() {
@@ -101,7 +97,7 @@ QWidget* LinkPane::foot(QAction& thin) {
 }
 
 void LinkPane::show(std::vector<StreamRow> rows, double megabits, bool thin, double budget) {
-    m_model.setRows(std::move(rows));
+    m_list->setRows(std::move(rows));
     m_total->setText(tr("Link %1").arg(linkTotalText(megabits, thin, budget)));
     if (!m_budget->hasFocus()) {
         const QSignalBlocker quiet(m_budget);
@@ -111,7 +107,7 @@ void LinkPane::show(std::vector<StreamRow> rows, double megabits, bool thin, dou
 
 void LinkPane::showChosen() {
     const QScopedValueRollback showing(m_showing, true);
-    const StreamRow* row = m_model.row(m_table->currentIndex().row());
+    const StreamRow* row = m_list->chosen();
     const bool settable = row != nullptr && row->settable;
     const bool picture = settable && row->stream.role == StreamRole::Picture;
     m_chosen->setText(row == nullptr ? tr("Choose a stream")
@@ -130,7 +126,7 @@ void LinkPane::showChosen() {
 }
 
 void LinkPane::takeOver() {
-    const StreamRow* row = m_model.row(m_table->currentIndex().row());
+    const StreamRow* row = m_list->chosen();
     if (m_showing || row == nullptr || !row->settable) return;
     emit wished(row->face.name, QString::fromStdString(row->stream.topic),
                 StreamWish{.enabled = m_enabled->isChecked(),

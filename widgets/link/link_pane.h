@@ -10,11 +10,11 @@
 class QAction;
 class QCheckBox;
 class QLabel;
-class QTableView;
 
 namespace leitstand {
 
 class NumberBox;
+class StreamList;
 
 /// What every stream of every robot takes of the link, and what is asked of them: a table, an editor for the
 /// chosen stream, the total, the switch of the thin link and its budget.
@@ -27,7 +27,7 @@ public:
     /// @p megabits: of all robots together [Mbit/s]; @p budget: of the thin link.
     void show(std::vector<StreamRow> rows, double megabits, bool thin, double budget);
     using QWidget::show;
-    [[nodiscard]] const StreamTable& table() const { return m_model; }
+    [[nodiscard]] const StreamTable& table() const;
 
 signals:
     void wished(const QString& robot, const QString& topic, const leitstand::StreamWish& wish);
@@ -39,8 +39,7 @@ private:
     void showChosen();
     void takeOver();
 
-    StreamTable m_model;
-    QTableView* m_table;
+    StreamList* m_list;
     QLabel *m_total, *m_chosen;
     QCheckBox* m_enabled;
     NumberBox *m_rate, *m_quality, *m_width, *m_budget;

@@ -42,29 +42,40 @@ void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const st
     if (found == nullptr) return;
     const Time pressed = m_setup.now();
     // What robots say while the worker is busy has nothing to do with what the operator saw.
-    m_queue.submit(
-        [this, found, kind, looksThrough, at, pressed,
-         recent = m_recent.of(name, pressed, at ? at->sequence : 0)](const std::stop_token&) {
-            ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
-            chosen.frozen.found = pressed;
-            locate(std::move(chosen), kind);
-        },
-        /*cancellable=*/false);
+    submitFiling([this, found, kind, looksThrough, at, pressed,
+                  recent = m_recent.of(name, pressed, at ? at->sequence : 0)] {
+        ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
+        chosen.frozen.found = pressed;
+        locate(std::move(chosen), kind);
+    });
 }
 
 void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {
     const RobotDescription* const found = robot(name);
     if (found == nullptr) return;
     const Time pressed = m_setup.now();
+    submitFiling([this, found, kind, placeInMap, pressed, recent = m_recent.of(name, pressed)] {
+        ChosenEvidence chosen = chooseEvidence(*found, recent, kind, {}, std::nullopt);
+        chosen.frozen.found = pressed;
+        chosen.frozen.deviation = PointedDeviation;
+        const MissionStatePtr state = m_setup.mission();
+        hang(chosen.frozen, *state, newestScan(*state, found->name), placeInMap);
+        file(std::move(chosen.frozen), kind);
+    });
+}
+
+void FindDesk::submitFiling(std::function<void()> filing) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        ++m_awaited;
+    }
     m_queue.submit(
-        [this, found, kind, placeInMap, pressed,
-         recent = m_recent.of(name, pressed)](const std::stop_token&) {
-            ChosenEvidence chosen = chooseEvidence(*found, recent, kind, {}, std::nullopt);
-            chosen.frozen.found = pressed;
-            chosen.frozen.deviation = PointedDeviation;
-            const MissionStatePtr state = m_setup.mission();
-            hang(chosen.frozen, *state, newestScan(*state, found->name), placeInMap);
-            file(std::move(chosen.frozen), kind);
+        [this, filing = std::move(filing)](const std::stop_token&) {
+            const std::uint64_t before = filings();
+            filing();
+            const std::scoped_lock lock(m_mutex);
+            m_filedLast = m_filings != before;
+            --m_awaited;
         },
         /*cancellable=*/false);
 }
@@ -246,6 +257,45 @@ Result<void> FindDesk::confirm(const FindKey& find) {
                find);
 }
 
+std::optional<FindKey> FindDesk::unconfirmed() {
+    const std::scoped_lock filing(m_filing);
+    const auto key = newest();
+    const MissionStatePtr state = known();
+    const auto entry = key ? state->victims->find(*key) : state->victims->end();
+    const bool open =
+        entry != state->victims->end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
+    return open ? key : std::nullopt;
+}
+
+bool FindDesk::isFiling() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_awaited > 0;
+}
+
+bool FindDesk::filedLast() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_filedLast;
+}
+
+Result<void> FindDesk::confirmNewest() {
+    if (isFiling()) {
+        m_queue.submit(
+            [this](const std::stop_token&) {
+                // Where nothing came of it, which was told, nothing older is confirmed in its place.
+                const auto key = filedLast() ? unconfirmed() : std::nullopt;
+                if (!key) return;
+                if (const auto done = confirm(*key); !done) m_setup.tell(done.error().text);
+            },
+            /*cancellable=*/false);
+        return {};
+    }
+    const auto key = unconfirmed();
+    if (!key)
+        return Error{translate("leitstand::Station",
+                               "Nothing is filed that could be confirmed: F files what the robot sees")};
+    return confirm(*key);
+}
+
 Result<void> FindDesk::discard(const FindKey& find) {
     const std::scoped_lock filing(m_filing);
     return say(withStatus(*known(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
@@ -267,17 +317,6 @@ Result<void> FindDesk::edit(const VictimSample& form) {
     return say(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
 }
 
-const CandidateSample* FindDesk::dismissedAfter(const MissionState& state, std::uint64_t after) const {
-    const CandidateSample* newest = nullptr;
-    for (const auto& [id, entry] : *state.candidates) {
-        const CandidateSample& one = entry.candidate;
-        if (one.station != m_setup.station || entry.sequence <= after || !isDismissal(one)) continue;
-        after = entry.sequence;
-        newest = &one;
-    }
-    return newest;
-}
-
 Result<void> FindDesk::undo() {
     const MissionStatePtr state = m_setup.mission();
     const auto& all = *state->decisions;
@@ -286,7 +325,7 @@ Result<void> FindDesk::undo() {
         return sample != nullptr && !one.undone && sample->station == m_setup.station;
     });
     const std::uint64_t newest = decision == all.rend() ? 0 : decision->sequence;
-    if (const CandidateSample* candidate = dismissedAfter(*state, newest))
+    if (const CandidateSample* candidate = newestDismissal(*state, m_setup.station, newest))
         return m_setup.sayCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
     if (decision != all.rend()) {
         const auto& sample = std::get<VictimSample>(decision->content);

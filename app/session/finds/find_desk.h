@@ -63,8 +63,13 @@ public:
                 const std::optional<PicturePoint>& at = std::nullopt);
     /// The same at a place on the map [m] that the operator pointed to.
     void freezeAt(const std::string& robot, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
-    /// What was frozen last, to be confirmed by the second press; empty: nothing yet.
+    /// What was frozen last; empty: nothing yet.
     [[nodiscard]] std::optional<FindKey> newest() const;
+    /// What was frozen last and nobody has confirmed or discarded since.
+    [[nodiscard]] std::optional<FindKey> unconfirmed();
+    [[nodiscard]] bool isFiling() const;  ///< something is frozen whose place is still searched
+    /// The second press: confirms what is unconfirmed(), or what is being filed as soon as it is.
+    Result<void> confirmNewest();
     [[nodiscard]] std::uint64_t filings() const;  ///< how often something was filed: rises with newest()
 
     /// Files @p candidate with its cues and with what its robots see there now, as soon as that is looked
@@ -85,7 +90,9 @@ public:
 private:
     /// The mission with all that was said here, which may still be on its way into it; with m_filing held.
     [[nodiscard]] MissionStatePtr known();
-    Result<void> keep(const VictimSample& sample);  ///< says it; likewise
+    Result<void> keep(const VictimSample& sample);    ///< says it; likewise
+    void submitFiling(std::function<void()> filing);  ///< for the worker; it isFiling() until then
+    [[nodiscard]] bool filedLast() const;
     void file(FrozenEvidence frozen, VictimSample::Kind kind);
     void locate(ChosenEvidence chosen, VictimSample::Kind kind);
     void file(const CandidateSample& candidate, const FrozenEvidence& seen);
@@ -98,8 +105,6 @@ private:
                        const std::vector<CandidateSample>& candidates);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
     Result<void> say(const std::optional<VictimSample>& sample, const FindKey& find);
-    /// This station's newest dismissal that is newer than the event @p after; null: there is none.
-    [[nodiscard]] const CandidateSample* dismissedAfter(const MissionState& state, std::uint64_t after) const;
 
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;
@@ -107,6 +112,8 @@ private:
     std::mutex m_filing;  ///< entries are made one after the other
     std::optional<FindKey> m_newest;
     std::uint64_t m_filings = 0;
+    int m_awaited = 0;                 ///< filings that the worker has not done yet
+    bool m_filedLast = false;          ///< something came of the last that it did
     std::vector<VictimSample> m_said;  ///< that the mission may not have yet; under m_filing
     JobQueue m_queue;
     std::jthread m_thread;  ///< last: joined first

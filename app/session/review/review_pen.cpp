@@ -13,6 +13,7 @@
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
+#include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
 namespace {
@@ -84,13 +85,25 @@ std::shared_ptr<LiveMission> ReviewPen::mission() const {
 
 Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
     if (auto opened = open(); !opened) return opened;
+    const std::size_t before = mission()->state()->decisions->size();
+    if (auto said = mission()->say(sample, topic); !said) return said;
+    return await([before](const MissionState& state) { return state.decisions->size() != before; });
+}
+
+Result<void> ReviewPen::sayCandidate(const CandidateSample& candidate) {
+    if (auto opened = open(); !opened) return opened;
+    if (auto said = mission()->say(candidate, station_topic::Candidates); !said) return said;
+    return await([&candidate](const MissionState& state) {
+        const auto known = state.candidates->find(candidate.id);
+        return known != state.candidates->end() && known->second.candidate.stamp == candidate.stamp &&
+               known->second.candidate.dismissed == candidate.dismissed;
+    });
+}
+
+Result<void> ReviewPen::await(const std::function<bool(const MissionState&)>& has) const {
     const auto written = mission();
-    const std::size_t decisions = written->state()->decisions->size();
-    if (auto said = written->say(sample, topic); !said) return said;
-    // Who asks for the state next has it in it; the sequencer takes no longer than a moment.
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (written->state()->decisions->size() == decisions && std::chrono::steady_clock::now() < end)
-        std::this_thread::yield();
+    while (!has(*written->state()) && std::chrono::steady_clock::now() < end) std::this_thread::yield();
     if (const std::string problem = written->status().problem; !problem.empty()) return Error{problem};
     return {};
 }
@@ -132,6 +145,15 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
                station_topic::Victims);
 }
 
+Result<void> ReviewPen::dismiss(std::uint32_t id) {
+    if (auto opened = open(); !opened) return opened;
+    const MissionStatePtr state = mission()->state();
+    const auto known = state->candidates->find(id);
+    if (known == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    return sayCandidate(judged(known->second.candidate, true, m_station, stationTime()));
+}
+
 Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {
     if (auto opened = open(); !opened) return opened;
     const auto merged = mergedInto(*mission()->state(), find, into, m_station, stationTime());
@@ -150,13 +172,17 @@ Error ReviewPen::unknown(const FindKey& find) const {
 }
 
 bool ReviewPen::canUndo() const {
-    const auto written = mission();
-    return written && newestAfter(*written->state(), m_before) != nullptr;
+    const MissionStatePtr now = state();
+    return now &&
+           (newestAfter(*now, m_before) != nullptr || newestDismissal(*now, m_station, m_before) != nullptr);
 }
 
 Result<void> ReviewPen::undo() {
     const MissionStatePtr now = state();
     const Decision* const newest = now ? newestAfter(*now, m_before) : nullptr;
+    const std::uint64_t last = newest == nullptr ? m_before.load() : newest->sequence;
+    if (const auto* dismissed = now ? newestDismissal(*now, m_station, last) : nullptr)
+        return sayCandidate(judged(*dismissed, false, m_station, stationTime()));
     if (newest == nullptr)
         return Error{
             translate("leitstand::Station", "nothing was written in this review that could be taken back")};

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/mission/mission_state.h"
 #include "core/mission/timeline/timeline_marks.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/samples/candidate_sample.h"
 #include "core/robot/samples/victim_sample.h"
 
 namespace leitstand {
@@ -40,6 +42,8 @@ public:
     Result<void> file(VictimSample::Kind kind, const FrozenEvidence& seen);
     /// Files what the station believed in and nobody filed: the candidate of that id.
     Result<void> fileCandidate(std::uint32_t candidate);
+    /// The candidate of that id is none.
+    Result<void> dismiss(std::uint32_t candidate);
     /// @p find is part of the one of its kind with number @p into.
     Result<void> merge(const FindKey& find, std::uint32_t into);
     /// @p find is at @p placeInMap [m].
@@ -59,6 +63,9 @@ private:
     Result<void> open();
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
+    Result<void> sayCandidate(const CandidateSample& candidate);
+    /// Waits until the mission @p has what was said last; the sequencer takes no longer than a moment.
+    Result<void> await(const std::function<bool(const MissionState&)>& has) const;
     [[nodiscard]] Error unknown(const FindKey& find) const;
 
     const std::filesystem::path m_folder;

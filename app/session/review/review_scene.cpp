@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/session/review/reviewed_robot.h"
+#include "app/session/review/reviewed_streams.h"
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
 #include "core/perception/virtual_scan.h"
@@ -141,6 +142,13 @@ void ReviewScene::look(Time at) {
     m_around = m_sight->view(steadyOf(at));
 }
 
+void ReviewScene::countStreams(const MissionState& state, Time at) {
+    const RateWindow window = RateWindow::before(at, m_index);
+    const MissionState earlier = m_log.stateAt(window.from);
+    for (const RobotDescription& robot : m_log.robots())
+        m_streams[robot.name] = reviewedStreams(robot, earlier, state, window, m_index);
+}
+
 void ReviewScene::showMap(const MissionState& state) {
     const auto saidCrop = [](const MissionState& mission) {
         return mission.crop ? mission.crop->sequence : 0;
@@ -202,9 +210,11 @@ ReviewMomentPtr ReviewScene::at(Time at, bool around) {
     moment->now = at;
     const MissionState state = m_log.stateAt(at);
     moment->mission = std::make_shared<const MissionState>(state);
+    if (around) countStreams(state, at);
     auto places = std::make_shared<RobotsInMap>();
     for (const RobotDescription& robot : m_log.robots()) {
-        moment->robots[robot.name] = reviewedRobot(robot, state, at);
+        RobotView& view = moment->robots[robot.name] = reviewedRobot(robot, state, at);
+        view.link.streams = m_streams[robot.name];
         places->push_back(place(robot, state, at));
     }
     moment->places = std::move(places);

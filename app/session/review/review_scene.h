@@ -48,14 +48,15 @@ public:
     /// Whose surroundings and pictures are wanted; at first, the first robot's.
     void watch(const std::string& robot);
     void show(ReviewMap map) { m_which = map; }
-    /// How it was at @p at. What is around the watched robot takes longest: as it was made last, when
-    /// @p around is false.
+    /// How it was at @p at. What is around the watched robot takes longest: it, and the rates of streams, are
+    /// as they were made last when @p around is false.
     [[nodiscard]] ReviewMomentPtr at(Time at, bool around = true);
 
 private:
     void look(Time at);
     void beginSight(const RobotDescription& robot, Time from);
     void see(const Event& event);  ///< of the watched robot
+    void countStreams(const MissionState& state, Time at);
     void showMap(const MissionState& state);
     [[nodiscard]] RobotInMap place(const RobotDescription& robot, const MissionState& state, Time at) const;
     [[nodiscard]] std::vector<Event> pictures(Time at);
@@ -69,6 +70,7 @@ private:
     bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
     Time m_seen{};                        ///< up to where m_sight knows
     std::optional<VirtualScanView> m_around;
+    std::map<std::string, std::vector<StreamStatus>> m_streams;  ///< by robot
     CroppedScans m_cropped;
     MissionState m_mapped;  ///< whose scans m_scans and m_map are
     LiveMapPtr m_scans;

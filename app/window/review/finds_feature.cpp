@@ -66,7 +66,6 @@ QAction& FindsFeature::add(const char* id, const QString& text, const QString& b
 }
 
 void FindsFeature::addCommands() {
-    using Status = VictimSample::Status;
     const auto ofChosen = [this](QAction& action, auto call) {
         connect(&action, &QAction::triggered, this, [this, call] {
             if (const auto find = chosen()) call(*find);
@@ -76,9 +75,10 @@ void FindsFeature::addCommands() {
     m_confirm = &add("review.confirm", tr("Con&firm the find"), tr("Confirm"),
                      tr("The chosen find is one; the chosen candidate is filed"));
     connect(m_confirm, &QAction::triggered, this, &FindsFeature::confirm);
+    m_discard = &add("review.discard", tr("&Discard the find"), tr("Discard"),
+                     tr("The chosen find, or candidate, is none"));
+    connect(m_discard, &QAction::triggered, this, &FindsFeature::discard);
     m_ofChosen = {
-        ofChosen(add("review.discard", tr("&Discard the find"), tr("Discard"), tr("The chosen find is none")),
-                 [this](const FindKey& find) { judge(find, Status::Discarded); }),
         ofChosen(add("review.form", tr("Form of the f&ind…"), tr("Form…"),
                      tr("The chosen find's form: what is known of it")),
                  [this](const FindKey& find) { openForm(find); }),
@@ -92,7 +92,7 @@ void FindsFeature::addCommands() {
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
                   tr("Takes back what was written last in this review"), QKeySequence::Undo);
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
-    m_panel->addCommands({m_confirm});
+    m_panel->addCommands({m_confirm, m_discard});
     m_panel->addCommands(m_ofChosen);
     m_panel->addCommands({m_undo, &note});
 }
@@ -126,7 +126,7 @@ const VictimSample* FindsFeature::newest(const FindKey& find) const {
 
 void FindsFeature::enable() {
     m_undo->setEnabled(m_bridge.pen().canUndo());
-    m_confirm->setEnabled(m_panel->chosen().has_value());
+    for (QAction* action : {m_confirm, m_discard}) action->setEnabled(m_panel->chosen().has_value());
     for (QAction* action : m_ofChosen) action->setEnabled(chosen().has_value());
 }
 
@@ -162,6 +162,14 @@ void FindsFeature::confirm() {
     if (row->filed()) return judge(row->find, VictimSample::Status::Confirmed);
     m_bridge.write([candidate = row->candidate](ReviewPen& pen) { return pen.fileCandidate(candidate); },
                    tr("The candidate is filed (as finished)"));
+}
+
+void FindsFeature::discard() {
+    const auto row = m_panel->chosen();
+    if (!row) return;
+    if (row->filed()) return judge(row->find, VictimSample::Status::Discarded);
+    m_bridge.write([candidate = row->candidate](ReviewPen& pen) { return pen.dismiss(candidate); },
+                   tr("The candidate is dismissed (as finished)"));
 }
 
 void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {

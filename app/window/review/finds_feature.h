@@ -48,6 +48,7 @@ private:
     void enable();  ///< commands that mean something now
     void show();
     void confirm();
+    void discard();
     void judge(const FindKey& find, VictimSample::Status status);
     void merge(const FindKey& find);
     [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
@@ -64,7 +65,7 @@ private:
     VictimForm* m_form;
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
-    QAction *m_confirm = nullptr, *m_undo = nullptr;
+    QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;
     mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
 };
 

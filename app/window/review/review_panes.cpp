@@ -14,10 +14,12 @@
 #include "core/mission/mission_clock.h"
 #include "widgets/alarms/alarm_panel.h"
 #include "widgets/drive/drive_strip.h"
+#include "widgets/link/stream_list.h"
 #include "widgets/mission/clock_face.h"
 #include "widgets/models/live/alarm_words.h"
 #include "widgets/models/live/clock_text.h"
 #include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/stream_rows.h"
 
 namespace leitstand {
 
@@ -27,11 +29,13 @@ ReviewPanes::ReviewPanes(const ViewContext& context, ReviewBridge& bridge)
       m_bridge(bridge),
       m_strip(new DriveStrip(&context.window)),
       m_alarms(new AlarmPanel(&context.window)),
+      m_streams(new StreamList(StreamTable::Of::Log, &context.window)),
       m_clock(new ClockFace(&context.window)) {
     m_alarms->setReadOnly(true);
     context.panes.add(QStringLiteral("strip"), tr("Robot"), *m_strip);
     context.panes.keepInSight(QStringLiteral("strip"));
     context.panes.add(QStringLiteral("alarms"), tr("Alarms"), *m_alarms);
+    context.panes.add(QStringLiteral("link"), tr("Link"), *m_streams);
     connect(&context.source, &MomentSource::ticked, this, &ReviewPanes::show);
 }
 
@@ -59,8 +63,19 @@ void ReviewPanes::showStrip(const LiveMoment& moment) {
     m_strip->show(state);
 }
 
+void ReviewPanes::showStreams(const LiveMoment& moment) {
+    if (!m_streams->isVisible()) return;
+    std::vector<StreamRow> rows;
+    for (const RobotDescription& robot : m_context.selection.robots()) {
+        appendStreamRows(rows, m_context.selection.faceOfRobot(robot), robot, moment.view(robot.name).link,
+                         [](const std::string&) { return StreamSetting(); });
+    }
+    m_streams->setRows(std::move(rows));
+}
+
 void ReviewPanes::show(const LiveMoment& moment) {
     showStrip(moment);
+    showStreams(moment);
     m_clock->show(clockText(clockAt(
         moment.mission->clock ? std::optional(moment.mission->clock->sample) : std::nullopt, moment.now)));
     std::vector<RobotFace> faces;

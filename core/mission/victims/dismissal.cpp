@@ -16,4 +16,16 @@ CandidateSample judged(CandidateSample candidate, bool dismissed, const std::str
     return candidate;
 }
 
+const CandidateSample* newestDismissal(const MissionState& state, const std::string& station,
+                                       std::uint64_t after) {
+    const CandidateSample* newest = nullptr;
+    for (const auto& [id, entry] : *state.candidates) {
+        const CandidateSample& one = entry.candidate;
+        if (one.station != station || entry.sequence <= after || !isDismissal(one)) continue;
+        after = entry.sequence;
+        newest = &one;
+    }
+    return newest;
+}
+
 }  // namespace leitstand

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/base/time.h"
+#include "core/mission/mission_state.h"
 #include "core/mission/victims/candidate_book.h"
 #include "core/robot/samples/candidate_sample.h"
 
@@ -15,5 +17,10 @@ namespace leitstand {
 /// @p candidate as a person at @p station dismisses it at @p now, or (@p dismissed false) takes that back.
 [[nodiscard]] CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station,
                                      Time now, const CandidateSettings& settings = {});
+
+/// The newest dismissal at @p station that is newer than the event @p after; null: there is none. Stays valid
+/// as long as @p state.
+[[nodiscard]] const CandidateSample* newestDismissal(const MissionState& state, const std::string& station,
+                                                     std::uint64_t after);
 
 }  // namespace leitstand

@@ -149,33 +149,61 @@ TEST_F(ReviewPenTest, WhatNobodyFiledIsFiledWithThePicturesOfItsMoment) {
     EXPECT_TRUE(writes->state()->victims->contains(hazard));
 }
 
-TEST_F(ReviewPenTest, ACandidateThatNobodyFiledIsFiled) {
-    const auto folder = m_folder / "believed";
-    CandidateSample candidate;
-    candidate.stamp = Mission::at(31.0);
-    candidate.station = "test";
-    candidate.id = 7;
-    candidate.positionInMap = {4.0, 1.0, 0.3};
-    candidate.confidence = 0.8;
-    candidate.cues.push_back({.kind = "heat", .robot = "kurt3d", .value = 33.5});
-    {
-        WrittenMission mission(folder);
+/// A minute in which the station believed in somebody whom nobody filed.
+class ReviewPenAndCandidateTest : public ReviewPenTest {
+protected:
+    void SetUp() override {
+        m_candidate.stamp = Mission::at(31.0);
+        m_candidate.station = "test";
+        m_candidate.id = 7;
+        m_candidate.positionInMap = {4.0, 1.0, 0.3};
+        m_candidate.confidence = 0.8;
+        m_candidate.cues.push_back({.kind = "heat", .robot = "kurt3d", .value = 33.5});
+        WrittenMission mission(m_mission);
         writeMinute(mission);
-        mission.say(61.0, std::string(station_topic::Candidates), candidate);
+        mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
         mission.close();
     }
-    ReviewPen writes(folder, {Mission::robot()}, "reviewer", "test");
+    CandidateSample m_candidate;
+};
+
+TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
+    const auto pen = this->pen();
+    ReviewPen& writes = *pen;
     ASSERT_TRUE(writes.fileCandidate(7).ok());
     const FindKey second{VictimSample::Kind::Victim, 2};
     ASSERT_TRUE(writes.state()->victims->contains(second));
     const VictimSample& filed = writes.state()->victims->at(second).victim;
     EXPECT_EQ(filed.heat.value, 33.5);
     EXPECT_EQ(filed.found, Mission::at(31.0));
-    EXPECT_TRUE(filed.positionInMap.isApprox(candidate.positionInMap));
-    EXPECT_TRUE(isFiled(*writes.state(), candidate)) << "it is not shown beside it";
+    EXPECT_TRUE(filed.positionInMap.isApprox(m_candidate.positionInMap));
+    EXPECT_TRUE(isFiled(*writes.state(), m_candidate)) << "it is not shown beside it";
     ASSERT_TRUE(writes.undo().ok());
-    EXPECT_FALSE(isFiled(*writes.state(), candidate));
+    EXPECT_FALSE(isFiled(*writes.state(), m_candidate));
     EXPECT_FALSE(writes.fileCandidate(8).ok());
+}
+
+TEST_F(ReviewPenAndCandidateTest, ItIsDismissedAndThatIsTakenBack) {
+    const auto dismissed = [this](const MissionStatePtr& state) {
+        return state->candidates->at(m_candidate.id).candidate.dismissed;
+    };
+    {
+        const auto writes = pen();
+        EXPECT_FALSE(writes->dismiss(8).ok());
+        EXPECT_FALSE(writes->canUndo());
+        ASSERT_TRUE(writes->note(Mission::at(31.0), "kurt3d", "a lamp").ok());
+        ASSERT_TRUE(writes->dismiss(7).ok());
+        EXPECT_TRUE(dismissed(writes->state()));
+        ASSERT_TRUE(writes->undo().ok());
+        EXPECT_FALSE(dismissed(writes->state()));
+        EXPECT_THAT(writes->marks(), SizeIs(1)) << "the note was written before it";
+        ASSERT_TRUE(writes->undo().ok());
+        EXPECT_THAT(writes->marks(), SizeIs(0));
+        EXPECT_FALSE(writes->canUndo());
+        ASSERT_TRUE(writes->dismiss(7).ok());
+    }
+    const auto log = ReviewLog::open(m_mission).value();
+    EXPECT_TRUE(dismissed(indexOf(*log)->finished)) << "as whoever opens the mission next has it";
 }
 
 TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {

@@ -206,5 +206,40 @@ TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
     EXPECT_FALSE(m_desk->fileCandidate(9));
 }
 
+TEST_F(FindDeskTest, ASecondPressWhileItsPlaceIsSearchedConfirmsItAsSoonAsItIsFiled) {
+    std::promise<void> searched;
+    m_search = searched.get_future().share();
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    EXPECT_TRUE(m_desk->isFiling());
+    EXPECT_TRUE(m_desk->confirmNewest());
+    searched.set_value();
+    m_desk->finish();
+    EXPECT_EQ(find(1).status, Status::Confirmed);
+    EXPECT_FALSE(m_desk->isFiling());
+    EXPECT_THAT(m_desk->confirmNewest().error().text, HasSubstr("Nothing is filed"));
+}
+
+TEST_F(FindDeskTest, WhereNothingCameOfTheLastPressNoOlderFindIsConfirmed) {
+    m_desk->take(m_robot.info());
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    m_desk->finish();
+    std::promise<void> searched;
+    m_search = searched.get_future().share();
+    m_place.reset();
+    m_base.reset();  // it is not in the map any more
+    m_desk->freeze("kurt3d", Kind::Victim, "left");
+    EXPECT_TRUE(m_desk->confirmNewest());
+    searched.set_value();
+    m_desk->finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_EQ(find(1).status, Status::Hypothesis);
+    EXPECT_EQ(m_desk->unconfirmed(), FindKey(Kind::Victim, 1)) << "it waits as before";
+    EXPECT_TRUE(m_desk->confirmNewest());
+    EXPECT_EQ(find(1).status, Status::Confirmed);
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -15,6 +15,7 @@
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
+#include "widgets/link/stream_list.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/timeline/timeline_bar.h"
 
@@ -70,6 +71,29 @@ TEST_F(ReviewWindowTest, EveryPaneFollowsTheMoment) {
     EXPECT_EQ(find<QListView>("alarms").model()->rowCount(), 1);
     EXPECT_EQ(found(0, 1), "unconfirmed");
     lookAt("moment");
+}
+
+TEST_F(ReviewWindowTest, ItsStreamsAreThoseOfTheMoment) {
+    ASSERT_TRUE(m_window->layouts().use(QStringLiteral("link"))) << m_window->newest().toStdString();
+    auto& streams = find<StreamList>("streams");
+    ASSERT_TRUE(streams.isVisible());
+    const auto text = [&](const char* name, int column) {
+        const QAbstractItemModel& model = *streams.model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            if (model.index(row, StreamTable::Name).data().toString().endsWith(QLatin1String(name)))
+                return model.index(row, column).data().toString().toStdString();
+        }
+        return std::string("no such stream");
+    };
+    goTo(47.0);
+    EXPECT_TRUE(soon([&] { return text("odometry", StreamTable::Rate) == "10"; }))
+        << text("odometry", StreamTable::Rate);
+    EXPECT_EQ(text("left pictures", StreamTable::Rate), "2.0");
+    EXPECT_EQ(streams.model()->columnCount(), 4) << "what a log does not tell has no column";
+    lookAt("link");
+    goTo(0.0);
+    EXPECT_TRUE(soon([&] { return text("mode", StreamTable::Rate) == "–"; }))
+        << text("mode", StreamTable::Rate);
 }
 
 TEST_F(ReviewWindowTest, KeysPlayStepAndJump) {

@@ -36,10 +36,10 @@ QString columnTitle(StreamTable::Column column) {
             return StreamTexts::tr("Type");
         case StreamTable::Rate:
             return StreamTexts::tr("Rate Hz");
-        case StreamTable::Load:
-            return StreamTexts::tr("kbit/s");
         case StreamTable::Age:
             return StreamTexts::tr("Age");
+        case StreamTable::Load:
+            return StreamTexts::tr("kbit/s");
         case StreamTable::Loss:
             return StreamTexts::tr("Loss");
         default:
@@ -116,7 +116,7 @@ void StreamTable::setRows(std::vector<StreamRow> rows) {
         return;
     }
     m_rows = std::move(rows);
-    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
 
 const StreamRow* StreamTable::row(int number) const {
@@ -128,7 +128,8 @@ int StreamTable::rowCount(const QModelIndex& parent) const {
 }
 
 int StreamTable::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+    if (parent.isValid()) return 0;
+    return m_of == Of::Link ? ColumnCount : Load;
 }
 
 QString StreamTable::text(const StreamRow& row, Column column) {
@@ -175,7 +176,7 @@ QVariant StreamTable::data(const QModelIndex& index, int role) const {
 }
 
 QVariant StreamTable::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
     const auto column = Column(section);
     switch (role) {
         case Qt::DisplayRole:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <QAbstractTableModel>
@@ -40,9 +41,14 @@ struct StreamRow {
 class StreamTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { Name, Type, Rate, Load, Age, Loss, Setting, ColumnCount };
+    enum Column { Name, Type, Rate, Age, Load, Loss, Setting, ColumnCount };
+    enum class Of : std::uint8_t {
+        Link,  ///< as it comes in now
+        Log,   ///< as it was recorded: no log tells what never arrived, or what it took of the link
+    };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit StreamTable(Of of = Of::Link, QObject* parent = nullptr)
+        : QAbstractTableModel(parent), m_of(of) {}
 
     void setRows(std::vector<StreamRow> rows);
     [[nodiscard]] const StreamRow* row(int number) const;  ///< null: there is none
@@ -55,6 +61,7 @@ public:
 private:
     [[nodiscard]] static QString text(const StreamRow& row, Column column);
 
+    Of m_of;
     std::vector<StreamRow> m_rows;
 };
 

@@ -168,24 +168,15 @@ std::optional<FindKey> VictimsFeature::meant() const {
     const auto chosen = m_panel->chosen();
     if (chosen) return chosen->filed() ? std::optional(chosen->find) : std::nullopt;
     // Without a choice only what was just filed can be meant.
-    const auto newest = desk().newest();
-    const auto& finds = *m_context.source.moment().mission->victims;
-    const auto entry = newest ? finds.find(*newest) : finds.end();
-    const bool open = entry != finds.end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
-    return open ? newest : std::nullopt;
+    return desk().unconfirmed();
 }
 
 void VictimsFeature::confirm() {
     const auto chosen = m_panel->chosen();
     if (chosen && !chosen->filed()) return answer(desk().fileCandidate(chosen->candidate));
-    // What was filed after something was chosen is what the second press means.
-    const auto newest = desk().newest();
-    const auto& finds = *m_context.source.moment().mission->victims;
-    const auto entry = newest ? finds.find(*newest) : finds.end();
-    const bool open = entry != finds.end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
-    if (open && (!chosen || desk().filings() != m_shown)) return answer(desk().confirm(*newest));
-    if (chosen) return answer(desk().confirm(chosen->find));
-    emit told(tr("Nothing is filed that could be confirmed: F files what the robot sees"));
+    // What was filed after something was chosen, or is being filed, is what the second press means.
+    const bool newer = desk().isFiling() || (desk().filings() != m_shown && desk().unconfirmed());
+    answer(chosen && !newer ? desk().confirm(chosen->find) : desk().confirmNewest());
 }
 
 void VictimsFeature::merge() {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <QTableView>
+
+#include "widgets/models/live/stream_table.h"
+
+namespace leitstand {
+
+/// The streams of all robots, a row each. Columns that do not fit are hidden, the least needed first.
+class StreamList final : public QTableView {
+    Q_OBJECT
+public:
+    explicit StreamList(StreamTable::Of of, QWidget* parent = nullptr);
+
+    void setRows(std::vector<StreamRow> rows) { m_streams.setRows(std::move(rows)); }
+    [[nodiscard]] const StreamTable& streams() const { return m_streams; }
+    [[nodiscard]] const StreamRow* chosen() const {
+        return m_streams.row(currentIndex().row());
+    }  ///< or null
+
+signals:
+    void chosenChanged();
+
+private:
+    StreamTable m_streams;
+};
+
+}  // namespace leitstand
