@@ -88,6 +88,11 @@ void VirtualScan::clear() {
     m_newest.reset();
 }
 
+bool VirtualScan::isOwn(const Eigen::Vector3d& inBase) const {
+    return inBase.z() < m_settings.profile.height + m_settings.bodyMargin &&
+           m_settings.body.grown(m_settings.bodyMargin).contains(flat(inBase));
+}
+
 int VirtualScan::binOf(double heading) const {
     const int count = static_cast<int>(m_rays.size());
     const int bin = static_cast<int>(std::floor((wrapped(heading) + Pi) / (2.0 * Pi) * count));
@@ -95,11 +100,18 @@ int VirtualScan::binOf(double heading) const {
 }
 
 void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const BaseInOdomAt& baseInOdom) {
-    const BodyBox body = m_settings.body.grown(m_settings.bodyMargin);
     const auto timeOf = [&cloud](std::size_t i) {
         return cloud.times.empty() ? cloud.header.stamp
                                    : cloud.header.stamp + std::chrono::nanoseconds(cloud.times[i]);
     };
+    // Before what is mixed with it is judged: in the first turn nothing else tells where it is.
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        if (cloud.points[i].squaredNorm() < 1e-6F) continue;  // no echo
+        const Eigen::Vector3d inBase = sensorInBase * cloud.points[i].cast<double>();
+        // Below the step it is floor beside the robot.
+        if (isOwn(inBase) && inBase.z() > m_settings.profile.step)
+            m_ownBody.add(inBase - sensorInBase.translation(), timeOf(i));
+    }
     /// Brings the points of one raw scan, @p indices, into the odometry's frame and adds them as of @p at.
     const auto addRaw = [&](const std::vector<std::size_t>& indices, Time at) {
         const auto base = baseInOdom(at);
@@ -112,12 +124,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
             if (!point.allFinite() || point.squaredNorm() < 1e-6F) continue;
             const Eigen::Vector3d inBase = sensorInBase * point.cast<double>();
             const Eigen::Vector3d shot = inBase - sensorInBase.translation();
-            if (inBase.z() < m_settings.profile.height + m_settings.bodyMargin &&
-                body.contains(flat(inBase))) {
-                if (inBase.z() > m_settings.profile.step) m_ownBody.add(shot, at);  // else floor beside it
-                continue;
-            }
-            if (shot.norm() > m_settings.range) continue;
+            if (isOwn(inBase) || shot.norm() > m_settings.range) continue;
             if (shot.norm() < m_settings.mixedWithin && m_ownBody.isNear(shot, at)) continue;
             const Eigen::Vector3d inOdom = *base * inBase;
             const Eigen::Vector3d seen = inOdom - scanner;

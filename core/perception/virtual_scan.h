@@ -77,6 +77,8 @@ private:
     /// @p look: when the scanner began to look round this time; what it saw before is replaced.
     void put(const Ray& ray, double heading, Time look);
     void clearBetween(double from, double to, Time look);
+    /// Whether a point is one of the robot's own body [m].
+    [[nodiscard]] bool isOwn(const Eigen::Vector3d& inBase) const;
     [[nodiscard]] int binOf(double heading) const;
 
     VirtualScanSettings m_settings;
