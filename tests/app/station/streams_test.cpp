@@ -1,9 +1,14 @@
 #include "app/session/station/station_streams.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/perception/picture_decoding.h"
 #include "tests/app/station/station_scene.h"
+#include "tests/support/dds/robot_listener.h"
+#include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
 namespace {
@@ -50,6 +55,41 @@ TEST_F(StationStreamsTest, ARateIsFollowedByTheRobotAndAlsoAfterItsRestart) {
 
     ASSERT_TRUE(streams.wish("kurt3d", "/kurt3d/left/image/compressed", {}).ok());
     EXPECT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0; }, 60s)) << "as the robot likes";
+}
+
+TEST_F(StationStreamsTest, PicturesBecomeCoarserAndSmallerAsTheyAreWished) {
+    start();
+    const std::string topic = std::string("/kurt3d/") + Left;
+    const RobotDescription robot = kurt3d();
+    const auto described = std::find_if(robot.streams.begin(), robot.streams.end(),
+                                        [&](const StreamDescription& one) { return one.topic == topic; });
+    ASSERT_NE(described, robot.streams.end());
+    const auto node = nodeIn(m_domain);
+    const RobotListener camera(*node, std::vector{*described});
+    struct Size {
+        std::size_t bytes = 0;
+        int width = 0;
+    };
+    const auto newest = [&] {
+        const auto pictures = camera.all<PictureSample>(topic);
+        if (pictures.empty()) return Size();
+        const auto decoded = decodePicture(pictures.back());
+        EXPECT_TRUE(decoded.ok());
+        return Size{pictures.back().content.bytes.size(), decoded ? decoded->width : 0};
+    };
+    ASSERT_TRUE(camera.hears(topic));
+    const Size before = newest();
+    StationStreams& streams = station->streams();
+    ASSERT_TRUE(streams.wish("kurt3d", topic, {.quality = 15}).ok());
+    EXPECT_TRUE(waitUntil([&] { return newest().bytes < before.bytes * 6 / 10; }, 60s))
+        << newest().bytes << " of " << before.bytes << " bytes";
+    EXPECT_EQ(newest().width, before.width);
+    ASSERT_TRUE(streams.wish("kurt3d", topic, {.maxWidth = before.width / 2}).ok());
+    EXPECT_TRUE(waitUntil([&] { return newest().width == before.width / 2; }, 60s)) << newest().width;
+    ASSERT_TRUE(streams.wish("kurt3d", topic, {}).ok());
+    EXPECT_TRUE(waitUntil(
+        [&] { return newest().width == before.width && newest().bytes > before.bytes * 7 / 10; }, 60s))
+        << "as the robot likes";
 }
 
 TEST_F(StationStreamsTest, AThinLinkKeepsScansAndOneCameraAndGivesAllBack) {
