@@ -12,13 +12,14 @@
 #include "core/io/bag/bag_reader.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/wait.h"
 
 namespace leitstand::test {
 
 inline ProcessOutcome leitstandctl(const std::vector<std::string>& arguments) {
-    return runProcess(LEITSTANDCTL, arguments);
+    return runProcess(program("leitstandctl"), arguments);
 }
 
 /// A recording that runs beside the test.
@@ -26,7 +27,7 @@ class Recording {
 public:
     Recording(const TestDomain& domain, const std::filesystem::path& mission,
               std::vector<std::string> more = {})
-        : m_process(LEITSTANDCTL, arguments(domain, mission, std::move(more))) {
+        : m_process(program("leitstandctl"), arguments(domain, mission, std::move(more))) {
         EXPECT_TRUE(says("recording domain")) << m_process.out();
     }
     int stop() {

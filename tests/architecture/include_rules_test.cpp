@@ -1,4 +1,5 @@
 #include "tests/architecture/include_rules.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -27,12 +28,12 @@ std::string content(const fs::path& file) {
 std::vector<std::string> sources(std::initializer_list<const char*> folders) {
     std::vector<std::string> found;
     for (const char* top : folders) {
-        const fs::path folder = fs::path(LEITSTAND_SOURCE_DIR) / top;
+        const fs::path folder = fs::path(sourceFolder()) / top;
         if (!fs::is_directory(folder)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const auto ending = entry.path().extension();
             if (ending == ".h" || ending == ".cpp") {
-                found.push_back(fs::relative(entry.path(), LEITSTAND_SOURCE_DIR).generic_string());
+                found.push_back(fs::relative(entry.path(), sourceFolder()).generic_string());
             }
         }
     }
@@ -42,9 +43,9 @@ std::vector<std::string> sources(std::initializer_list<const char*> folders) {
 
 TEST(IncludeRules, EverySourceKeepsThem) {
     const auto files = sources({"core", "transport", "robots", "widgets", "app"});
-    EXPECT_GT(files.size(), 10u) << "the sources were not found below " << LEITSTAND_SOURCE_DIR;
+    EXPECT_GT(files.size(), 10u) << "the sources were not found below " << sourceFolder();
     for (const std::string& file : files) {
-        EXPECT_THAT(includeViolations(file, content(fs::path(LEITSTAND_SOURCE_DIR) / file)), IsEmpty());
+        EXPECT_THAT(includeViolations(file, content(fs::path(sourceFolder()) / file)), IsEmpty());
     }
 }
 
@@ -78,7 +79,7 @@ TEST(IncludeRules, FilesInUnknownFoldersAreFound) {
 TEST(SourceSizes, NoFileIsLongerThan400Lines) {
     for (const std::string& file :
          sources({"core", "transport", "robots", "widgets", "app", "tests", "benchmarks", "fuzz"})) {
-        const std::string text = content(fs::path(LEITSTAND_SOURCE_DIR) / file);
+        const std::string text = content(fs::path(sourceFolder()) / file);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 400) << file;
     }
 }
@@ -86,7 +87,7 @@ TEST(SourceSizes, NoFileIsLongerThan400Lines) {
 TEST(SourceSizes, MainFilesHaveAtMost40Lines) {
     for (const std::string& file : sources({"app", "robots"})) {
         if (!file.ends_with("/main.cpp")) continue;
-        const std::string text = content(fs::path(LEITSTAND_SOURCE_DIR) / file);
+        const std::string text = content(fs::path(sourceFolder()) / file);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 40) << file;
     }
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,7 +22,7 @@ protected:
         fs::create_directories(m_root / "packaging");
         fs::create_directories(m_root / "build/release/bin");
         fs::create_directories(m_root / "tools");
-        fs::copy_file(fs::path(LEITSTAND_SOURCE_DIR) / "packaging/leitstand", script());
+        fs::copy_file(fs::path(sourceFolder()) / "packaging/leitstand", script());
         writeText(m_root / "packaging/debian-packages.txt", "cmake\n");
         program("build/release/bin/leitstand", "echo \"started with: $*\"");
         program("tools/cmake", "exit 0");

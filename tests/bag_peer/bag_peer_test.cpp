@@ -4,6 +4,7 @@
 
 #include "core/io/bag/bag_writer.h"
 #include "tests/support/missing_tool.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
@@ -47,7 +48,7 @@ TEST(BagPeer, ListsOurBagAndDecodesEveryMessage) {
         const auto closed = writer->close();
         ASSERT_TRUE(closed.ok()) << closed.error().text;
     }
-    const auto tests = std::filesystem::path(LEITSTAND_SOURCE_DIR) / "tests";
+    const auto tests = std::filesystem::path(sourceFolder()) / "tests";
     const auto outcome = runProcess(
         tests / "npm" / "run", {(tests / "bag_peer" / "read_bag.js").string(),
                                 (mission / "mission_0.db3").string(), (mission / "metadata.yaml").string()});

@@ -1,4 +1,5 @@
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 
 #include <string>
 #include <system_error>
@@ -36,7 +37,7 @@ ProcessOutcome readByPcl(const fs::path& ply, const fs::path& pcd) {
 }
 
 ProcessOutcome readByNpm(const fs::path& mission) {
-    const fs::path tests = fs::path(LEITSTAND_SOURCE_DIR) / "tests";
+    const fs::path tests = fs::path(sourceFolder()) / "tests";
     fs::path log;
     for (const auto& entry : fs::directory_iterator(mission)) {
         if (entry.path().extension() == ".db3") log = entry.path();

@@ -1,4 +1,5 @@
 #include "tests/support/shared_data.h"
+#include "tests/support/places.h"
 
 #include <cstdlib>
 
@@ -11,7 +12,7 @@ std::optional<std::filesystem::path> sharedData() {
         return fs::is_directory(fs::path(set) / "kurt3d-hall", ignored) ? std::optional<fs::path>(set)
                                                                         : std::nullopt;
     }
-    const fs::path beside = fs::path(LEITSTAND_SOURCE_DIR).parent_path() / "shared" / "data";
+    const fs::path beside = fs::path(sourceFolder()).parent_path() / "shared" / "data";
     if (fs::is_directory(beside / "kurt3d-hall", ignored)) return beside;
     return std::nullopt;
 }

@@ -17,6 +17,7 @@
 #include "tests/app/recording.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -37,7 +38,7 @@ Eigen::Vector3d positionOf(const json& scan) {
 class Robot {
 public:
     Robot(const TestDomain& domain, std::vector<std::string> more = {})
-        : m_process(LEITSTAND_TEST_ROBOT, arguments(domain, std::move(more))) {}
+        : m_process(program("leitstand-test-robot"), arguments(domain, std::move(more))) {}
     [[nodiscard]] bool saidAll() {
         return waitUntil([this] { return m_process.out().find("said ") != std::string::npos; },
                          std::chrono::seconds(60));
@@ -224,8 +225,8 @@ TEST(Replay, StandsStillWhilePausedAndGoesOnWhereItWas) {
     const fs::path mission = folder / "mission";
     ASSERT_NO_FATAL_FAILURE(record(mission));
     const TestDomain domain;
-    ChildProcess replay(LEITSTANDCTL, {"replay", mission.string(), "--domain",
-                                       std::to_string(domain.number()), "--loop", "--rate", "2"});
+    ChildProcess replay(program("leitstandctl"), {"replay", mission.string(), "--domain",
+                                                  std::to_string(domain.number()), "--loop", "--rate", "2"});
     Recording recording(domain, folder / "heard");
     const auto heard = [&] {
         const auto bag = BagReader::open(folder / "heard");

@@ -8,6 +8,7 @@
 
 #include "core/io/tum.h"
 #include "core/io/uos.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/rooms.h"
 #include "tests/support/shared_data.h"
@@ -20,7 +21,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 ProcessOutcome leitstandctl(std::vector<std::string> arguments) {
-    return runProcess(LEITSTANDCTL, arguments);
+    return runProcess(program("leitstandctl"), arguments);
 }
 
 /// Where the robot truly stood for each of the scans in writeRoomScans().
@@ -175,7 +176,7 @@ TEST(Register, CtrlCLeavesWhatWasFinished) {
     const std::string poses = (folder / "poses.tum").string();
     // All points by brute force take minutes: the signal comes while the second scan is registered.
     const auto run = runAndInterrupt(
-        LEITSTANDCTL,
+        program("leitstandctl"),
         {"register", folder.path().string(), "--reduce", "0", "--search", "brute-force", "--max-iterations",
          "100000", "--minimizer", "svd", "--json", "--poses", poses, "--threads", "1"},
         /*processorSeconds=*/2.0);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/uos.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/rooms.h"
 #include "tests/support/temporary_folder.h"
@@ -30,8 +31,8 @@ void writeRoomPair(const std::filesystem::path& folder) {
 TEST(Table1Command, TellsAllFiveRowsBesideThePapers) {
     const TemporaryFolder folder;
     writeRoomPair(folder.path());
-    const auto run =
-        runProcess(LEITSTANDCTL, {"table1", folder.path().string(), "--json", "--repetitions", "1"});
+    const auto run = runProcess(program("leitstandctl"),
+                                {"table1", folder.path().string(), "--json", "--repetitions", "1"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const json rows = json::parse(run.out)["rows"];
     ASSERT_EQ(rows.size(), 5u);
@@ -41,7 +42,8 @@ TEST(Table1Command, TellsAllFiveRowsBesideThePapers) {
     EXPECT_EQ(rows[0]["iterations"], rows[1]["iterations"]);
     for (const json& row : rows) EXPECT_GT(row["seconds"], 0.0);
 
-    const auto text = runProcess(LEITSTANDCTL, {"table1", folder.path().string(), "--repetitions", "1"});
+    const auto text =
+        runProcess(program("leitstandctl"), {"table1", folder.path().string(), "--repetitions", "1"});
     EXPECT_EQ(text.exitCode, 0);
     EXPECT_THAT(text.out, HasSubstr("several hours"));
     EXPECT_THAT(text.out, HasSubstr("semantic forest of apx. kd-trees"));
@@ -51,13 +53,13 @@ TEST(Table1Command, WantsTwoOrganisedScans) {
     const TemporaryFolder folder;
     writeText(folder / "a.xyz", "1 2 3\n4 5 6\n7 8 10\n");
     const std::string file = (folder / "a.xyz").string();
-    const auto one = runProcess(LEITSTANDCTL, {"table1", file});
+    const auto one = runProcess(program("leitstandctl"), {"table1", file});
     EXPECT_EQ(one.exitCode, 1);
     EXPECT_THAT(one.err, HasSubstr("takes two scans, found 1"));
-    const auto loose = runProcess(LEITSTANDCTL, {"table1", file, file});
+    const auto loose = runProcess(program("leitstandctl"), {"table1", file, file});
     EXPECT_EQ(loose.exitCode, 1);
     EXPECT_THAT(loose.err, HasSubstr("organised"));
-    EXPECT_EQ(runProcess(LEITSTANDCTL, {"table1"}).exitCode, 2);
+    EXPECT_EQ(runProcess(program("leitstandctl"), {"table1"}).exitCode, 2);
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <variant>
 
 #include "core/io/robot/robot_file.h"
+#include "tests/support/places.h"
 #include "tests/support/wait.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand::test {
 
 CommandWire::CommandWire(const TestDomain& domain) {
-    const RobotDescription robot =
-        readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml").value();
+    const RobotDescription robot = readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml").value();
     const StreamDescription stream = *robot.stream(StreamRole::DriveCommand);
     NodeSettings settings;
     settings.domain = domain.number();

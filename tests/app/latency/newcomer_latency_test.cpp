@@ -17,6 +17,7 @@
 #include "app/window/live/live_window.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/dds/robot_listener.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"
 #include "widgets/drive/mode_cell.h"
@@ -35,8 +36,7 @@ constexpr int Glance = 20, Hand = 250;  ///< how often the newcomer looks, how f
 class Newcomer {
 public:
     explicit Newcomer(const TestDomain& domain) {
-        const RobotDescription kurt =
-            must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+        const RobotDescription kurt = must(readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml"));
         const StreamDescription& odometry = *kurt.stream(StreamRole::Odometry);
         m_topic = odometry.topic;
         NodeSettings network;

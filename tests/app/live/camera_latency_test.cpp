@@ -25,6 +25,7 @@
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/latency.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 #include "widgets/camera/camera_pane.h"
@@ -127,9 +128,9 @@ protected:
         settings.memory = path / "station.yaml";
         settings.mission.robots = robots;
         m_bridge = must(LiveBridge::open(settings));
-        m_window = std::make_unique<LiveWindow>(
-            *m_bridge, MapViewSettings{},
-            LayoutBook(path / "layouts", std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts"));
+        m_window =
+            std::make_unique<LiveWindow>(*m_bridge, MapViewSettings{},
+                                         LayoutBook(path / "layouts", sourceFolder() + "/resources/layouts"));
         m_window->resize(1280, 800);
         m_window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(m_window.get()));
@@ -191,7 +192,7 @@ TEST_F(CameraLatency, FromTheSampleToThePaintedPixel) {
 
 TEST_F(CameraLatency, BesideBothRobotsFromTheSampleToThePaintedPixel) {
     DemoSettings demo;
-    demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.program = QString::fromStdString(program("leitstand-robot"));
     demo.domain = m_domain.number();
     DemoRobots robots(demo);
     robots.start();

@@ -10,6 +10,7 @@
 #include "app/window/live/live_bridge.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
@@ -25,13 +26,13 @@ TEST(DemoRobots, AreThereAsLongAsTheyAreWanted) {
     settings.memory = std::filesystem::path(folder.path().toStdString()) / "station.yaml";
     for (const char* name : {"kurt3d", "crawler"}) {
         settings.mission.robots.push_back(
-            readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value());
+            readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml").value());
     }
     auto opened = LiveBridge::open(settings);
     ASSERT_TRUE(opened.ok()) << opened.error().text;
     const auto bridge = std::move(opened).value();
     DemoSettings demo;
-    demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.program = QString::fromStdString(program("leitstand-robot"));
     demo.domain = domain.number();
     auto robots = std::make_unique<DemoRobots>(demo);
     QSignalSpy failed(robots.get(), &DemoRobots::failed);
@@ -61,7 +62,7 @@ TEST(DemoRobots, AProgramThatIsNotThereIsTold) {
 
 TEST(DemoRobots, ARobotThatEndsByItselfSaysWhy) {
     DemoSettings demo;
-    demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.program = QString::fromStdString(program("leitstand-robot"));
     demo.arena = QStringLiteral("/no/such/arena.yaml");
     DemoRobots robots(demo);
     QSignalSpy failed(&robots, &DemoRobots::failed);

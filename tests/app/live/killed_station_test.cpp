@@ -31,6 +31,7 @@
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -140,7 +141,7 @@ class KilledStation : public testing::Test {
 protected:
     void robots() {
         DemoSettings demo;
-        demo.program = QStringLiteral(LEITSTAND_ROBOT);
+        demo.program = QString::fromStdString(program("leitstand-robot"));
         demo.domain = m_domain.number();
         m_robots = std::make_unique<DemoRobots>(demo);
         m_robots->start();
@@ -188,8 +189,8 @@ protected:
     [[nodiscard]] Station& station() const { return m_live.bridge->station(); }
     /// The program's own picture of the review of what was recorded.
     void pictureReview() const {
-        const ProcessOutcome review =
-            runProcess(LEITSTAND, {mission().string(), "--screenshot", (m_folder / "review.png").string()});
+        const ProcessOutcome review = runProcess(
+            program("leitstand"), {mission().string(), "--screenshot", (m_folder / "review.png").string()});
         EXPECT_EQ(review.exitCode, 0) << review.err;
         EXPECT_GT(fs::file_size(m_folder / "review.png"), 10'000u);
     }
@@ -200,7 +201,7 @@ protected:
         m_live.window.reset();
         m_live.bridge.reset();
         const ProcessOutcome made =
-            runProcess(LEITSTANDCTL, {"report", mission().string(), "--out", out().string()});
+            runProcess(program("leitstandctl"), {"report", mission().string(), "--out", out().string()});
         EXPECT_EQ(made.exitCode, 0) << made.out << made.err;
         return out() / "Competition-Team-mission";
     }
@@ -329,7 +330,9 @@ protected:
         // The reader takes one file into memory, and no write-ahead log of a writer that was killed: the
         // sessions of this mission are made one. The shipped mission it reads as it was recorded.
         const fs::path thin = m_folder / "thin";
-        EXPECT_EQ(runProcess(LEITSTANDCTL, {"thin", mission().string(), "--out", thin.string()}).exitCode, 0);
+        EXPECT_EQ(runProcess(program("leitstandctl"), {"thin", mission().string(), "--out", thin.string()})
+                      .exitCode,
+                  0);
         const ProcessOutcome log = readByNpm(thin);
         if (log.exitCode == NotReachable) {
             std::printf("  NOT READ by npm: %s\n", log.err.c_str());

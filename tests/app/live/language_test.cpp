@@ -15,6 +15,7 @@
 #include "app/window/live/report/report_feature.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
@@ -29,10 +30,10 @@ protected:
     void makeAnew(const QString& language) {
         m_window.reset();
         ASSERT_TRUE(useLanguage(language));
-        m_window = std::make_unique<LiveWindow>(
-            *m_bridge, MapViewSettings{},
-            LayoutBook(fs::path(m_folder.path().toStdString()) / "layouts",
-                       std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts"));
+        m_window =
+            std::make_unique<LiveWindow>(*m_bridge, MapViewSettings{},
+                                         LayoutBook(fs::path(m_folder.path().toStdString()) / "layouts",
+                                                    sourceFolder() + "/resources/layouts"));
         m_window->resize(1280, 800);
         m_window->show();
         m_window->activateWindow();

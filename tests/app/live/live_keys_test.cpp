@@ -1,4 +1,5 @@
 #include "tests/app/live/quiet_page.h"
+#include "tests/support/places.h"
 
 #include <fstream>
 #include <set>
@@ -81,7 +82,7 @@ TEST_F(LiveKeys, MeasuringEndsByItsOwnKeysAndNotByEsc) {
 }
 
 TEST_F(LiveKeys, TheManualListsTheKeysOfAllCommands) {
-    std::ifstream manual(LEITSTAND_SOURCE_DIR "/docs/operator.md");
+    std::ifstream manual(sourceFolder() + "/docs/operator.md");
     std::set<std::string> listed;
     for (std::string line; std::getline(manual, line);) {
         if (line.rfind("| ", 0) != 0) continue;

@@ -10,11 +10,12 @@
 #include "core/mission/mission_state.h"
 #include "core/mission/robot_state.h"
 #include "tests/app/window_size.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 
 RobotDescription shippedRobot(const char* name) {
-    return readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value();
+    return readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml").value();
 }
 
 LiveStation openLiveStation(const std::filesystem::path& folder, int domain,
@@ -24,7 +25,7 @@ LiveStation openLiveStation(const std::filesystem::path& folder, int domain,
     settings.domain.domain = domain;
     settings.mission.folder = folder / "mission";
     settings.memory = folder / "station.yaml";
-    const std::string source = LEITSTAND_SOURCE_DIR;
+    const std::string source = sourceFolder();
     settings.mission.robots = std::move(robots);
     LiveStation live;
     live.bridge = LiveBridge::open(settings).value();
@@ -68,7 +69,7 @@ LivePage::LivePage(Robots /*none*/, std::vector<RobotDescription> team) : m_team
 
 void LivePage::startRobots(const QString& arena) {
     DemoSettings demo;
-    demo.program = QStringLiteral(LEITSTAND_ROBOT);
+    demo.program = QString::fromStdString(program("leitstand-robot"));
     demo.arena = arena;
     demo.domain = m_domain.number();
     m_robots = std::make_unique<DemoRobots>(demo);

@@ -16,6 +16,7 @@
 #include "app/window/commands/command_table.h"
 #include "core/mission/mission_state.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/release_handle.h"
 #include "widgets/map_view/map_view.h"
@@ -192,8 +193,9 @@ TEST(LiveScreenshot, ShowsTheDemo) {
     const TestDomain domain;
     const QTemporaryDir folder;
     const QString file = folder.filePath("live.png");
-    ChildProcess program(LEITSTAND, {"--demo", "--domain", std::to_string(domain.number()), "--screenshot",
-                                     file.toStdString(), "--size", "1280x800"});
+    ChildProcess program(test::program("leitstand"),
+                         {"--demo", "--domain", std::to_string(domain.number()), "--screenshot",
+                          file.toStdString(), "--size", "1280x800"});
     EXPECT_EQ(program.wait(), 0) << program.out();
     const QImage picture(file);
     EXPECT_EQ(picture.size(), QSize(1280, 800));
@@ -203,7 +205,7 @@ TEST(LiveScreenshot, ShowsAnotherLayoutAtTwiceTheScaleInAsManyPixelsAsAskedFor) 
     const TestDomain domain;
     const QTemporaryDir folder;
     const QString file = folder.filePath("live.png");
-    ChildProcess program(LEITSTAND,
+    ChildProcess program(test::program("leitstand"),
                          {"--demo", "--domain", std::to_string(domain.number()), "--layout", "explore",
                           "--screenshot", file.toStdString(), "--size", "3840x2160"},
                          {"QT_SCALE_FACTOR=2"});

@@ -22,6 +22,7 @@
 #include "tests/app/live/live_page.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"
 #include "widgets/preflight/preflight_page.h"
@@ -139,8 +140,9 @@ TEST(PreflightOfAStranger, ARobotThatIsHeardJoinsTheStationWhichGoesOnWithItsMis
     for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
         ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(home.path().string())));
     const TestDomain domain;
-    const ChildProcess rover(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--name",
-                                               "rover", "--domain", std::to_string(domain.number())});
+    const ChildProcess rover(program("leitstand-robot"),
+                             {"kurt3d", "--arena", "yellow", "--seed", "7", "--name", "rover", "--domain",
+                              std::to_string(domain.number())});
     Adder operates;
     Options options;
     options.live = true;

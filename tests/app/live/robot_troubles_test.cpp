@@ -12,6 +12,7 @@
 
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/drive/mode_cell.h"
 #include "widgets/pane_paint.h"
@@ -45,8 +46,9 @@ protected:
     }
     void startKurt() {
         m_kurt = std::make_unique<ChildProcess>(
-            LEITSTAND_ROBOT, std::vector<std::string>{"kurt3d", "--arena", "yellow", "--seed", "7",
-                                                      "--domain", std::to_string(m_domain.number())});
+            program("leitstand-robot"),
+            std::vector<std::string>{"kurt3d", "--arena", "yellow", "--seed", "7", "--domain",
+                                     std::to_string(m_domain.number())});
     }
     [[nodiscard]] CameraPane& camera() const { return *m_window->findChild<CameraPane*>("cameraPane"); }
     /// What the strip says, all of it.

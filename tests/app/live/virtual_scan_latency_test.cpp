@@ -17,6 +17,7 @@
 #include "tests/app/live/live_page.h"
 #include "tests/support/latency.h"
 #include "tests/support/net/radio_link.h"
+#include "tests/support/places.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand::test {
@@ -82,7 +83,7 @@ protected:
     }
     void startRobots() {
         DemoSettings demo;
-        demo.program = QStringLiteral(LEITSTAND_ROBOT);
+        demo.program = QString::fromStdString(program("leitstand-robot"));
         demo.domain = m_domain.number();
         m_robots = std::make_unique<DemoRobots>(demo);
         m_robots->start();

@@ -9,6 +9,7 @@
 
 #include "app/session/report/report_files.h"
 #include "tests/app/report/sample_mission.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,8 +27,8 @@ protected:
     static void SetUpTestSuite() {
         s_folder = std::make_unique<TemporaryFolder>();
         writeSampleMission(*s_folder / "final");
-        const ProcessOutcome made =
-            runProcess(LEITSTANDCTL, {"report", (*s_folder / "final").string(), "--out", out().string()});
+        const ProcessOutcome made = runProcess(
+            program("leitstandctl"), {"report", (*s_folder / "final").string(), "--out", out().string()});
         ASSERT_EQ(made.exitCode, 0) << made.err;
     }
     static void TearDownTestSuite() { s_folder.reset(); }

@@ -20,6 +20,7 @@
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
 #include "core/perception/picture_png.h"
+#include "tests/support/places.h"
 #include "tests/support/rooms.h"
 #include "tests/support/samples.h"
 #include "transport/convert/encode.h"
@@ -173,7 +174,7 @@ public:
 
 private:
     static RobotDescription file(const std::string& name) {
-        return readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value();
+        return readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml").value();
     }
     std::uint64_t say(double t, std::string_view topic, const Sample& sample) {
         ++m_made.events;

@@ -20,6 +20,7 @@
 #include "tests/core/mission/report/report_scene.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,7 +42,7 @@ protected:
     /// What is exported to a file of that name.
     [[nodiscard]] fs::path exported(const std::string& name, std::vector<std::string> more = {}) {
         more.insert(more.begin(), {"export", mission(), "--out", (m_folder / name).string()});
-        m_outcome = runProcess(LEITSTANDCTL, more);
+        m_outcome = runProcess(program("leitstandctl"), more);
         EXPECT_EQ(m_outcome.exitCode, 0) << name << ": " << m_outcome.err;
         return m_folder / name;
     }
@@ -158,9 +159,10 @@ TEST_F(Export, UosScansHaveTheirPointsAndPlaces) {
 }
 
 TEST_F(Export, OfSeveralRobotsEachHasATrajectoryAndTheNamesAreTold) {
-    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const fs::path sample = fs::path(sourceFolder()) / "resources/samples/yellow-7";
     const fs::path asked = m_folder / "way.tum";
-    const ProcessOutcome all = runProcess(LEITSTANDCTL, {"export", sample.string(), "--out", asked.string()});
+    const ProcessOutcome all =
+        runProcess(program("leitstandctl"), {"export", sample.string(), "--out", asked.string()});
     ASSERT_EQ(all.exitCode, 0) << all.err;
     EXPECT_FALSE(fs::exists(asked)) << "whose would it be?";
     for (const char* robot : {"kurt3d", "crawler"}) {
@@ -168,14 +170,14 @@ TEST_F(Export, OfSeveralRobotsEachHasATrajectoryAndTheNamesAreTold) {
         EXPECT_TRUE(readTum(file)) << robot;
         EXPECT_THAT(all.out, HasSubstr(file.string() + ": "));
     }
-    const ProcessOutcome one =
-        runProcess(LEITSTANDCTL, {"export", sample.string(), "--out", asked.string(), "--robot", "crawler"});
+    const ProcessOutcome one = runProcess(
+        program("leitstandctl"), {"export", sample.string(), "--out", asked.string(), "--robot", "crawler"});
     ASSERT_EQ(one.exitCode, 0) << one.err;
     EXPECT_EQ(readText(asked), readText(m_folder / "way_crawler.tum"));
 }
 
 TEST_F(Export, TheHelpSaysHowTrajectoriesOfSeveralRobotsAreNamed) {
-    const ProcessOutcome help = runProcess(LEITSTANDCTL, {"export", "--help"});
+    const ProcessOutcome help = runProcess(program("leitstandctl"), {"export", "--help"});
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_THAT(help.out, HasSubstr("NAME_ROBOT.tum"));
 }

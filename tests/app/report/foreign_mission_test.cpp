@@ -11,6 +11,7 @@
 #include "app/session/report/report_source.h"
 #include "core/io/report/geotiff.h"
 #include "tests/app/report/foreign_bag.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -64,8 +65,8 @@ TEST(ForeignReport, TheWholeFolderIsWrittenAndReadAgain) {
     ForeignBag(folder / "rover").drive();
     const std::string before = filesOf(folder / "rover");
     const fs::path out = folder / "out";
-    const ProcessOutcome made =
-        runProcess(LEITSTANDCTL, {"report", (folder / "rover").string(), "--out", out.string(), "--json"});
+    const ProcessOutcome made = runProcess(
+        program("leitstandctl"), {"report", (folder / "rover").string(), "--out", out.string(), "--json"});
     ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
     const auto json = nlohmann::json::parse(made.out);
     EXPECT_GE(json["scans"].get<int>(), 5);

@@ -8,6 +8,7 @@
 #include "core/io/ply.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,12 +25,13 @@ class ReadByOthers : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         s_folder = std::make_unique<TemporaryFolder>();
-        s_outcome = runProcess(LEITSTANDCTL, {"report", mission().string(), "--out", out().string()});
+        s_outcome =
+            runProcess(program("leitstandctl"), {"report", mission().string(), "--out", out().string()});
     }
     static void TearDownTestSuite() { s_folder.reset(); }
     void SetUp() override { ASSERT_EQ(s_outcome.exitCode, 0) << s_outcome.err; }
 
-    static fs::path mission() { return fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7"; }
+    static fs::path mission() { return fs::path(sourceFolder()) / "resources/samples/yellow-7"; }
     static fs::path out() { return *s_folder / "out"; }
     static fs::path file(const std::string& ending) {
         return out() / ("RoboCup2026-Leitstand-Sample" + ending);

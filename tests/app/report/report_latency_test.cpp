@@ -7,6 +7,7 @@
 
 #include "tests/app/report/driven_mission.h"
 #include "tests/support/latency.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,7 +37,7 @@ TEST(ReportLatency, OfAMissionOfTwentyMinutesIsThereInTwentySeconds) {
 
     const auto asked = Clock::now();
     const ProcessOutcome report =
-        runProcess(LEITSTANDCTL, {"report", mission.string(), "--out", out.string(), "--json"});
+        runProcess(program("leitstandctl"), {"report", mission.string(), "--out", out.string(), "--json"});
     const double took = secondsSince(asked);
     ASSERT_EQ(report.exitCode, 0) << report.err;
     std::printf("its report took %.1f s (asked %.0f)\n", took, AskedSeconds);

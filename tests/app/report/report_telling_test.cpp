@@ -12,6 +12,7 @@
 #include "app/session/report/report_telling.h"
 #include "app/session/report/report_writer.h"
 #include "tests/app/report/sample_mission.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -93,7 +94,7 @@ TEST(BrokenReport, IsToldByTheCommandLineAndIsOne) {
                 !stop.stop_requested())
                 writeText(list, "no list");
         });
-        made = runProcess(LEITSTANDCTL,
+        made = runProcess(program("leitstandctl"),
                           {"report", (folder / "final").string(), "--out", (folder / "out").string()});
     }
     EXPECT_EQ(made.exitCode, 1) << made.out << made.err;

@@ -17,6 +17,7 @@
 #include "core/io/report/search_list.h"
 #include "core/io/tum.h"
 #include "tests/app/report/sample_mission.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +32,7 @@ using testing::Not;
 constexpr const char* Name = "RoboCup2013-Deutschland1-Final_1";
 
 ProcessOutcome ctl(std::vector<std::string> arguments) {
-    return runProcess(LEITSTANDCTL, arguments);
+    return runProcess(program("leitstandctl"), arguments);
 }
 
 Rgb at(const MapPicture& map, double x, double y) {
@@ -201,8 +202,8 @@ TEST_F(Report, ThePdfHasItsPicturesAndMapPages) {
 TEST_F(Report, TheSameMissionMakesTheSameBytes) {
     const auto at = [](const char* seconds, const fs::path& folder) {
         const ProcessOutcome made =
-            runProcess("/usr/bin/env", {std::string("SOURCE_DATE_EPOCH=") + seconds, LEITSTANDCTL, "report",
-                                        mission(), "--out", folder.string()});
+            runProcess("/usr/bin/env", {std::string("SOURCE_DATE_EPOCH=") + seconds, program("leitstandctl"),
+                                        "report", mission(), "--out", folder.string()});
         EXPECT_EQ(made.exitCode, 0) << made.err;
     };
     const fs::path second = *s_folder / "again", third = *s_folder / "and_again";
@@ -235,7 +236,7 @@ TEST_F(Report, WrongUseIsTwoAndFailuresAreOne) {
 }
 
 TEST(ShippedSample, IsSmallAndReportedWhole) {
-    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const fs::path sample = fs::path(sourceFolder()) / "resources/samples/yellow-7";
     std::uintmax_t bytes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(sample)) {
         if (entry.is_regular_file()) bytes += entry.file_size();
@@ -249,7 +250,7 @@ TEST(ShippedSample, IsSmallAndReportedWhole) {
 }
 
 TEST(ShippedSample, IsReportedInTheLanguageThatIsAskedFor) {
-    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const fs::path sample = fs::path(sourceFolder()) / "resources/samples/yellow-7";
     const TemporaryFolder folder;
     const auto report = [&](const std::string& language) {
         return ctl(
@@ -265,7 +266,7 @@ TEST(ShippedSample, IsReportedInTheLanguageThatIsAskedFor) {
 }
 
 TEST(ShippedSample, TellsWhatWasSearchedAndWhatWasMissed) {
-    const fs::path sample = fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7";
+    const fs::path sample = fs::path(sourceFolder()) / "resources/samples/yellow-7";
     const TemporaryFolder folder;
     const ProcessOutcome outcome = ctl({"report", sample.string(), "--out", (folder / "out").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;

@@ -12,6 +12,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/mission/checkpoint.h"
 #include "core/mission/station_topics.h"
+#include "tests/support/places.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand::test {
@@ -44,8 +45,7 @@ Time WrittenMission::at(double seconds) {
 }
 
 const RobotDescription& WrittenMission::robot() {
-    static const RobotDescription kurt =
-        readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml").value();
+    static const RobotDescription kurt = readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml").value();
     return kurt;
 }
 

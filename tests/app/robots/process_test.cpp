@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/robots/robot_process.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -81,14 +82,16 @@ TEST(RobotProcesses, AGeneratedArenaIsWrittenReadBackAndDrivenIn) {
     const TemporaryFolder folder;
     const auto file = folder / "arena.yaml";
     const auto written =
-        runProcess(LEITSTAND_ROBOT, {"arena", "orange", "--seed", "12", "--out", file.string()});
+        runProcess(program("leitstand-robot"), {"arena", "orange", "--seed", "12", "--out", file.string()});
     ASSERT_EQ(written.exitCode, 0) << written.err;
     const auto again = folder / "again.yaml", other = folder / "other.yaml";
     ASSERT_EQ(
-        runProcess(LEITSTAND_ROBOT, {"arena", "orange", "--seed", "12", "--out", again.string()}).exitCode,
+        runProcess(program("leitstand-robot"), {"arena", "orange", "--seed", "12", "--out", again.string()})
+            .exitCode,
         0);
     ASSERT_EQ(
-        runProcess(LEITSTAND_ROBOT, {"arena", "orange", "--seed", "13", "--out", other.string()}).exitCode,
+        runProcess(program("leitstand-robot"), {"arena", "orange", "--seed", "13", "--out", other.string()})
+            .exitCode,
         0);
     EXPECT_EQ(readText(file), readText(again));
     EXPECT_NE(readText(file), readText(other)) << "another seed rearranges everything";
@@ -136,12 +139,12 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
         {{"arena", "yellow", "--out", (folder / "none" / "x.yaml").string()}, 1, "cannot be written"},
     };
     for (const Wrong& wrong : all) {
-        const auto outcome = runProcess(LEITSTAND_ROBOT, wrong.arguments);
+        const auto outcome = runProcess(program("leitstand-robot"), wrong.arguments);
         EXPECT_EQ(outcome.exitCode, wrong.exitCode) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr(wrong.told));
         EXPECT_EQ(outcome.out, "");
     }
-    EXPECT_EQ(runProcess(LEITSTAND_ROBOT, {"--help"}).exitCode, 0);
+    EXPECT_EQ(runProcess(program("leitstand-robot"), {"--help"}).exitCode, 0);
 }
 
 TEST(RobotProcesses, TheCrawlersTurningLaserGivesSlices) {
@@ -171,7 +174,7 @@ TEST(RobotProcesses, TheCrawlersTurningLaserGivesSlices) {
 
 /// The robot's shipped file with @p words added to its sensor @p sensor.
 std::string fileWith(const std::string& robot, const std::string& sensor, const std::string& words) {
-    std::string text = readText(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + robot + ".yaml");
+    std::string text = readText(sourceFolder() + "/resources/robots/" + robot + ".yaml");
     const std::string begin = "  " + sensor + ": {";
     const auto at = text.find(begin);
     if (at == std::string::npos) throw std::runtime_error(robot + ".yaml has no " + sensor);

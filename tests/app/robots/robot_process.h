@@ -14,6 +14,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -23,14 +24,14 @@ inline constexpr int TruthAbove = 100;
 
 /// The robot's file that comes with the program.
 [[nodiscard]] inline RobotDescription shippedRobot(const std::string& name) {
-    return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml"));
+    return must(readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml"));
 }
 
 /// leitstand-robot beside the test; there when constructed, else it throws what it said.
 class RobotProcess {
 public:
     RobotProcess(const TestDomain& domain, const std::string& kind, std::vector<std::string> more = {})
-        : m_process(LEITSTAND_ROBOT, arguments(domain, kind, std::move(more))) {
+        : m_process(program("leitstand-robot"), arguments(domain, kind, std::move(more))) {
         const bool there = waitUntil([this] { return m_process.out().find(" is in ") != std::string::npos; },
                                      std::chrono::minutes(2));
         if (!there) throw std::runtime_error(kind + " did not come: " + m_process.out());

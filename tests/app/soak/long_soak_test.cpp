@@ -22,6 +22,7 @@
 #include "tests/app/soak/demo_recording.h"
 #include "tests/app/soak/station_process.h"
 #include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -149,7 +150,7 @@ double coresAtRateOne(const StationProcess& station, const std::filesystem::path
 double reportOf(const std::filesystem::path& mission, const std::filesystem::path& out) {
     const auto began = Clock::now();
     const ProcessOutcome report =
-        runProcess(LEITSTANDCTL, {"report", mission.string(), "--out", out.string()});
+        runProcess(program("leitstandctl"), {"report", mission.string(), "--out", out.string()});
     EXPECT_EQ(report.exitCode, 0) << report.err;
     if (report.exitCode != 0) return std::numeric_limits<double>::infinity();
     return std::chrono::duration<double>(Clock::now() - began).count();

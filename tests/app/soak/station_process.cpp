@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 namespace leitstand::test {
 
 StationProcess::StationProcess(const std::filesystem::path& folder, int domain)
     : m_folder(folder),
-      m_process(LEITSTAND,
+      m_process(program("leitstand"),
                 {"--live", "--robot", "kurt3d", "crawler", "--interface", "lo", "--domain",
                  std::to_string(domain), "--mission", (folder / "mission").string()},
                 {"QT_QPA_PLATFORM=offscreen", "XDG_CONFIG_HOME=" + (folder / "config").string(),

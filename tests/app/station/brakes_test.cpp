@@ -6,6 +6,7 @@
 #include "core/mission/mission_state.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/app/station/station_scene.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
@@ -46,7 +47,7 @@ protected:
 };
 
 TEST_F(StationBrakesTest, TheSimulatedRobotPassesAndIsRemembered) {
-    const ChildProcess process(LEITSTAND_ROBOT, kurtArguments());
+    const ChildProcess process(program("leitstand-robot"), kurtArguments());
     auto station = stationFor({kurt3d()});
     ASSERT_TRUE(waitUntil(
         [&] {

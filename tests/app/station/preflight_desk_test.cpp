@@ -8,6 +8,7 @@
 
 #include "app/session/station/choose_robots.h"
 #include "tests/app/station/station_scene.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
@@ -32,7 +33,7 @@ TEST_F(PreflightDeskTest, FindsWhatIsInOrderAndARobotThatMayBeAdded) {
     ASSERT_EQ(setenv("XDG_CONFIG_HOME", config.c_str(), 1), 0);
     auto arguments = kurtArguments();
     arguments.insert(arguments.end(), {"--name", "rover"});
-    const ChildProcess rover(LEITSTAND_ROBOT, arguments);
+    const ChildProcess rover(program("leitstand-robot"), arguments);
     std::string file;
     {
         const auto station = stationFor({kurt3d()});

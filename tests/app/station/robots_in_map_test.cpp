@@ -8,6 +8,7 @@
 #include "app/session/station/station_mapping.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"
@@ -18,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 RobotDescription shipped(const std::string& name) {
-    return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml"));
+    return must(readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml"));
 }
 
 // Both robots as processes in one arena: the Crawler stands 0.8 m to the right of Kurt3D.
@@ -28,8 +29,8 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
     std::mutex mutex;
     std::string words;
     const auto robot = [&](const std::string& kind) {
-        return ChildProcess(LEITSTAND_ROBOT, {kind, "--arena", "yellow", "--seed", "7", "--domain",
-                                              std::to_string(domain.number())});
+        return ChildProcess(program("leitstand-robot"), {kind, "--arena", "yellow", "--seed", "7", "--domain",
+                                                         std::to_string(domain.number())});
     };
     const ChildProcess kurt = robot("kurt3d"), crawler = robot("crawler");
     StationSettings settings;

@@ -13,6 +13,7 @@
 #include "app/session/station/station.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"
@@ -68,7 +69,7 @@ protected:
     }
     /// The robot's file that comes with the program.
     [[nodiscard]] static RobotDescription kurt3d() {
-        return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+        return must(readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml"));
     }
     /// Of leitstand-robot, for this domain.
     [[nodiscard]] std::vector<std::string> kurtArguments() const {

@@ -9,6 +9,7 @@
 #include "core/io/robot/robot_file.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/transport/link/control_robot.h"
 
 namespace leitstand::test {
@@ -124,11 +125,10 @@ TEST_F(StationTest, WishesThatARobotDoesNotTakeAreToldSo) {
 
 // Kurt3D as a process in a simulated arena.
 TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
-    const ChildProcess process(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--domain",
-                                                 std::to_string(m_domain.number())});
+    const ChildProcess process(program("leitstand-robot"), {"kurt3d", "--arena", "yellow", "--seed", "7",
+                                                            "--domain", std::to_string(m_domain.number())});
     std::atomic<int> clouds = 0, pictures = 0;
-    const auto description =
-        must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+    const auto description = must(readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml"));
     const auto station = stationFor({description}, "station", [&](const Event& event) {
         if (std::holds_alternative<CloudSample>(event.sample)) ++clouds;
         if (std::holds_alternative<PictureSample>(event.sample)) ++pictures;
@@ -159,10 +159,9 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
 }
 
 TEST_F(StationTest, ARestartedStationGoesOnWithItsMap) {
-    const ChildProcess process(LEITSTAND_ROBOT, {"kurt3d", "--arena", "yellow", "--seed", "7", "--domain",
-                                                 std::to_string(m_domain.number())});
-    const auto description =
-        must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/kurt3d.yaml"));
+    const ChildProcess process(program("leitstand-robot"), {"kurt3d", "--arena", "yellow", "--seed", "7",
+                                                            "--domain", std::to_string(m_domain.number())});
+    const auto description = must(readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml"));
     RobotDescription bare = description;
     bare.sensors.clear();  // only tf_static tells where the scanner sits, and is said once
     auto station = stationFor({bare});

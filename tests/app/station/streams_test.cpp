@@ -8,6 +8,7 @@
 #include "core/perception/picture_decoding.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/dds/robot_listener.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -24,7 +25,7 @@ protected:
         return found == nullptr ? StreamStatus{} : *found;
     }
     void start() {
-        process.emplace(LEITSTAND_ROBOT, kurtArguments());
+        process.emplace(program("leitstand-robot"), kurtArguments());
         if (!station) station = stationFor({kurt3d()});
         ASSERT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0 && stream(Points).rate > 8.0; }, 60s))
             << words() << process->out();
@@ -48,7 +49,7 @@ TEST_F(StationStreamsTest, ARateIsFollowedByTheRobotAndAlsoAfterItsRestart) {
     process->signal(SIGKILL);
     (void)process->wait();
     ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").link.state == LinkState::Lost; }, 60s));
-    process.emplace(LEITSTAND_ROBOT, kurtArguments());
+    process.emplace(program("leitstand-robot"), kurtArguments());
     ASSERT_TRUE(waitUntil([&] { return stream(Right).rate > 6.0; }, 60s)) << words();
     ASSERT_TRUE(waitUntil([&] { return stream(Left).rate > 1.0 && stream(Left).rate < 4.0; }, 60s))
         << "a robot that comes back is told again";

@@ -14,6 +14,7 @@
 
 #include "core/base/words.h"
 #include "tests/support/missing_tool.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/models/numbers.h"
 
@@ -59,7 +60,7 @@ class Translation : public testing::TestWithParam<const char*> {
 protected:
     ~Translation() override { useLanguage(QStringLiteral("en")); }
     [[nodiscard]] static QString file() {
-        return QStringLiteral(LEITSTAND_SOURCE_DIR "/translations/leitstand_%1.ts")
+        return QString::fromStdString(sourceFolder() + "/translations/leitstand_%1.ts")
             .arg(QLatin1String(GetParam()));
     }
 };
@@ -82,7 +83,7 @@ TEST_P(Translation, HasEveryTextOfTheProgram) {
     const QString copy = QString::fromStdString((folder / "texts.ts").string());
     ASSERT_TRUE(QFile::copy(file(), copy));
     QProcess update;
-    update.setWorkingDirectory(QStringLiteral(LEITSTAND_SOURCE_DIR));
+    update.setWorkingDirectory(QString::fromStdString(sourceFolder()));
     update.start(lupdate,
                  {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "core", "widgets",
                   "-extensions", "cpp,h", "-tr-function-alias", "QT_TRANSLATE_NOOP+=translatable",

@@ -15,6 +15,7 @@
 #include "app/report/pdf_report.h"
 #include "app/session/report/report_writer.h"
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -85,8 +86,7 @@ fs::path report(const fs::path& out, Time created) {
     ReportOptions options;
     options.pdf = &pdfOf;
     options.created = created;
-    const auto written =
-        writeReport(fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7", out, options);
+    const auto written = writeReport(fs::path(sourceFolder()) / "resources/samples/yellow-7", out, options);
     EXPECT_TRUE(written.ok()) << written.error().text;
     EXPECT_TRUE(written->whole());
     return out / "RoboCup2026-Leitstand-Sample.pdf";

@@ -19,6 +19,7 @@
 #include "app/session/report/report_writer.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/theme.h"
@@ -107,8 +108,7 @@ TEST_P(ReportLanguage, IsTheWindows) {
     ReportOptions options;
     options.pdf = &pdfOf;
     const fs::path out = folder / "out", pages = out / "RoboCup2026-Leitstand-Sample.pdf";
-    const auto written =
-        writeReport(fs::path(LEITSTAND_SOURCE_DIR) / "resources/samples/yellow-7", out, options);
+    const auto written = writeReport(fs::path(sourceFolder()) / "resources/samples/yellow-7", out, options);
     ASSERT_TRUE(written) << written.error().text;
     EXPECT_TRUE(written->whole());
     const ProcessOutcome text = readByPoppler(pages);

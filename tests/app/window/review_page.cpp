@@ -7,6 +7,7 @@
 #include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window_size.h"
+#include "tests/support/places.h"
 #include "widgets/timeline/timeline_bar.h"
 
 namespace leitstand::test {
@@ -24,7 +25,7 @@ void ReviewPage::openWindow() {
     m_window.reset();
     m_window = std::make_unique<ReviewWindow>(
         *m_bridge, MapViewSettings{},
-        LayoutBook(m_folder / "layouts", std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts"));
+        LayoutBook(m_folder / "layouts", sourceFolder() + "/resources/layouts"));
     m_window->resize(windowSize());
     m_window->show();
     m_window->activateWindow();  // keys are of the active window

@@ -5,6 +5,7 @@
 #include <QImage>
 
 #include "tests/app/session/scan_folder.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -27,7 +28,7 @@ protected:
                                         "QT_QPA_PLATFORM",
                                         "XDG_CONFIG_HOME=" + (m_folder / "config").string()};
         all.insert(all.end(), m_environment.begin(), m_environment.end());
-        all.push_back(LEITSTAND);
+        all.push_back(test::program("leitstand"));
         all.insert(all.end(), arguments.begin(), arguments.end());
         return test::runProcess("/usr/bin/env", all);
     }

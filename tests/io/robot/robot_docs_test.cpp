@@ -12,13 +12,14 @@
 #include "core/robot/stream_defaults.h"
 #include "core/robot/stream_types.h"
 #include "tests/io/robot/robot_texts.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
 namespace {
 
 std::string page() {
-    return readText(std::filesystem::path(LEITSTAND_SOURCE_DIR) / "docs/robots.md");
+    return readText(std::filesystem::path(sourceFolder()) / "docs/robots.md");
 }
 
 /// Rows of the tables in the chapter @p title whose first cell is code: their cells.

@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/places.h"
+
 namespace leitstand::test {
 
-inline const std::filesystem::path ShippedRobots =
-    std::filesystem::path(LEITSTAND_SOURCE_DIR) / "resources/robots";
+inline const std::filesystem::path ShippedRobots = std::filesystem::path(sourceFolder()) / "resources/robots";
 
 /// The first lines of a robot's file with nothing wrong; what follows begins in line 3.
 inline const std::string Head = "letter: K\nname: kurt3d\n";

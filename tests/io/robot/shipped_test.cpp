@@ -5,13 +5,13 @@
 
 #include "core/io/robot/robot_file.h"
 #include "core/robot/team.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
 
 RobotDescription shipped(const std::string& name) {
-    auto robot =
-        readRobot(std::filesystem::path(LEITSTAND_SOURCE_DIR) / "resources/robots" / (name + ".yaml"));
+    auto robot = readRobot(std::filesystem::path(sourceFolder()) / "resources/robots" / (name + ".yaml"));
     EXPECT_TRUE(robot) << robot.error().text;
     return robot ? std::move(robot).value() : RobotDescription{};
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/settings/folders.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -140,8 +141,7 @@ TEST(LayoutFile, NoDamageOfAFileHarmsTheReader) {
 
 TEST(LayoutFile, ShippedOnesAreRight) {
     for (const char* name : {"drive", "explore", "map"}) {
-        const auto layout =
-            readLayout(std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts/" + name + ".yaml");
+        const auto layout = readLayout(sourceFolder() + "/resources/layouts/" + name + ".yaml");
         ASSERT_TRUE(layout) << layout.error().text;
         EXPECT_THAT(panesIn(layout->panes), testing::IsSupersetOf({"map", "strip", "alarms"})) << name;
     }
@@ -149,8 +149,7 @@ TEST(LayoutFile, ShippedOnesAreRight) {
 
 TEST(LayoutFile, OfTheShippedOnesDriveAloneFollowsTheRobot) {
     for (const char* name : {"drive", "explore", "map", "review", "link", "report", "compare"}) {
-        const auto layout =
-            readLayout(std::string(LEITSTAND_SOURCE_DIR) + "/resources/layouts/" + name + ".yaml");
+        const auto layout = readLayout(sourceFolder() + "/resources/layouts/" + name + ".yaml");
         ASSERT_TRUE(layout) << layout.error().text;
         const bool drive = layout->name == "drive";
         EXPECT_EQ(layout->map.follow, drive ? MapFollow::Above : MapFollow::Free) << name;

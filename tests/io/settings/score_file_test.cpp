@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -51,7 +52,7 @@ TEST(ScoreFile, MistakesAreToldWithTheirPlace) {
 }
 
 TEST(ScoreFile, ShippedProfilesAreReadAndTellWhatIsUnconfirmed) {
-    const auto all = scoreProfilesIn({std::filesystem::path(LEITSTAND_SOURCE_DIR) / "resources/scoring"});
+    const auto all = scoreProfilesIn({std::filesystem::path(sourceFolder()) / "resources/scoring"});
     EXPECT_THAT(all.problems, testing::IsEmpty());
     ASSERT_EQ(all.profiles.size(), 3U);
     const ScoreProfile& old = *all.find("2005");

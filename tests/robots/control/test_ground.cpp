@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "robots/control/fuzzy/fuzzy_file.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
@@ -164,7 +165,7 @@ std::vector<Obstacle> maze(const std::vector<std::string>& lines, double cell) {
 }
 
 FuzzyDrive shippedDrive() {
-    auto system = readFuzzySystem(LEITSTAND_SOURCE_DIR "/resources/control/fuzzy_drive.yaml");
+    auto system = readFuzzySystem(sourceFolder() + "/resources/control/fuzzy_drive.yaml");
     if (!system) throw std::runtime_error(system.error().text);
     FuzzyDriveSettings settings;
     settings.safety.body = TestGround::body();

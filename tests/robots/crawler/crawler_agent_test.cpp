@@ -8,12 +8,13 @@
 #include "core/io/robot/robot_file.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/fake_robot.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
 
 std::unique_ptr<CrawlerAgent> agentOf(FakeRobot& robot) {
-    const std::string resources = LEITSTAND_SOURCE_DIR "/resources/";
+    const std::string resources = sourceFolder() + "/resources/";
     return CrawlerAgent::create(robot, readRobot(resources + "robots/crawler.yaml").value(),
                                 readFuzzySystem(resources + "control/fuzzy_drive.yaml").value())
         .value();

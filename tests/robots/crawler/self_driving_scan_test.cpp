@@ -2,12 +2,13 @@
 
 #include "core/io/robot/robot_file.h"
 #include "robots/agent/self_driving_agent.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
 
 RobotDescription shipped(const std::string& name) {
-    return readRobot(std::string(LEITSTAND_SOURCE_DIR "/resources/robots/") + name + ".yaml").value();
+    return readRobot((sourceFolder() + "/resources/robots/") + name + ".yaml").value();
 }
 
 TEST(SelfDrivingScan, LooksAsHighAsTheRobotIsAndNeverLowerThanUsual) {

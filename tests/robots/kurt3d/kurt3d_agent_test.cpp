@@ -7,13 +7,14 @@
 #include "core/io/robot/robot_file.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/fake_robot.h"
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
 
 struct Kurt3d : testing::Test {
     Kurt3d() {
-        const std::string resources = LEITSTAND_SOURCE_DIR "/resources/";
+        const std::string resources = sourceFolder() + "/resources/";
         const auto rules = readFuzzySystem(resources + "control/fuzzy_drive.yaml");
         const auto description = readRobot(resources + "robots/kurt3d.yaml");
         agent = Kurt3dAgent::create(robot, *description, *rules).value();

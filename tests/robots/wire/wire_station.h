@@ -10,6 +10,7 @@
 #include "core/mission/station_topics.h"
 #include "robots/wire/robot_wire.h"
 #include "tests/support/dds/robot_listener.h"
+#include "tests/support/places.h"
 #include "tests/support/samples.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
@@ -18,7 +19,7 @@
 namespace leitstand::test {
 
 [[nodiscard]] inline RobotDescription fileOf(const std::string& name) {
-    return must(readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml"));
+    return must(readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml"));
 }
 
 /// A sample as streams of @p stream's type carry it, all fields different; what it says of whom it is from

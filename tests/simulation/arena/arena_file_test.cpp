@@ -7,6 +7,7 @@
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/mesh.h"
 #include "robots/simulation/arena/random.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::simulation {
@@ -102,7 +103,7 @@ TEST(ArenaFile, WhatIsMissingIsUsual) {
 }
 
 TEST(ArenaFile, TheManualsExampleIsRead) {
-    const std::string manual = test::readText(LEITSTAND_SOURCE_DIR "/docs/simulation.md");
+    const std::string manual = test::readText(test::sourceFolder() + "/docs/simulation.md");
     const std::string mark = "```yaml\nname: corridor";
     const auto begin = manual.find(mark);
     ASSERT_NE(begin, std::string::npos);

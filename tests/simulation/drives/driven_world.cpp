@@ -14,11 +14,12 @@
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
 #include "robots/simulation/arena/mesh.h"
+#include "tests/support/places.h"
 
 namespace leitstand::simulation::test {
 namespace {
 
-const std::string Resources = std::string(LEITSTAND_SOURCE_DIR) + "/resources/";
+const std::string Resources = test::sourceFolder() + "/resources/";
 
 std::unique_ptr<RobotAgent> agentFor(const std::string& kind, RobotHardware& hardware,
                                      const RobotDescription& robot) {

@@ -5,6 +5,7 @@
 #include "core/io/robot/robot_file.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/simulated_hardware.h"
+#include "tests/support/places.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -19,7 +20,7 @@ double processorTime() {
 }
 
 RobotDescription shipped(const std::string& name) {
-    return readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml").value();
+    return readRobot(test::sourceFolder() + "/resources/robots/" + name + ".yaml").value();
 }
 
 /// What a second of the world costs, of a core.

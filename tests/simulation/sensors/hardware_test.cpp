@@ -8,6 +8,7 @@
 #include "core/io/robot/robot_file.h"
 #include "robots/simulation/simulated_robot.h"
 #include "tests/simulation/sensors/room.h"
+#include "tests/support/places.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -18,7 +19,7 @@ using namespace std::chrono_literals;
 using Key = std::pair<StreamRole, std::string>;
 
 RobotDescription shipped(const std::string& name) {
-    auto robot = readRobot(std::string(LEITSTAND_SOURCE_DIR) + "/resources/robots/" + name + ".yaml");
+    auto robot = readRobot(test::sourceFolder() + "/resources/robots/" + name + ".yaml");
     EXPECT_TRUE(robot) << robot.error().text;
     return std::move(robot).value();
 }

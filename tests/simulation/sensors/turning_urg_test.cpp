@@ -9,6 +9,7 @@
 #include "core/io/robot/robot_file.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "tests/simulation/sensors/room.h"
+#include "tests/support/places.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -36,7 +37,7 @@ TEST(TurningUrg, ItsSlicesAndFansLieOnTheTrueWallsWhileItDrives) {
     RoomBuilder room;
     room.walls(2.0, 1.6, 0.8);
     const auto world = room.world();
-    const auto description = readRobot(LEITSTAND_SOURCE_DIR "/resources/robots/crawler.yaml").value();
+    const auto description = readRobot(test::sourceFolder() + "/resources/robots/crawler.yaml").value();
     BodySpec body = crawlerBody();
     body.shape = {};  // what it carries sees only the room
     const int robot = world->addRobot(body, poseFrom({-1.0, -0.6, 0}, 0, 0, 0.2));

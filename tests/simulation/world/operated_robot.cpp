@@ -10,13 +10,14 @@
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
 #include "robots/simulation/world/suspension.h"
+#include "tests/support/places.h"
 
 namespace leitstand::simulation {
 namespace {
 
 using namespace std::chrono_literals;
 
-const std::string Resources = LEITSTAND_SOURCE_DIR "/resources/";
+const std::string Resources = test::sourceFolder() + "/resources/";
 
 BodySpec bodyOf(const std::string& kind) {
     return kind == "kurt3d" ? kurt3dBody() : crawlerBody();

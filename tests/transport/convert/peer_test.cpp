@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/missing_tool.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/convert/conversion.h"
@@ -46,7 +47,7 @@ std::vector<std::byte> readBytes(const fs::path& file) {
 
 /// Runs a script of tests/idl with the npm packages.
 ProcessOutcome runScript(const std::string& script, const std::vector<std::string>& arguments) {
-    const fs::path tests = fs::path(LEITSTAND_SOURCE_DIR) / "tests";
+    const fs::path tests = fs::path(sourceFolder()) / "tests";
     std::vector<std::string> all = {(tests / "idl" / script).string()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return runProcess(tests / "npm" / "run", all);

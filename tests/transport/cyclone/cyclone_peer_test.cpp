@@ -1,10 +1,12 @@
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
 #include "tests/support/missing_tool.h"
+#include "tests/support/places.h"
 #include "tests/transport/cyclone/our_types.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/message_catalog.h"
@@ -23,16 +25,21 @@ const char* const Loopback =
     "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto"
     "</ParticipantIndex><Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>";
 
+/// Built where Cyclone DDS is.
+std::string peer() {
+    return program("cyclone_peer");
+}
+
 /// A Cyclone process and a node of ours, by unicast.
 class cyclone : public testing::Test {
 protected:
     void SetUp() override {
-        if (std::string(CYCLONE_PEER).empty()) {
+        if (!std::filesystem::exists(peer())) {
             LEITSTAND_MISSING_TOOL(
                 "Cyclone DDS was not found at build (Debian: cyclonedds-dev, cyclonedds-tools)");
         }
         m_peer = std::make_unique<ChildProcess>(
-            CYCLONE_PEER, std::vector{std::to_string(m_domain.number()), std::to_string(Seeds)},
+            peer(), std::vector{std::to_string(m_domain.number()), std::to_string(Seeds)},
             std::vector<std::string>{Loopback});
         NodeSettings settings;
         settings.interfaces = {"lo"};

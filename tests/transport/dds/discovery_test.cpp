@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -136,7 +137,7 @@ TEST(Reconnection, AKilledRobotThatComesBackIsHeardAgain) {
     const auto listening = must(station->subscribe({"/k/odom", TestType, bestEffort()}, inbox.callback()));
     const std::vector<std::string> words = {"talk", std::to_string(domain.number()), "/k/odom"};
     for (int life = 0; life < 3; ++life) {
-        const ChildProcess robot(DDS_PEER, words);
+        const ChildProcess robot(program("dds_peer"), words);
         ASSERT_TRUE(inbox.waitFor(inbox.size() + 10)) << "life " << life;
         robot.signal(SIGKILL);
     }
@@ -145,7 +146,8 @@ TEST(Reconnection, AKilledRobotThatComesBackIsHeardAgain) {
 TEST(Reconnection, AKilledRobotIsForgottenAfterItsLease) {
     const TestDomain domain;
     const auto station = nodeIn(domain);
-    const ChildProcess robot(DDS_PEER, {"talk", std::to_string(domain.number()), "/k/odom", "lease=1"});
+    const ChildProcess robot(program("dds_peer"),
+                             {"talk", std::to_string(domain.number()), "/k/odom", "lease=1"});
     ASSERT_TRUE(waitUntil([&] { return station->endpoints().size() == 1; }));
     robot.signal(SIGKILL);
     EXPECT_TRUE(waitUntil([&] { return station->endpoints().empty() && station->participants().empty(); }));

@@ -6,6 +6,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/latency.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -33,9 +34,9 @@ TEST(LanesLatency, ASlowConsumerOfScansDelaysNoOdometry) {
             const std::scoped_lock lock(mutex);
             delays.push_back(delay.count());
         }));
-    const ChildProcess talker(DDS_PEER, {"talk", number, "/k/odom", "reliable=0", "period=10"});
-    const ChildProcess scanner(DDS_PEER, {"talk", number, "/k/points", "size=50000", "period=100",
-                                          "depth=600", "flow=2", "limit=0"});
+    const ChildProcess talker(program("dds_peer"), {"talk", number, "/k/odom", "reliable=0", "period=10"});
+    const ChildProcess scanner(program("dds_peer"), {"talk", number, "/k/points", "size=50000", "period=100",
+                                                     "depth=600", "flow=2", "limit=0"});
     ASSERT_TRUE(waitUntil([&] {
         const std::scoped_lock lock(mutex);
         return delays.size() >= 400;

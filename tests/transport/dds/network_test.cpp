@@ -8,6 +8,7 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"
 
@@ -32,7 +33,7 @@ bool hears(Node& station, std::chrono::milliseconds atMost = 20s) {
 
 TEST(InitialPeers, FindEachOtherWithoutMulticast) {
     const TestDomain domain;
-    const ChildProcess robot(DDS_PEER, talk(domain, {"multicast=0", "interface=lo"}));
+    const ChildProcess robot(program("dds_peer"), talk(domain, {"multicast=0", "interface=lo"}));
     NodeSettings settings;
     settings.multicast = false;
     settings.interfaces = {"lo"};
@@ -43,7 +44,7 @@ TEST(InitialPeers, FindEachOtherWithoutMulticast) {
 
 TEST(InitialPeers, WithoutThemAndMulticastNobodyIsFound) {
     const TestDomain domain;
-    const ChildProcess robot(DDS_PEER, talk(domain, {"multicast=0", "interface=lo"}));
+    const ChildProcess robot(program("dds_peer"), talk(domain, {"multicast=0", "interface=lo"}));
     ASSERT_TRUE(waitUntil([&] { return robot.out().find("ready") != std::string::npos; }));
     NodeSettings settings;
     settings.multicast = false;
@@ -53,7 +54,7 @@ TEST(InitialPeers, WithoutThemAndMulticastNobodyIsFound) {
 
 TEST(InitialPeers, AreBesideMulticast) {
     const TestDomain domain;
-    const ChildProcess robot(DDS_PEER, talk(domain, {}));
+    const ChildProcess robot(program("dds_peer"), talk(domain, {}));
     NodeSettings settings;
     settings.initialPeers = {"192.0.2.77:7410"};  // nobody there
     const auto station = nodeIn(domain, settings);
@@ -90,7 +91,8 @@ TEST(DiscoveryServer, TellsOfRobotsAndAllTheirTopics) {
     const std::uint32_t port = 11'000 + static_cast<std::uint32_t>(domain.number());
     const std::string address = "127.0.0.1:" + std::to_string(port);
     const DiscoveryServer server(domain.number(), port);
-    const ChildProcess robot(DDS_PEER, talk(domain, {"server=" + address, "name=kurt3d", "wait=0"}));
+    const ChildProcess robot(program("dds_peer"),
+                             talk(domain, {"server=" + address, "name=kurt3d", "wait=0"}));
     NodeSettings settings;
     settings.discoveryServer = address;
     const auto station = nodeIn(domain, settings);
@@ -108,7 +110,7 @@ TEST(Interfaces, TheChosenOneIsEnoughAndUnknownOnesAreNamed) {
     NodeSettings settings;
     settings.interfaces = {"lo"};
     const auto station = nodeIn(domain, settings);
-    const ChildProcess robot(DDS_PEER, talk(domain, {"interface=lo"}));
+    const ChildProcess robot(program("dds_peer"), talk(domain, {"interface=lo"}));
     EXPECT_TRUE(hears(*station));
     ASSERT_EQ(station->endpoints().size(), 1U);
     settings.interfaces = {"wlan77"};
@@ -153,7 +155,7 @@ protected:
 
 TEST_F(XmlProfiles, TheParticipantIsTheUsers) {
     const auto station = nodeIn(m_domain);
-    const ChildProcess robot(DDS_PEER, talk(m_domain, {"name=ours"}),
+    const ChildProcess robot(program("dds_peer"), talk(m_domain, {"name=ours"}),
                              profiles(R"(<participant profile_name="mine" is_default_profile="true"><rtps>
                                  <name>from the file</name></rtps></participant>)"));
     ASSERT_TRUE(waitUntil([&] { return station->endpoints().size() == 1; }));
@@ -166,7 +168,7 @@ TEST_F(XmlProfiles, ATopicsQosIsTheUsersByItsRosName) {
     const auto environment = profiles(R"(<data_writer profile_name="/k/odom"><qos>
         <reliability><kind>RELIABLE</kind></reliability><durability><kind>TRANSIENT_LOCAL</kind></durability>
         </qos></data_writer>)");
-    const ChildProcess robot(DDS_PEER, talk(m_domain, {"name=ours", "wait=0"}), environment);
+    const ChildProcess robot(program("dds_peer"), talk(m_domain, {"name=ours", "wait=0"}), environment);
     ASSERT_TRUE(waitUntil([&] { return station->endpoints().size() == 1; }));
     const RemoteEndpoint endpoint = station->endpoints()[0];
     EXPECT_EQ(endpoint.participantName, "ours");
@@ -176,7 +178,7 @@ TEST_F(XmlProfiles, ATopicsQosIsTheUsersByItsRosName) {
 }
 
 TEST_F(XmlProfiles, AFileThatIsMissingIsAnError) {
-    ChildProcess robot(DDS_PEER, talk(m_domain, {}),
+    ChildProcess robot(program("dds_peer"), talk(m_domain, {}),
                        {"FASTRTPS_DEFAULT_PROFILES_FILE=/nowhere/profiles.xml"});
     EXPECT_EQ(robot.wait(), 1);
     EXPECT_THAT(robot.out(),

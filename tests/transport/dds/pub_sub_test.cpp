@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -79,7 +80,7 @@ TEST(PubSub, ATopicHasOneTypeInANode) {
 
 TEST(PubSub, BetweenTwoProcessesAndBack) {
     const TestDomain domain;
-    const ChildProcess peer(DDS_PEER, {"echo", peerArgument(domain), "/k/cmd", "depth=100"});
+    const ChildProcess peer(program("dds_peer"), {"echo", peerArgument(domain), "/k/cmd", "depth=100"});
     const auto node = nodeIn(domain);
     Inbox inbox;
     const auto subscription = node->subscribe({"/k/cmd/back", TestType, reliable(100)}, inbox.callback());
@@ -117,8 +118,9 @@ TEST(PubSub, ALateJoinerGetsWhatIsTransientLocal) {
 
 TEST(PubSub, TwoHundredSamplesOfAMegabyteAllArrive) {
     const TestDomain domain;
-    const ChildProcess peer(DDS_PEER, {"talk", peerArgument(domain), "/k/points", "count=200", "size=1000000",
-                                       "depth=200", "period=5", "flow=2", "limit=0"});
+    const ChildProcess peer(program("dds_peer"),
+                            {"talk", peerArgument(domain), "/k/points", "count=200", "size=1000000",
+                             "depth=200", "period=5", "flow=2", "limit=0"});
     const auto node = nodeIn(domain);
     Inbox inbox;
     const auto subscription =

@@ -8,6 +8,7 @@
 
 #include "core/robot/stream_defaults.h"
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
 #include "transport/convert/decode.h"
@@ -228,7 +229,7 @@ TEST_F(DriveLatency, NobodyElseHoldsUpDriving) {
         }));
     const auto scanner =
         must(m_robotNode->publisher({"/kurt3d/points", TestType, reliable(600), Flow::Scans}));
-    const ChildProcess stuck(CONTROL_PEER,
+    const ChildProcess stuck(program("control_peer"),
                              {"listen", std::to_string(m_domain.number()), stream.topic, stream.type});
     ASSERT_TRUE(pushUntil(0.3, [&] { return stuck.out().find("heard") != std::string::npos; }));
     stuck.signal(SIGSTOP);
@@ -248,7 +249,8 @@ TEST_F(DriveLatency, NobodyElseHoldsUpDriving) {
 TEST_F(Drive, TheRobotStopsWhenTheStationIsGone) {
     const RobotDescription description = drivenRobot();
     ControlRobot robot(*m_robotNode, description);
-    const ChildProcess station(CONTROL_PEER, {"station", std::to_string(m_domain.number()), "b", "5", "0.3"});
+    const ChildProcess station(program("control_peer"),
+                               {"station", std::to_string(m_domain.number()), "b", "5", "0.3"});
     ASSERT_TRUE(waitUntil([&] { return robot.speed() > 0.0; })) << station.out();
     const auto killed = Clock::now();
     station.signal(SIGKILL);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/places.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
 
@@ -22,7 +23,7 @@ protected:
     [[nodiscard]] std::unique_ptr<ChildProcess> stationProcess(const std::string& id, const std::string& term,
                                                                const std::string& speed = "0.3") const {
         return std::make_unique<ChildProcess>(
-            CONTROL_PEER,
+            program("control_peer"),
             std::vector<std::string>{"station", std::to_string(m_domain.number()), id, term, speed});
     }
     const TestDomain m_domain;

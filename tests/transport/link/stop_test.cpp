@@ -7,6 +7,7 @@
 #include "core/mission/station_topics.h"
 #include "tests/support/child_process.h"
 #include "tests/support/net/radio_link.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
@@ -186,7 +187,7 @@ TEST_P(StopWithWrongClock, DrivesStopsAndReleasesAllTheSame) {
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "SKIPPED: sanitizers bring clocks of their own, which cannot be shifted";
 #endif
-    const ChildProcess robot(CONTROL_PEER, {"robot", std::to_string(m_domain.number())},
+    const ChildProcess robot(program("control_peer"), {"robot", std::to_string(m_domain.number())},
                              {"CLOCK_AHEAD=" + std::to_string(GetParam())});
     const auto said = [&](const std::string& word) { return robot.out().find(word) != std::string::npos; };
     const auto node = nodeIn(m_domain);
@@ -225,7 +226,7 @@ protected:
         {
             const InNamespace there(m_radio->robots());
             m_robot = std::make_unique<ChildProcess>(
-                CONTROL_PEER, std::vector<std::string>{"robot", std::to_string(m_domain.number())},
+                program("control_peer"), std::vector<std::string>{"robot", std::to_string(m_domain.number())},
                 std::vector<std::string>{"CLOCK_AHEAD=5"});
         }
         m_here.emplace(m_radio->station());

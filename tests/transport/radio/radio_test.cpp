@@ -8,6 +8,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/latency.h"
 #include "tests/support/net/radio_link.h"
+#include "tests/support/places.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -57,7 +58,7 @@ public:
         const InNamespace there(radio.robots());
         std::vector<std::string> words = {std::to_string(domain), name, std::to_string(seconds)};
         words.insert(words.end(), options.begin(), options.end());
-        m_process = std::make_unique<ChildProcess>(RADIO_ROBOT, words);
+        m_process = std::make_unique<ChildProcess>(program("radio_robot"), words);
     }
 
     [[nodiscard]] bool said(const std::string& word) const {

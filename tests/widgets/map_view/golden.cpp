@@ -1,4 +1,5 @@
 #include "tests/widgets/map_view/golden.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +12,7 @@ constexpr int ChannelTolerance = 32;
 constexpr double DifferingShare = 0.01;
 
 QString goldenFile(const std::string& name) {
-    const auto folder = std::filesystem::path(LEITSTAND_SOURCE_DIR) / "tests/widgets/map_view/golden";
+    const auto folder = std::filesystem::path(sourceFolder()) / "tests/widgets/map_view/golden";
     return QString::fromStdString((folder / (name + ".png")).string());
 }
 
