@@ -2102,6 +2102,65 @@ Funk: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::FindsByClick</name>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>Fund auf der Karte ver&amp;schieben</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is</source>
+        <translation>Auf der Karte anklicken, wo der gewählte Fund ist</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Victim where I &amp;click</source>
+        <translation>Opfer dort, wo ich &amp;klicke</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>Gefahr dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>QR-Code dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>Objekt dort, wo ich klicke</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map: filed with the pictures of this moment</source>
+        <translation>Dann in einem Bild, im virtuellen Scan oder auf der Karte anklicken: erfasst mit den Bildern dieses Moments</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 moved (as finished)</source>
+        <translation>%1 verschoben (Endstand)</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>Auf den Ort klicken · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>%1 filed (as finished)</source>
+        <translation>%1 erfasst (Endstand)</translation>
+    </message>
+    <message>
+        <source>The robot was not in the map then: nothing was filed</source>
+        <translation>Der Roboter war da nicht in der Karte: nichts wurde erfasst</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FindsFeature</name>
     <message>
         <source>Finds</source>
@@ -2218,61 +2277,6 @@ Funk: %4 %5</translation>
     <message>
         <source>The candidate is dismissed (as finished)</source>
         <translation>Der Kandidat ist verworfen (Endstand)</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::FindsOnMap</name>
-    <message>
-        <source>Mo&amp;ve the find on the map</source>
-        <translation>Fund auf der Karte ver&amp;schieben</translation>
-    </message>
-    <message>
-        <source>Click on the map where the chosen find is</source>
-        <translation>Auf der Karte anklicken, wo der gewählte Fund ist</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Victim where I &amp;click</source>
-        <translation>Opfer dort, wo ich &amp;klicke</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Hazard where I click</source>
-        <translation>Gefahr dort, wo ich klicke</translation>
-    </message>
-    <message>
-        <source>QR code where I click</source>
-        <translation>QR-Code dort, wo ich klicke</translation>
-    </message>
-    <message>
-        <source>Object where I click</source>
-        <translation>Objekt dort, wo ich klicke</translation>
-    </message>
-    <message>
-        <source>Then click on the map where it is: filed with the pictures of this moment</source>
-        <translation>Dann auf der Karte anklicken, wo es ist: erfasst mit den Bildern dieses Zeitpunkts</translation>
-    </message>
-    <message>
-        <source>Click where %1 is · right button: not at all</source>
-        <translation>Anklicken, wo %1 ist · rechte Taste: abbrechen</translation>
-    </message>
-    <message>
-        <source>%1 moved (as finished)</source>
-        <translation>%1 verschoben (Endstand)</translation>
-    </message>
-    <message>
-        <source>Click where it is · right button: not at all</source>
-        <translation>Auf den Ort klicken · rechte Taste: gar nicht</translation>
-    </message>
-    <message>
-        <source>%1 filed (as finished)</source>
-        <translation>%1 erfasst (Endstand)</translation>
     </message>
 </context>
 <context>
@@ -6054,6 +6058,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
         <translation>Nichts ist erfasst, das bestätigt werden könnte: F erfasst, was der Roboter sieht</translation>
+    </message>
+    <message>
+        <source>nothing was scanned there: point to it on the map</source>
+        <translation>dort wurde nichts gescannt: auf der Karte anklicken</translation>
+    </message>
+    <message>
+        <source>the robot was not in the map then: nothing was filed</source>
+        <translation>der Roboter war da nicht in der Karte: nichts wurde erfasst</translation>
     </message>
 </context>
 <context>

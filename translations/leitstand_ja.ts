@@ -2102,6 +2102,65 @@ Link: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>leitstand::FindsByClick</name>
+    <message>
+        <source>Mo&amp;ve the find on the map</source>
+        <translation>発見を地図上で移動(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Click on the map where the chosen find is</source>
+        <translation>選択した発見の位置を地図上でクリック</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Victim where I &amp;click</source>
+        <translation>クリックした場所の被災者(&amp;C)</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>Hazard where I click</source>
+        <translation>クリックした場所の危険物</translation>
+    </message>
+    <message>
+        <source>QR code where I click</source>
+        <translation>クリックした場所の QR コード</translation>
+    </message>
+    <message>
+        <source>Object where I click</source>
+        <translation>クリックした場所の物体</translation>
+    </message>
+    <message>
+        <source>Then click on it in a picture, in the virtual scan or on the map: filed with the pictures of this moment</source>
+        <translation>続いて映像、仮想スキャン、または地図上でクリック。この時点の映像とともに登録</translation>
+    </message>
+    <message>
+        <source>Click where %1 is · right button: not at all</source>
+        <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>%1 moved (as finished)</source>
+        <translation>%1 を移動（最終状態）</translation>
+    </message>
+    <message>
+        <source>Click where it is · right button: not at all</source>
+        <translation>位置をクリック · 右ボタン: 中止</translation>
+    </message>
+    <message>
+        <source>%1 filed (as finished)</source>
+        <translation>%1 を登録（最終状態）</translation>
+    </message>
+    <message>
+        <source>The robot was not in the map then: nothing was filed</source>
+        <translation>その時点でロボットは地図上になかったため、登録していない</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FindsFeature</name>
     <message>
         <source>Finds</source>
@@ -2218,61 +2277,6 @@ Link: %4 %5</source>
     <message>
         <source>The candidate is dismissed (as finished)</source>
         <translation>候補を却下（最終状態）</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::FindsOnMap</name>
-    <message>
-        <source>Mo&amp;ve the find on the map</source>
-        <translation>発見を地図上で移動(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Click on the map where the chosen find is</source>
-        <translation>選択した発見の位置を地図上でクリック</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>移動</translation>
-    </message>
-    <message>
-        <source>Victim where I &amp;click</source>
-        <translation>クリックした場所の被災者(&amp;C)</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>新規</translation>
-    </message>
-    <message>
-        <source>Hazard where I click</source>
-        <translation>クリックした場所の危険物</translation>
-    </message>
-    <message>
-        <source>QR code where I click</source>
-        <translation>クリックした場所の QR コード</translation>
-    </message>
-    <message>
-        <source>Object where I click</source>
-        <translation>クリックした場所の物体</translation>
-    </message>
-    <message>
-        <source>Then click on the map where it is: filed with the pictures of this moment</source>
-        <translation>続いて地図上の位置をクリック。この時点の映像とともに登録</translation>
-    </message>
-    <message>
-        <source>Click where %1 is · right button: not at all</source>
-        <translation>%1 の位置をクリック · 右ボタン: 中止</translation>
-    </message>
-    <message>
-        <source>%1 moved (as finished)</source>
-        <translation>%1 を移動（最終状態）</translation>
-    </message>
-    <message>
-        <source>Click where it is · right button: not at all</source>
-        <translation>位置をクリック · 右ボタン: 中止</translation>
-    </message>
-    <message>
-        <source>%1 filed (as finished)</source>
-        <translation>%1 を登録（最終状態）</translation>
     </message>
 </context>
 <context>
@@ -6054,6 +6058,14 @@ F1 でキー一覧</translation>
     <message>
         <source>Nothing is filed that could be confirmed: F files what the robot sees</source>
         <translation>確定できる登録がない: F でロボットが見ているものを登録</translation>
+    </message>
+    <message>
+        <source>nothing was scanned there: point to it on the map</source>
+        <translation>そこは未スキャン: 地図上でクリックして指定</translation>
+    </message>
+    <message>
+        <source>the robot was not in the map then: nothing was filed</source>
+        <translation>その時点でロボットは地図上になかったため、登録していない</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Longest(5);
+constexpr std::chrono::seconds LongestWindow(5);
 constexpr double Steady = 0.2;      // [Hz]: what comes more rarely comes when something changes
 constexpr double StaleAfter = 4.0;  // of the times between two samples, as usual in the mission
 constexpr double NeverStale = 1.0;  // [s]: so old is a sample of any stream now and then
@@ -34,9 +34,9 @@ double usualRate(const StreamState* atTheEnd, const ReviewIndex& index) {
 }  // namespace
 
 RateWindow RateWindow::before(Time now, const ReviewIndex& index) {
-    RateWindow window{now - Longest, now};
+    RateWindow window{now - LongestWindow, now};
     for (const TimelineStretch& stretch : index.stretches) {
-        if (stretch.from <= now) window.from = std::max(now - Longest, stretch.from);
+        if (stretch.from <= now) window.from = std::max(now - LongestWindow, stretch.from);
     }
     return window;
 }

@@ -25,8 +25,8 @@
 #include "app/window/live/selection.h"
 #include "app/window/live/window_frame.h"
 #include "app/window/review/compare_feature.h"
+#include "app/window/review/finds_by_click.h"
 #include "app/window/review/finds_feature.h"
-#include "app/window/review/finds_on_map.h"
 #include "app/window/review/hand_in_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
@@ -59,9 +59,10 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
-    new FindsOnMap(context, bridge, *m_map, *m_finds);
+    auto* const scan = new ScanFeature(context);
+    auto* const clicks = new FindsByClick(context, bridge, *m_map, *m_cameras, *scan, *m_finds);
+    connect(clicks, &FindsByClick::told, this, &ReviewWindow::tell);
     addCoverage(context);
-    new ScanFeature(context);
     m_messages = new MessagesFeature(context);
     auto* compare = new CompareFeature(context, bridge, *m_map);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);

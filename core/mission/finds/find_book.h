@@ -30,6 +30,8 @@ struct FrozenEvidence {
 
 /// A place that a person pointed to is right within this, one standard deviation [m].
 inline constexpr double PointedDeviation = 0.2;
+/// Of a body's middle above the ground, where the height is not told [m].
+inline constexpr double LyingHeight = 0.2;
 
 /// Puts @p frozen to @p inMap [m], hanging on key scan @p scan; on none where @p state does not have that.
 void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,

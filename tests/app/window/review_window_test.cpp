@@ -15,9 +15,11 @@
 #include "app/window/review/finds_feature.h"
 #include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
+#include "widgets/camera/camera_pane.h"
 #include "widgets/link/stream_list.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/timeline/timeline_bar.h"
+#include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand::test {
 namespace {
@@ -285,6 +287,26 @@ TEST_F(ReviewWindowTest, WhatNobodyFiledIsFiledByAClickOnTheMap) {
     lookAt("filed");
     find<QToolButton>("review.undo").click();
     EXPECT_TRUE(soon([&] { return finds() == 1; }));
+}
+
+TEST_F(ReviewWindowTest, AClickWithShiftIntoThePictureFilesAVictimThere) {
+    goTo(47.0);
+    m_window->commands().trigger(QStringLiteral("review.finished"));
+    ASSERT_TRUE(soon([&] { return finds() == 1; }));
+    auto& camera = find<CameraPane>("cameraPane");
+    ASSERT_TRUE(soon([&] { return camera.isVisible() && !camera.pictureArea().isEmpty(); }));
+    const QPoint middle = camera.pictureArea().center().toPoint();
+    QTest::mouseClick(&camera, Qt::LeftButton, Qt::ShiftModifier, middle);
+    EXPECT_TRUE(soon([&] { return m_window->newest().contains(QStringLiteral("point to it on the map")); }))
+        << "its camera was never calibrated: " << m_window->newest().toStdString();
+    EXPECT_EQ(finds(), 1);
+
+    // Beside the robot, in the virtual scan, which needs no camera.
+    auto& scan = *m_window->findChild<VirtualScanPane*>();
+    ASSERT_TRUE(scan.isVisible());
+    QTest::mouseClick(&scan, Qt::LeftButton, Qt::ShiftModifier, scan.rect().center() + QPoint(0, -60));
+    ASSERT_TRUE(soon([&] { return finds() == 2; })) << m_window->newest().toStdString();
+    EXPECT_EQ(found(1, 1), "unconfirmed");
 }
 
 TEST_F(ReviewWindowTest, NothingOffersToMoveARobot) {

@@ -19,7 +19,7 @@
 namespace leitstand::simulation::test {
 namespace {
 
-const std::string Resources = test::sourceFolder() + "/resources/";
+const std::string Resources = leitstand::test::sourceFolder() + "/resources/";
 
 std::unique_ptr<RobotAgent> agentFor(const std::string& kind, RobotHardware& hardware,
                                      const RobotDescription& robot) {

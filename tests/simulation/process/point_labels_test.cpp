@@ -59,7 +59,8 @@ struct Places {
 
 TEST(PointLabels, ArePerfectAlsoWhileTheRobotDrives) {
     World world(parseArena(Hall, "hall").value(), 3);
-    const auto description = readRobot(test::sourceFolder() + "/resources/robots/kurt3d.yaml").value();
+    const auto description =
+        readRobot(leitstand::test::sourceFolder() + "/resources/robots/kurt3d.yaml").value();
     const int kurt3d = world.addRobot(kurt3dBody(), poseFrom({-0.8, 0, 0}, 0, 0, 0));
     const int other = world.addGhost(crawlerBody());
     world.placeGhost(other, poseFrom({0.8, 0, 0}, 0, 0, 0));
@@ -112,7 +113,8 @@ TEST(PointLabels, ArePerfectAlsoWhileTheRobotDrives) {
 
 TEST(PointLabels, APointWhereNothingStandsHasNone) {
     World world(parseArena(Hall, "hall").value(), 3);
-    const auto description = readRobot(test::sourceFolder() + "/resources/robots/kurt3d.yaml").value();
+    const auto description =
+        readRobot(leitstand::test::sourceFolder() + "/resources/robots/kurt3d.yaml").value();
     const int kurt3d = world.addRobot(kurt3dBody(), poseFrom({0, 0, 0}, 0, 0, 0));
     world.advance(5ms);
     const Eigen::Vector3d laser = description.sensors.at("scanner").sensorInBase.translation();

@@ -35,7 +35,7 @@ struct Pair {
         room.walls(3, 2, 1.2);
         world = room.world();
         const auto describe = [](const std::string& name) {
-            return readRobot(test::sourceFolder() + "/resources/robots/" + name + ".yaml").value();
+            return readRobot(leitstand::test::sourceFolder() + "/resources/robots/" + name + ".yaml").value();
         };
         kurt3d = world->addRobot(kurt3dBody(), Pose::Identity());
         crawler = world->addRobot(crawlerBody(), away ? poseFrom({-2.4, 0, 0}, 0, 0, degrees(180))

@@ -20,7 +20,7 @@ double processorTime() {
 }
 
 RobotDescription shipped(const std::string& name) {
-    return readRobot(test::sourceFolder() + "/resources/robots/" + name + ".yaml").value();
+    return readRobot(leitstand::test::sourceFolder() + "/resources/robots/" + name + ".yaml").value();
 }
 
 /// What a second of the world costs, of a core.

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 using Key = std::pair<StreamRole, std::string>;
 
 RobotDescription shipped(const std::string& name) {
-    auto robot = readRobot(test::sourceFolder() + "/resources/robots/" + name + ".yaml");
+    auto robot = readRobot(leitstand::test::sourceFolder() + "/resources/robots/" + name + ".yaml");
     EXPECT_TRUE(robot) << robot.error().text;
     return std::move(robot).value();
 }

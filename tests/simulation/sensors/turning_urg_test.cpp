@@ -37,7 +37,8 @@ TEST(TurningUrg, ItsSlicesAndFansLieOnTheTrueWallsWhileItDrives) {
     RoomBuilder room;
     room.walls(2.0, 1.6, 0.8);
     const auto world = room.world();
-    const auto description = readRobot(test::sourceFolder() + "/resources/robots/crawler.yaml").value();
+    const auto description =
+        readRobot(leitstand::test::sourceFolder() + "/resources/robots/crawler.yaml").value();
     BodySpec body = crawlerBody();
     body.shape = {};  // what it carries sees only the room
     const int robot = world->addRobot(body, poseFrom({-1.0, -0.6, 0}, 0, 0, 0.2));

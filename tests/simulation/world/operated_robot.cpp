@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string Resources = test::sourceFolder() + "/resources/";
+const std::string Resources = leitstand::test::sourceFolder() + "/resources/";
 
 BodySpec bodyOf(const std::string& kind) {
     return kind == "kurt3d" ? kurt3dBody() : crawlerBody();

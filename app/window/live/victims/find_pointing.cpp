@@ -18,15 +18,10 @@
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/selection.h"
+#include "core/mission/finds/find_book.h"
 #include "widgets/models/map/robot_mark.h"
 
 namespace leitstand {
-namespace {
-
-constexpr double LyingHeight =
-    0.2;  ///< of a body's middle above the ground, where the height is not told [m]
-
-}  // namespace
 
 FindPointing::FindPointing(const LiveContext& context, MapFeature& map, CameraFeature& cameras,
                            ScanFeature& scan)
