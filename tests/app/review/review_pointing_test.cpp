@@ -16,7 +16,6 @@ namespace {
 
 using Mission = WrittenMission;
 using testing::HasSubstr;
-using Kind = VictimSample::Kind;
 
 /// A robot that drives 0.1 m/s ahead for 20 s towards a wall that is always 2 m before its scanner; its left
 /// camera looks ahead.
@@ -92,8 +91,8 @@ TEST_F(ReviewPointingTest, WhatIsPointedToIsWhereTheScannerSawIt) {
     EXPECT_GT(beside->positionInMap.y(), seen->positionInMap.y() + 0.3) << "left in the picture is left";
 
     ReviewPen pen(m_mission, {Mission::robot()}, "reviewer", "test");
-    ASSERT_TRUE(pen.file(Kind::Hazard, *seen).ok());
-    const VictimSample& filed = pen.state()->victims->at({Kind::Hazard, 1}).victim;
+    ASSERT_TRUE(pen.file(VictimSample::Kind::Hazard, *seen).ok());
+    const VictimSample& filed = pen.state()->victims->at({VictimSample::Kind::Hazard, 1}).victim;
     EXPECT_TRUE(filed.positionInMap.isApprox(seen->positionInMap, 1e-6));
 }
 
