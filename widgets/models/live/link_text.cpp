@@ -115,10 +115,11 @@ QString roundTripText(const LinkStatus& link) {
 }
 
 QString lossShareText(const LinkStatus& link) {
-    if (link.streams.empty()) return {};
-    double worst = 0.0;
-    for (const StreamStatus& stream : link.streams) worst = std::max(worst, stream.lossRatio);
-    return LinkTexts::tr("%1 loss").arg(percentText(worst));
+    double worst = -1.0;  // a log does not tell
+    for (const StreamStatus& stream : link.streams) {
+        if (stream.lossRatio > worst) worst = stream.lossRatio;
+    }
+    return worst < 0.0 ? QString() : LinkTexts::tr("%1 loss").arg(percentText(worst));
 }
 
 Tone toneOf(const LinkStatus& link) {
