@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <QCoreApplication>
@@ -304,6 +306,18 @@ TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
     EXPECT_EQ(steady.samples(at(-400)).size(), 1u) << "a clock that went back begins anew";
     robot.said.gas->sample.ppm = 2400;
     EXPECT_EQ(stateOf(robot).gas.value.tone, Tone::Attention);
+}
+
+TEST_F(LiveWords, ALogDoesNotTellWhatWasLost) {
+    LinkStatus link;
+    EXPECT_TRUE(lossShareText(link).isEmpty());
+    link.streams.resize(2);
+    link.streams[0].lossRatio = link.streams[1].lossRatio = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(lossShareText(link).isEmpty()) << lossShareText(link).toStdString();
+    link.streams[1].lossRatio = 0.04;
+    EXPECT_EQ(lossShareText(link).toStdString(), "4\u202f% loss");
+    link.streams[1].lossRatio = 0.0;
+    EXPECT_EQ(lossShareText(link).toStdString(), "0\u202f% loss");
 }
 
 TEST_F(LiveWords, LinksSayTheWorstReason) {
