@@ -9,6 +9,7 @@
 #include "app/session/review/review_pen.h"
 #include "core/mission/station_topics.h"
 #include "tests/app/review/written_mission.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -115,6 +116,21 @@ TEST_F(ReviewPointingTest, WhereNothingWasScannedNothingIsFiledAndThatIsTold) {
     ASSERT_FALSE(other);
     EXPECT_THAT(other.error().text, HasSubstr("not in the map then"));
     EXPECT_FALSE(evidenceIn(m_folder / "none", *m_index, *moment, "kurt3d", *moment->mission, {"left"}));
+}
+
+TEST(ReviewPointing, ABodyInAPictureOfTheShippedMissionIsWhereItsVictimWasFiled) {
+    const std::filesystem::path mission = sourceFolder() + "/resources/samples/yellow-7";
+    const auto log = ReviewLog::open(mission).value();
+    const ReviewIndexPtr index = indexOf(*log);
+    ReviewScene scene(*log, *index);
+    const ReviewMomentPtr moment = scene.at(log->last());
+    // It lies in the right half of the left camera's last picture, its feet towards the robot.
+    const auto seen = evidenceIn(mission, *index, *moment, "kurt3d", *moment->mission, {"left", {0.63, 0.6}});
+    ASSERT_TRUE(seen) << seen.error().text;
+    const Eigen::Vector3d filed =
+        index->finished->victims->at({VictimSample::Kind::Victim, 1}).victim.positionInMap;
+    EXPECT_LT((seen->positionInMap - filed).head<2>().norm(), 0.6)
+        << seen->positionInMap.transpose() << " and " << filed.transpose();
 }
 
 }  // namespace
