@@ -1,5 +1,4 @@
 #include "tests/architecture/include_rules.h"
-#include "tests/support/places.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +7,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {

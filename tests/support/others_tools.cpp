@@ -1,9 +1,10 @@
 #include "tests/support/others_tools.h"
-#include "tests/support/places.h"
 
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {

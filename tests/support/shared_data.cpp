@@ -1,7 +1,8 @@
 #include "tests/support/shared_data.h"
-#include "tests/support/places.h"
 
 #include <cstdlib>
+
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 

@@ -16,9 +16,8 @@ public:
 
     void setRows(std::vector<StreamRow> rows) { m_streams.setRows(std::move(rows)); }
     [[nodiscard]] const StreamTable& streams() const { return m_streams; }
-    [[nodiscard]] const StreamRow* chosen() const {
-        return m_streams.row(currentIndex().row());
-    }  ///< or null
+    /// Null: none is.
+    [[nodiscard]] const StreamRow* chosen() const { return m_streams.row(currentIndex().row()); }
 
 signals:
     void chosenChanged();

@@ -134,24 +134,25 @@ Result<void> ReviewPen::file(VictimSample::Kind kind, const FrozenEvidence& seen
 }
 
 Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
-    if (auto opened = open(); !opened) return opened;
-    const MissionStatePtr state = mission()->state();
-    const auto known = state->candidates->find(id);
-    if (known == state->candidates->end())
-        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    const auto known = candidate(id);
+    if (!known) return known.error();
     FrozenEvidence then;
-    then.found = known->second.candidate.stamp;
-    return say(filedFrom(*state, known->second.candidate, m_station, stationTime(), then),
+    then.found = known->stamp;
+    return say(filedFrom(*mission()->state(), *known, m_station, stationTime(), then),
                station_topic::Victims);
 }
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
-    if (auto opened = open(); !opened) return opened;
+    const auto known = candidate(id);
+    return known ? sayCandidate(judged(*known, true, m_station, stationTime())) : known.error();
+}
+
+Result<CandidateSample> ReviewPen::candidate(std::uint32_t id) {
+    if (auto opened = open(); !opened) return opened.error();
     const MissionStatePtr state = mission()->state();
-    const auto known = state->candidates->find(id);
-    if (known == state->candidates->end())
-        return Error{translate("leitstand::Station", "the mission has no such candidate")};
-    return sayCandidate(judged(known->second.candidate, true, m_station, stationTime()));
+    if (const auto known = state->candidates->find(id); known != state->candidates->end())
+        return known->second.candidate;
+    return Error{translate("leitstand::Station", "the mission has no such candidate")};
 }
 
 Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {

@@ -63,6 +63,8 @@ private:
     Result<void> open();
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
+    /// The candidate of that id as it is by now.
+    Result<CandidateSample> candidate(std::uint32_t id);
     Result<void> sayCandidate(const CandidateSample& candidate);
     /// Waits until the mission @p has what was said last; the sequencer takes no longer than a moment.
     Result<void> await(const std::function<bool(const MissionState&)>& has) const;

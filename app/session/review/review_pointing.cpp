@@ -9,6 +9,7 @@
 
 #include "app/session/review/review_evidence.h"
 #include "app/session/review/review_log.h"
+#include "app/session/review/reviewed_robot.h"
 #include "app/session/victims/victim_search.h"
 #include "core/base/words.h"
 #include "core/perception/picture_decoding.h"
@@ -65,14 +66,6 @@ std::optional<Event> lookRound(const RobotDescription& robot, const RobotInMap& 
     return Event{0, before, robot.name, scanner->topic, scanner->role, scanner->sensor, std::move(cloud)};
 }
 
-bool hasSlices(const ReviewIndex& index, const std::string& robot) {
-    const auto said = index.finished->robots.find(robot);
-    if (said == index.finished->robots.end()) return false;
-    return std::any_of(said->second->streams.begin(), said->second->streams.end(), [](const auto& entry) {
-        return entry.second.role == StreamRole::Points || entry.second.role == StreamRole::Ranges;
-    });
-}
-
 /// Knows where what the robot's pictures of about @p picture show is.
 void follow(VictimSearch& search, ReviewLog& log, const RobotDescription& robot, const ReviewIndex& index,
             const Event& picture, Time until) {
@@ -109,7 +102,7 @@ Result<FrozenEvidence> evidenceIn(const std::filesystem::path& mission, const Re
     if (!decoded) return decoded.error();
 
     VictimSearch search({*robot}, "review");
-    if (!hasSlices(index, name)) {
+    if (!hasScans(*index.finished, name)) {
         // It is looked at when the odometry of its time comes.
         if (const auto around = lookRound(*robot, *place, index, shown, picture->received))
             search.take(*around, false);

@@ -63,16 +63,6 @@ const Anchor& anchorAt(const std::vector<Anchor>& anchors, Time at) {
     return later == anchors.begin() ? anchors.front() : *std::prev(later);
 }
 
-/// Whether a log that ends with @p state has anything that a scanner of @p robot sent.
-bool hasScans(const MissionState& state, const std::string& robot) {
-    const auto said = state.robots.find(robot);
-    if (said == state.robots.end()) return false;
-    return std::any_of(said->second->streams.begin(), said->second->streams.end(), [](const auto& entry) {
-        const auto& role = entry.second.role;
-        return role == StreamRole::Points || role == StreamRole::Ranges;
-    });
-}
-
 LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index, CroppedScans& cropped) {
     auto map = std::make_shared<LiveMap>();
     cropped.setCrop(cropOf(state).value_or(MapCrop{}));

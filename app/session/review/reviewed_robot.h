@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "core/mission/mission_state.h"
@@ -23,5 +24,8 @@ namespace leitstand {
 /// The alarms of @p state that stood at @p now, or were over for no longer than they are shown; as
 /// AlarmBook::alarms().
 [[nodiscard]] std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now);
+
+/// Whether a log that ends with @p state has anything that a scanner of @p robot sent.
+[[nodiscard]] bool hasScans(const MissionState& state, const std::string& robot);
 
 }  // namespace leitstand

@@ -1,5 +1,4 @@
 #include "tests/app/live/quiet_page.h"
-#include "tests/support/places.h"
 
 #include <fstream>
 #include <set>
@@ -14,6 +13,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,9 +1,10 @@
 #include "tests/widgets/map_view/golden.h"
-#include "tests/support/places.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+
+#include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
