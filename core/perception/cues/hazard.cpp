@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include "core/base/pose.h"
 #include "core/perception/cues/picture_mat.h"
@@ -16,6 +17,7 @@ enum Colour : std::uint8_t { Red, Orange, Yellow, Green, Blue, White, Black, Gre
 constexpr int Edge = 64;           // of a placard made straight [px]
 constexpr double Filled = 0.82;    // least share of a contour's hull that the square fills
 constexpr double SameSign = 0.35;  // of its size: contours so near are of one placard
+constexpr double Framed = 0.7;     // least share of its edge that is of its ground or a line along it
 
 /// What a part of a placard looks like: shares of colours.
 struct Shares {
@@ -149,6 +151,10 @@ std::pair<std::string, double> meaningOf(const Parts& parts) {
     // A symbol is in the upper half of each, black or white: a patch of one colour without any is a thing.
     const double symbol = drawn + parts.upper.of[Grey] + (upper == White ? 0.0 : parts.upper.of[White]);
     if (upper == lower && symbol < 0.03) return {{}, 0.0};
+    // It is a placard to its very edge; clothes that happen to lie square are not.
+    double ground = 0.0;
+    for (const Colour one : std::set{upper, lower, White, Black}) ground += parts.edge.of[one];
+    if (ground < Framed) return {{}, 0.0};
     for (const Meaning& one : Meanings) {
         if (one.upper == upper && one.lower == lower) return {one.name, sure};
     }

@@ -72,6 +72,22 @@ TEST(Hazard, OtherThingsAreNone) {
     EXPECT_TRUE(findHazards(pictureFrom(noisy(wall, 40.0, 1))).empty());
 }
 
+TEST(Hazard, ClothesThatLieSquareAreNone) {
+    // A green shirt with a print; what is beside it makes a square of it: an arm, hair, trousers, debris.
+    cv::Mat floor(240, 320, CV_8UC3, cv::Scalar(90, 90, 90));
+    const cv::Point top(160, 75), right(205, 120), bottom(160, 165), left(115, 120), middle(160, 120);
+    const cv::Scalar skin(205, 150, 120), hair(95, 55, 30), cloth(60, 70, 130), wood(190, 150, 90);
+    cv::fillPoly(floor, std::vector<std::vector<cv::Point>>{{top, right, middle}}, skin);
+    cv::fillPoly(floor, std::vector<std::vector<cv::Point>>{{right, bottom, middle}}, hair);
+    cv::fillPoly(floor, std::vector<std::vector<cv::Point>>{{bottom, left, middle}}, cloth);
+    cv::fillPoly(floor, std::vector<std::vector<cv::Point>>{{left, top, middle}}, wood);
+    cv::circle(floor, middle, 30, Green, cv::FILLED);
+    cv::circle(floor, {160, 104}, 8, Black, cv::FILLED);
+    for (const HazardPlacard& one : findHazards(pictureFrom(noisy(floor, 4.0, 1))))
+        ADD_FAILURE() << one.name << " at " << one.centre.transpose() << ", " << one.confidence << ", "
+                      << one.size << " px";
+}
+
 TEST(Hazard, StrangePicturesAreTaken) {
     EXPECT_TRUE(findHazards({}).empty());
     EXPECT_TRUE(findHazards({20, 20, Picture::Pixel::Grey8, std::vector<std::byte>(400)}).empty());
