@@ -76,6 +76,12 @@ const ReportScan* keyScanAt(const ReportSource& source, const std::string& robot
     return nullptr;
 }
 
+/// Whether where the robot stood was frozen with @p find.
+bool hasPose(const ReportFind& find) {
+    const auto& all = find.sample.evidence;
+    return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.kind == "odometry"; });
+}
+
 void addKeyScan(FrozenScan& made, const ReportScan& scan, ScanPictureMarks marks) {
     marks.baseInMap = scan.baseInMap();
     const auto points = placed(scan.scan->points, scan.scanInMap);
@@ -121,7 +127,9 @@ void addTrace(FindPages& pages, const Event& event, const ReportFind& find, cons
                         .points = key->scan ? placed(key->scan->points, Pose::Identity()).size() : 0,
                         .picture = {}};
         for (const ReportScan& scan : source.input().scans) {
-            if (scan.id == key->id) addKeyScan(made, scan, marks);
+            if (scan.id != key->id) continue;
+            addKeyScan(made, scan, marks);
+            if (!hasPose(find)) pages.poses.push_back({made.robot, made.at, scan.baseInMap()});
         }
         pages.scans.push_back(std::move(made));
     } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mission/station_topics.h"
+
 namespace leitstand {
 namespace {
 
@@ -158,6 +160,17 @@ void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
     frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
 }
 
+/// The scan that a find hangs on is evidence, where none was frozen.
+void addScan(FrozenEvidence& frozen, const MissionState& state) {
+    const auto known = state.keyScans->find(frozen.scan);
+    const bool there = std::any_of(frozen.evidence.begin(), frozen.evidence.end(),
+                                   [](const VictimEvidence& one) { return one.kind == "scan"; });
+    if (there || known == state.keyScans->end()) return;
+    const KeyScanState& scan = known->second;
+    frozen.evidence.push_back(
+        {"scan", std::string(station_topic::KeyScans), scan.sequence, scan.entry.stamp});
+}
+
 std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
     std::uint64_t newest = 0;
     for (const auto& [id, scan] : *state.keyScans) {
@@ -179,6 +192,7 @@ VictimSample filedFrom(const MissionState& state, const CandidateSample& candida
     if (std::isnan(frozen.heat)) frozen.heat = seen.heat;
     if (std::isnan(frozen.co2)) frozen.co2 = seen.co2;
     frozen.evidence.insert(frozen.evidence.end(), seen.evidence.begin(), seen.evidence.end());
+    addScan(frozen, state);
     const auto robot = state.robots.find(frozen.robot);
     if (robot != state.robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;

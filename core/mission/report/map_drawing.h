@@ -41,6 +41,7 @@ inline constexpr Rgb Number{255, 255, 255};
 
 /// Something that was found, as it is marked in a map.
 struct MapMark {
+    /// What counts most first: it is painted over others.
     enum class Kind : std::uint8_t { Victim, UnconfirmedVictim, Hazard, Code, Object };
     Kind kind = Kind::Victim;
     std::uint32_t number = 0;  ///< within Victim and UnconfirmedVictim, or within the kind

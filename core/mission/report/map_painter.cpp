@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -91,6 +92,13 @@ void paintMark(MapCanvas& canvas, const MapMark& mark) {
             canvas.diamond(mark.place, map_size::Diamond, map_colour::Object);
             return named();
     }
+}
+
+/// Where marks lie over each other, as a victim's and that of its tag, what counts most is on top.
+void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks) {
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const MapMark& a, const MapMark& b) { return a.kind > b.kind; });
+    for (const MapMark& mark : marks) paintMark(canvas, mark);
 }
 
 /// A bar of a metre, and which way x and y go: up and to the left.
@@ -208,7 +216,7 @@ MapPicture paintMap(const MapDrawing& drawing, const PaintSettings& settings) {
                         start.place - 0.5 * half * along, start.place - half * along - 0.6 * half * side},
                        map_colour::Start);
     }
-    for (const MapMark& mark : drawing.marks) paintMark(canvas, mark);
+    paintMarks(canvas, drawing.marks);
     if (settings.title) {
         const Eigen::Vector2d corner = canvas.map().topLeft;
         canvas.text(corner - Eigen::Vector2d(Inset + TextHeight, Inset), drawing.title, TextHeight,

@@ -184,6 +184,25 @@ TEST(FindBook, ACandidateIsFiledWithItsCues) {
     EXPECT_EQ(sample.evidence[2].kind, "sighting");
 }
 
+TEST(FindBook, ACandidateIsFiledWithTheScanThatItHangsOn) {
+    Mission mission;
+    KeyScanSample scan;
+    scan.id = 9;
+    scan.stamp = Now;
+    mission.say(scan);
+    CandidateSample candidate;
+    candidate.scan = 9;
+    const auto sample = filedFrom(mission.state, candidate, "s", Now);
+    ASSERT_THAT(sample.evidence, SizeIs(1));
+    EXPECT_EQ(sample.evidence[0].kind, "scan");
+    EXPECT_EQ(sample.evidence[0].sequence, mission.sequence) << "the event that has its points";
+    FrozenEvidence seen;
+    seen.evidence = {{"scan", "/kurt3d/points", 100, Now}};
+    EXPECT_THAT(filedFrom(mission.state, candidate, "s", Now, seen).evidence, SizeIs(1)) << "the one frozen";
+    candidate.scan = 8;
+    EXPECT_THAT(filedFrom(mission.state, candidate, "s", Now).evidence, SizeIs(0)) << "not in the map";
+}
+
 TEST(FindBook, CandidatesBesideAPlaceAreThoseThatAreShownAndNoOtherFind) {
     Mission mission;
     const auto believe = [&](std::uint32_t id, double x, double confidence, std::uint32_t victim,

@@ -92,6 +92,20 @@ TEST(MapPainter, NothingElseIsInThePicture) {
     EXPECT_GT(area(Victim), 0.07);
 }
 
+TEST(MapPainter, AVictimIsSeenWhereItsTagIsMarkedToo) {
+    using Kind = MapMark::Kind;
+    for (const auto& [under, name] : {std::pair(Kind::Code, "its tag"),
+                                      {Kind::Object, "an object"},
+                                      {Kind::Hazard, "a hazard"},
+                                      {Kind::UnconfirmedVictim, "a guess"}}) {
+        MapDrawing both = drawing();
+        both.marks = {{Kind::Victim, 1, {1.25, 0.75}}, {under, 2, {1.25, 0.75}}};
+        EXPECT_EQ(at(paintMap(both), 1.40, 0.75), map_colour::Victim) << name;
+        std::swap(both.marks[0], both.marks[1]);
+        EXPECT_EQ(at(paintMap(both), 1.40, 0.75), map_colour::Victim) << name;
+    }
+}
+
 TEST(MapPainter, XIsUpAndYIsLeft) {
     const MapPicture map = paintMap(drawing());
     EXPECT_LT(map.pixelOf({2.0, 0.0}).y(), map.pixelOf({1.0, 0.0}).y());
