@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <set>
 
 #include "core/base/pose.h"
 #include "core/perception/cues/picture_mat.h"
@@ -17,6 +16,7 @@ enum Colour : std::uint8_t { Red, Orange, Yellow, Green, Blue, White, Black, Gre
 constexpr int Edge = 64;           // of a placard made straight [px]
 constexpr double Filled = 0.82;    // least share of a contour's hull that the square fills
 constexpr double SameSign = 0.35;  // of its size: contours so near are of one placard
+constexpr double Uneven = 0.6;     // most difference between its sides of what is black along them
 constexpr double Framed = 0.7;     // least share of its edge that is of its ground or a line along it
 
 /// What a part of a placard looks like: shares of colours.
@@ -42,6 +42,14 @@ struct Shares {
 };
 
 using Corners = std::array<cv::Point2f, 4>;
+
+/// Whether @p corners are all within a picture of that size: what goes on beyond it has any shape.
+bool isWhole(const Corners& corners, const cv::Size& size) {
+    return std::all_of(corners.begin(), corners.end(), [&](const cv::Point2f& corner) {
+        return corner.x > 1.0F && corner.y > 1.0F && corner.x < static_cast<float>(size.width - 2) &&
+               corner.y < static_cast<float>(size.height - 2);
+    });
+}
 
 /// Top, right, bottom, left of a square that stands on a corner; empty for others.
 std::optional<Corners> standing(const std::vector<cv::Point>& polygon, const HazardSettings& settings) {
@@ -81,9 +89,10 @@ Colour colourOf(const cv::Vec3b& hsv, double brightest) {
     return Grey;
 }
 
-/// Colours of its upper and lower half and of its edge.
+/// Colours of its upper and lower half, of what of these lies around the pictogram, and of its edge.
 struct Parts {
-    Shares upper, lower, edge;
+    Shares upper, lower, upperRim, lowerRim, edge;
+    std::array<Shares, 4> sides;  ///< of the edge
 };
 
 Parts partsOf(const cv::Mat& rgb, const Corners& corners) {
@@ -108,15 +117,20 @@ Parts partsOf(const cv::Mat& rgb, const Corners& corners) {
             const double across = std::abs(x + 0.5 - Edge / 2.0), down = y + 0.5 - Edge / 2.0;
             const double out = (across + std::abs(down)) / (Edge / 2.0);  // 1 on the edge
             const Colour colour = colourOf(hsv.at<cv::Vec3b>(y, x), brightest);
-            if (out > 0.84 && out < 0.98) parts.edge.add(colour);
-            if (out > 0.8) continue;
-            if (down < -3.0) parts.upper.add(colour);
-            if (down > 3.0) parts.lower.add(colour);
+            const bool upper = down<-3.0, lower = down> 3.0;
+            if (out > 0.84 && out < 0.98) {
+                parts.edge.add(colour);
+                parts.sides[(x < Edge / 2 ? 0U : 1U) + (y < Edge / 2 ? 0U : 2U)].add(colour);
+            }
+            if (out > 0.6 && out < 0.9 && upper) parts.upperRim.add(colour);
+            if (out > 0.6 && out < 0.9 && lower) parts.lowerRim.add(colour);
+            if (out < 0.8 && upper) parts.upper.add(colour);
+            if (out < 0.8 && lower) parts.lower.add(colour);
         }
     }
-    parts.upper.close();
-    parts.lower.close();
-    parts.edge.close();
+    for (Shares* one : {&parts.upper, &parts.lower, &parts.upperRim, &parts.lowerRim, &parts.edge})
+        one->close();
+    for (Shares& side : parts.sides) side.close();
     return parts;
 }
 
@@ -137,10 +151,15 @@ constexpr std::array<Meaning, 10> Meanings = {{{Orange, Orange, "explosive"},
 
 /// Name and confidence of what has these parts.
 std::pair<std::string, double> meaningOf(const Parts& parts) {
-    const Colour upper = parts.upper.ground(), lower = parts.lower.ground();
-    const double drawn = parts.upper.of[Black];  // the pictogram
-    const double whole = parts.upper.of[upper] + (upper == Black ? 0.0 : drawn);
-    double sure = std::min(whole, parts.lower.of[lower] + (lower == Black ? 0.0 : parts.lower.of[Black]));
+    const Colour upper = parts.upperRim.ground(), lower = parts.lowerRim.ground();
+    // What is drawn on it is black; on red, green and blue it may be white.
+    const auto drawnOn = [](const Shares& part, Colour ground) {
+        const bool white = ground == Red || ground == Green || ground == Blue;
+        return (ground == Black ? 0.0 : part.of[Black]) + (white ? part.of[White] : 0.0);
+    };
+    const double drawn = drawnOn(parts.upper, upper);  // the pictogram
+    double sure =
+        std::min(parts.upper.of[upper] + drawn, parts.lower.of[lower] + drawnOn(parts.lower, lower));
     if (upper == White && lower == White) {
         if (drawn < 0.06 || drawn > 0.65) return {{}, 0.0};  // an empty sheet, or a hole
         if (parts.edge.of[Red] > 0.4) return {"GHS", sure};
@@ -148,13 +167,17 @@ std::pair<std::string, double> meaningOf(const Parts& parts) {
         return {"poison or infectious", parts.lower.of[Black] > 0.4 ? 0.0 : 0.75 * sure};
     }
     if (upper == White && drawn < 0.03) sure *= 0.6;
-    // A symbol is in the upper half of each, black or white: a patch of one colour without any is a thing.
-    const double symbol = drawn + parts.upper.of[Grey] + (upper == White ? 0.0 : parts.upper.of[White]);
-    if (upper == lower && symbol < 0.03) return {{}, 0.0};
+    // A symbol is in the upper half of each: a patch of one colour without any is a thing.
+    if (upper == lower && drawn < 0.03) return {{}, 0.0};
     // It is a placard to its very edge; clothes that happen to lie square are not.
-    double ground = 0.0;
-    for (const Colour one : std::set{upper, lower, White, Black}) ground += parts.edge.of[one];
-    if (ground < Framed) return {{}, 0.0};
+    double edge = parts.edge.of[upper] + (upper == lower ? 0.0 : parts.edge.of[lower]);
+    edge += std::max(drawnOn(parts.edge, upper), drawnOn(parts.edge, lower));
+    if (edge < Framed) return {{}, 0.0};
+    // A line runs along all sides or none: what is dark along some of them is something beside a thing.
+    const auto [least, most] =
+        std::minmax_element(parts.sides.begin(), parts.sides.end(),
+                            [](const Shares& a, const Shares& b) { return a.of[Black] < b.of[Black]; });
+    if (lower != Black && most->of[Black] - least->of[Black] > Uneven) return {{}, 0.0};
     for (const Meaning& one : Meanings) {
         if (one.upper == upper && one.lower == lower) return {one.name, sure};
     }
@@ -196,7 +219,8 @@ void look(const cv::Mat& rgb, const cv::Mat& binary, const HazardSettings& setti
         cv::approxPolyDP(hull, polygon, 0.05 * cv::arcLength(hull, true), true);
         // Discs have four corners too, if one asks for them.
         if (cv::contourArea(polygon) < Filled * cv::contourArea(hull)) continue;
-        if (const auto corners = standing(polygon, settings)) take(rgb, *corners, settings, found);
+        const auto corners = standing(polygon, settings);
+        if (corners && isWhole(*corners, rgb.size())) take(rgb, *corners, settings, found);
     }
 }
 
