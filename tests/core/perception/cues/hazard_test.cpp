@@ -55,6 +55,36 @@ TEST(Hazard, PlacardsAreNamedByTheirColours) {
     }
 }
 
+TEST(Hazard, AWhitePictogramMayFillMostOfItsHalf) {
+    for (const auto& [name, ground] : {std::pair("flammable", Red), {"gas", Green}, {"wet", Blue}}) {
+        cv::Mat wall = placard(ground, ground, 60, 0.0, White);
+        cv::fillPoly(wall, std::vector<std::vector<cv::Point>>{{{160, 98}, {173, 114}, {147, 114}}}, White);
+        const auto found = findHazards(pictureFrom(wall));
+        ASSERT_EQ(found.size(), 1U) << name;
+        EXPECT_EQ(found[0].name, name);
+        EXPECT_GT(found[0].confidence, 0.8) << name;
+    }
+}
+
+TEST(Hazard, WhatThePictureCutsOffIsNone) {
+    const cv::Mat whole = placard(Red, Red, 60, 0.0, White);
+    ASSERT_EQ(findHazards(pictureFrom(whole)).size(), 1U);
+    for (const cv::Rect& part : {cv::Rect(0, 0, 180, 240), cv::Rect(140, 0, 180, 240),
+                                 cv::Rect(0, 100, 320, 140), cv::Rect(0, 0, 320, 140)})
+        EXPECT_TRUE(findHazards(pictureFrom(whole(part).clone())).empty()) << part;
+}
+
+TEST(Hazard, AYellowCrateBesideSomethingDarkIsNone) {
+    // As the other robot's: a face that looks square, a track along two of its sides.
+    cv::Mat floor(240, 320, CV_8UC3, cv::Scalar(110, 110, 110));
+    cv::fillPoly(floor, std::vector<std::vector<cv::Point>>{{{160, 90}, {190, 120}, {160, 150}, {130, 120}}},
+                 Yellow);
+    cv::line(floor, {160, 92}, {188, 120}, Black, 9);
+    cv::line(floor, {160, 148}, {188, 120}, Black, 7);
+    for (const HazardPlacard& one : findHazards(pictureFrom(noisy(floor, 4.0, 1))))
+        ADD_FAILURE() << one.name << " at " << one.centre.transpose() << ", " << one.confidence;
+}
+
 TEST(Hazard, OtherThingsAreNone) {
     cv::Mat wall(240, 320, CV_8UC3, cv::Scalar(150, 135, 110));
     cv::rectangle(wall, {20, 20}, {90, 90}, Red, cv::FILLED);  // stands on a side
