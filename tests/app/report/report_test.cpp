@@ -245,7 +245,7 @@ TEST(ShippedSample, IsSmallAndReportedWhole) {
     const TemporaryFolder folder;
     const ProcessOutcome outcome = ctl({"report", sample.string(), "--out", (folder / "out").string()});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("1 confirmed victims of 1 finds"));
+    EXPECT_THAT(outcome.out, HasSubstr("1 confirmed victims of 3 finds"));
     EXPECT_THAT(pdfText(folder / "out" / "RoboCup2026-Leitstand-Sample.pdf"), HasSubstr("V1"));
 }
 
