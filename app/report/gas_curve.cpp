@@ -69,7 +69,8 @@ void drawGasCurve(QPainter& painter, const QRectF& room, const GasTrace& trace) 
     painter.setRenderHint(QPainter::Antialiasing);
     const double line = QFontMetricsF(painter.font()).height();
     const double left = 0.1 * room.width();
-    const Axes axes = axesOf(trace, room.adjusted(left, 2.0 * line, -0.1 * room.width(), -2.2 * line));
+    // Above the frame are its title, what the axis is of, and half of the topmost number.
+    const Axes axes = axesOf(trace, room.adjusted(left, 2.6 * line, -0.1 * room.width(), -2.2 * line));
     const QPen thin(QColor(0x99, 0x99, 0x99), 0.5), ink(Qt::black, 1.0);
     painter.setPen(ink);
     painter.drawText(QRectF(room.left(), room.top(), room.width(), line), Qt::AlignHCenter,

@@ -124,8 +124,9 @@ TEST(ReviewPointing, ABodyInAPictureOfTheShippedMissionIsWhereItsVictimWasFiled)
     const ReviewIndexPtr index = indexOf(*log);
     ReviewScene scene(*log, *index);
     const ReviewMomentPtr moment = scene.at(log->last() - std::chrono::seconds(5));
-    // It lies at the left of the left camera's picture, its feet towards the robot; the other robot drives by.
-    const auto seen = evidenceIn(mission, *index, *moment, "kurt3d", *moment->mission, {"left", {0.14, 0.69}});
+    // It lies at the left of the left camera's picture, its feet towards the robot.
+    const auto seen =
+        evidenceIn(mission, *index, *moment, "kurt3d", *moment->mission, {"left", {0.14, 0.69}});
     ASSERT_TRUE(seen) << seen.error().text;
     const Eigen::Vector3d filed =
         index->finished->victims->at({VictimSample::Kind::Victim, 1}).victim.positionInMap;
