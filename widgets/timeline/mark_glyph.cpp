@@ -1,5 +1,8 @@
 #include "widgets/timeline/mark_glyph.h"
 
+#include <algorithm>
+
+#include <QFontMetricsF>
 #include <QPainterPath>
 
 #include "widgets/pane_paint.h"
@@ -26,12 +29,17 @@ void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& mid
     painter.setPen(QPen(colours.strip, 1.5));  // parts marks that overlap
     painter.setBrush(ink);
     switch (glyph.shape) {
-        case MarkShape::Disc:
-            painter.drawEllipse(box.adjusted(-2, -2, 2, 2));
+        case MarkShape::Disc: {
             painter.setFont(sized(font, 11, true));
+            // Wider for a name that has more than a digit, so that it is whole within.
+            const double text = QFontMetricsF(painter.font()).horizontalAdvance(glyph.letter);
+            const double wider = std::max(2.0, text / 2 + 4.0 - Half);
+            const QRectF disc = box.adjusted(-wider, -2, wider, 2);
+            painter.drawRoundedRect(disc, disc.height() / 2, disc.height() / 2);
             painter.setPen(colours.window);
-            painter.drawText(box.adjusted(-2, -2, 2, 2), Qt::AlignCenter, glyph.letter);
+            painter.drawText(disc, Qt::AlignCenter, glyph.letter);
             break;
+        }
         case MarkShape::Drop: {  // points down to its moment, hollow: nobody has said yet that it is one
             QPainterPath drop(middle + QPointF(0, Half + 4));
             drop.quadTo(middle + QPointF(-Half - 3, 0), middle + QPointF(-Half + 1, -Half + 1));
