@@ -78,7 +78,9 @@ private:
     void countContacts(const BumpSample& sample) {
         RobotState& state = robot();
         for (const Bumper& bumper : sample.bumpers) {
+            // The first that is said may count what happened before the mission, but for what is pressed now.
             std::uint32_t before = 0;
+            if (!state.bumps) before = bumper.hits - (bumper.pressed && bumper.hits > 0 ? 1 : 0);
             if (state.bumps) {
                 for (const Bumper& known : state.bumps->sample.bumpers) {
                     if (known.name == bumper.name) before = known.hits;

@@ -105,6 +105,21 @@ TEST(Fold, ContactsAreCountedWhereTheyHappenedAcrossRestarts) {
     EXPECT_EQ(contacts[2].hits, 2U) << "it started again and counts from zero";
 }
 
+TEST(Fold, ContactsBeforeTheMissionAreNoneOfIt) {
+    const auto bumps = [](std::uint32_t front, bool pressed) {
+        return BumpSample{.header = {}, .bumpers = {{"front", pressed, front}, {"rear", false, 4}}};
+    };
+    const MissionState first = folded({event(1, bumps(7, false), "kurt3d")});
+    EXPECT_THAT(first.robots.at("kurt3d")->contacts, SizeIs(0)) << "it drove before somebody recorded";
+    const MissionState next =
+        folded({event(1, bumps(7, false), "kurt3d"), event(2, bumps(8, true), "kurt3d")});
+    ASSERT_THAT(next.robots.at("kurt3d")->contacts, SizeIs(1));
+    EXPECT_EQ(next.robots.at("kurt3d")->contacts[0].hits, 1U);
+    const MissionState held = folded({event(1, bumps(7, true), "kurt3d")});
+    ASSERT_THAT(held.robots.at("kurt3d")->contacts, SizeIs(1)) << "it touches something now";
+    EXPECT_EQ(held.robots.at("kurt3d")->contacts[0].hits, 1U);
+}
+
 TEST(Fold, IsPure) {
     const MissionState before = folded({event(1, victim(1, "a"))});
     const auto bytes = serialised(before);
