@@ -14,14 +14,34 @@ namespace {
 
 using std::chrono::nanoseconds;
 
+/// When the mission was over: a review that files something days later belongs to it, but not to its time.
+Time endOf(const MissionState& state) {
+    std::uint64_t heard = 0;  // newest of a robot
+    Time end{};
+    for (const auto& [name, robot] : state.robots) {
+        for (const auto& [topic, stream] : robot->streams) {
+            heard = std::max(heard, stream.sequence);
+            end = std::max(end, stream.received);
+        }
+    }
+    const auto& sessions = *state.sessions;
+    const auto later = std::find_if(sessions.begin(), sessions.end(),
+                                    [&](const SessionState& session) { return session.started > heard; });
+    if (heard == 0 || later == sessions.end()) return state.last;
+    for (const Decision& decision : *state.decisions) {
+        if (decision.sequence < later->started) end = std::max(end, decision.received);
+    }
+    return end;
+}
+
 ReportFacts factsOf(const ReportInput& input) {
     const MissionState& state = input.state;
     ReportFacts facts;
     facts.mission = input.name;
     facts.begin = state.first;
-    facts.end = state.last;
+    facts.end = endOf(state);
     facts.events = state.events;
-    facts.duration = state.last - state.first;
+    facts.duration = facts.end - state.first;
     for (const SessionState& session : *state.sessions) {
         facts.operators = std::max<std::uint32_t>(1, session.session.operators);
         std::string words = fmt::format("Leitstand {}", session.session.version);
@@ -30,7 +50,7 @@ ReportFacts factsOf(const ReportInput& input) {
             facts.stations.push_back(std::move(words));
     }
     if (const MissionClock clock =
-            clockAt(state.clock ? std::optional(state.clock->sample) : std::nullopt, state.last);
+            clockAt(state.clock ? std::optional(state.clock->sample) : std::nullopt, facts.end);
         clock.elapsed > nanoseconds::zero()) {
         facts.duration = clock.elapsed;
         facts.clocked = true;
@@ -78,8 +98,9 @@ ReportRobot robotOf(const ReportInput& input, const std::string& name) {
         std::count_if(input.scans.begin(), input.scans.end(),
                       [&](const ReportScan& scan) { return scan.scan->robot == name; }));
     if (const auto modes = input.modes.find(name); modes != input.modes.end()) {
+        const Time over = endOf(input.state);
         for (std::size_t i = 0; i < modes->second.size(); ++i) {
-            const Time end = i + 1 < modes->second.size() ? modes->second[i + 1].time : input.state.last;
+            const Time end = i + 1 < modes->second.size() ? modes->second[i + 1].time : over;
             const nanoseconds span = std::max(nanoseconds::zero(), nanoseconds(end - modes->second[i].time));
             (modes->second[i].autonomous ? robot.autonomous : robot.teleoperated) += span;
         }
