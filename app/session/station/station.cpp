@@ -106,6 +106,7 @@ void Station::halt() {
 
 void Station::lookThrough(const std::string& robot, const std::string& sensor) {
     if (RobotLine* const line = m_state->line(robot)) line->sight().lookThrough(sensor);
+    m_state->streams->lookThrough(robot, sensor);
 }
 
 void Station::ask(const std::string& robot) {

@@ -103,6 +103,14 @@ void StationStreams::select(const std::string& robot) {
     share();
 }
 
+void StationStreams::lookThrough(const std::string& robot, const std::string& sensor) {
+    const std::lock_guard lock(m_mutex);
+    Line* const line = find(robot);
+    if (line == nullptr || line->camera == sensor) return;
+    line->camera = sensor;
+    share();
+}
+
 void StationStreams::add(const RobotDescription& robot) {
     const std::lock_guard lock(m_mutex);
     if (find(robot.name) != nullptr) return;
@@ -125,6 +133,9 @@ void StationStreams::share() {
             if (known != line.costs.end()) cost = known->second;
             // A robot that is not there costs nothing; one whose stream never came has none.
             if (!line.there || (known == line.costs.end() && line.costs.size() > 3)) cost.megabits = 0.0;
+            if ((stream.role == StreamRole::Picture || stream.role == StreamRole::Thermal) &&
+                stream.sensor == line.camera)
+                robot.camera = stream.topic;
             robot.streams.push_back(std::move(cost));
         }
         robots.push_back(std::move(robot));

@@ -41,8 +41,10 @@ public:
     [[nodiscard]] bool isThin(const std::string& robot) const;  ///< empty: any of them
     void setThin(const ThinSettings& settings);                 ///< at once
     [[nodiscard]] ThinSettings thinSettings() const;
-    /// Whose first camera survives on a thin link.
+    /// Whose camera survives on a thin link: the one that is looked through, its first where none was said.
     void select(const std::string& robot);
+    /// The driver of @p robot looks through the camera @p sensor.
+    void lookThrough(const std::string& robot, const std::string& sensor);
 
     /// The link of a robot as it is now: to be told several times a second; what is due goes out.
     void take(const LinkStatus& link);
@@ -53,6 +55,7 @@ private:
         RobotDescription robot;
         WishBook wishes = WishBook();
         bool thin = false, there = false;
+        std::string camera = {};                       ///< sensor that is looked through
         std::map<std::string, StreamCost> costs = {};  ///< by topic, as measured while nothing was wished
     };
     [[nodiscard]] Line* find(const std::string& robot);

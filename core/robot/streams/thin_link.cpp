@@ -52,13 +52,10 @@ class Shares {
 public:
     Shares(const std::vector<ThinRobot>& robots, const ThinSettings& settings) {
         for (const ThinRobot& robot : robots) {
-            bool camera = robot.selected;
+            const StreamCost* const camera = robot.selected ? cameraOf(robot) : nullptr;
             for (const StreamCost& stream : robot.streams) {
                 Share share{known(stream), rankOf(stream.role), robot.selected, robot.thin};
-                if (camera && stream.role == StreamRole::Picture) {
-                    share.rank = Rank::Camera;
-                    camera = false;
-                }
+                if (&stream == camera) share.rank = Rank::Camera;
                 m_all.push_back(std::move(share));
             }
         }
@@ -81,6 +78,17 @@ public:
     [[nodiscard]] const std::vector<Share>& all() const { return m_all; }
 
 private:
+    /// That its driver looks through; null: it has none.
+    static const StreamCost* cameraOf(const ThinRobot& robot) {
+        const auto& all = robot.streams;
+        const auto looked = std::find_if(all.begin(), all.end(), [&](const StreamCost& one) {
+            return rankOf(one.role) == Rank::Rest && one.topic == robot.camera;
+        });
+        if (looked != all.end()) return &*looked;
+        const auto first = std::find_if(
+            all.begin(), all.end(), [](const StreamCost& one) { return one.role == StreamRole::Picture; });
+        return first == all.end() ? nullptr : &*first;
+    }
     static StreamCost known(const StreamCost& stream) {
         const StreamCost usual = usualCost(stream.role, stream.topic);
         StreamCost cost = stream;
@@ -111,7 +119,7 @@ void thin(Shares& shares, const ThinSettings& settings) {
     for (Share* one : rest) one->wish = {.enabled = false};
     for (Share* camera : shares.of(Rank::Camera)) {
         for (const StreamWish& rung : Rungs) {
-            camera->wish = rung;
+            camera->wish = camera->cost.role == StreamRole::Picture ? rung : StreamWish{.rate = rung.rate};
             if (shares.fits()) break;
         }
     }

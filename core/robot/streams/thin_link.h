@@ -21,8 +21,9 @@ struct StreamCost {
 struct ThinRobot {
     std::string name;
     bool thin = true;                 ///< whether its streams may be reduced; others only take their room
-    bool selected = false;            ///< the operator looks at it: its first camera survives
+    bool selected = false;            ///< the operator looks at it: one camera of it survives
     std::vector<StreamCost> streams;  ///< in the order of its file
+    std::string camera = {};          ///< topic of that camera; empty, or none of it: its first picture
 };
 
 /// How much there is to share, and how far things are reduced.
@@ -36,7 +37,8 @@ struct ThinSettings {
 /// left out). The order in which things are kept (design, section 4): commands and stop, telemetry, scans,
 /// one camera, the rest. So, until it fits:
 /// 1. the rest (other cameras, infrared): once a second where there is room, else off;
-/// 2. the first camera of the selected robot: slower, coarser, smaller, but never off;
+/// 2. the camera of the selected robot that its driver looks through: slower, coarser, smaller (infrared:
+///    slower alone), but never off;
 /// 3. scans of robots that are not selected: off; those of the selected robot stay;
 /// 4. inertial units, joints and transforms: slower. Odometry, modes, batteries, stops and answers to pings
 ///    are never touched.

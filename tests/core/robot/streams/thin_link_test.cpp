@@ -54,6 +54,22 @@ TEST(ThinLink, TheRestGoesFirstAndComesBackAsAGlimpse) {
     EXPECT_EQ(wishes.at("/k/ir").quality, 0) << "temperatures are never made coarse";
 }
 
+TEST(ThinLink, TheCameraThatTheDriverLooksThroughIsTheOneThatStays) {
+    ThinRobot robot = kurt("k", true);
+    robot.camera = "/k/right";
+    auto wishes = thinWishes({robot}, {.budget = 3.2});
+    EXPECT_EQ(wishes.at("/k/right").rate, 10.0);
+    EXPECT_EQ(wishes.at("/k/left").rate, 1.0);
+    robot.camera = "/k/ir";
+    for (const double budget : {3.0, 2.0, 0.1}) {
+        wishes = thinWishes({robot}, {.budget = budget});
+        EXPECT_TRUE(wishes.at("/k/ir").enabled) << budget;
+        EXPECT_EQ(wishes.at("/k/ir").quality, 0) << "temperatures are never made coarse";
+    }
+    robot.camera = "/k/odom";
+    EXPECT_EQ(thinWishes({robot}, {.budget = 3.2}).at("/k/left").rate, 10.0) << "no camera: its first";
+}
+
 TEST(ThinLink, OneCameraIsReducedButNeverOff) {
     double before = 100.0;
     for (const double budget : {3.0, 2.4, 2.0, 1.8, 1.7, 0.1}) {
