@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/session/log/sequencer.h"
+#include "core/mapping/live/motion_buffer.h"
 #include "core/perception/robot_profile.h"
 
 namespace leitstand {
@@ -16,6 +17,9 @@ constexpr std::chrono::seconds Kept(90);
 constexpr double SmearedBy = 0.3;                                           ///< in a turn, driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
 constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);          ///< of a clock, backwards
+constexpr double Silence = 1.0;  ///< of odometry, in which a robot may have started again [s]
+constexpr double Zero = 0.05;    ///< a robot that has just started is no farther from it [m, rad]
+constexpr double Elsewhere = 0.15;
 
 double secondsBetween(SteadyTime earlier, SteadyTime later) {
     return std::chrono::duration<double>(later - earlier).count();
@@ -72,7 +76,8 @@ void RobotSight::take(const Event& event, SteadyTime now) {
     const auto base = [this](Time at) { return m_poses.baseInOdom(at); };
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
-        if (m_newest && stamp < *m_newest - Jump) m_scan.clear();  // the robot began anew
+        // The robot began anew, on a clock that jumped or on its own: what was around is not there any more.
+        if (m_newest && (stamp < *m_newest - Jump || hasLeapt(*odometry, stamp))) m_scan.clear();
         if (m_newest && stamp < *m_newest && stamp >= *m_newest - Jump) return;
         m_newest = stamp;
         m_arrived = now;
@@ -89,6 +94,18 @@ void RobotSight::take(const Event& event, SteadyTime now) {
         m_joints = *joints;
         m_jointsCame = now;
     }
+}
+
+bool RobotSight::hasLeapt(const OdometrySample& odometry, Time stamp) const {
+    const double since = std::chrono::duration<double>(stamp - *m_newest).count();
+    const Pose& now = odometry.baseInOdom;
+    if (since < 0.0 || !now.matrix().allFinite()) return false;
+    // After a silence it may have gone far; but a robot that started again is where it calls zero.
+    const bool atZero =
+        distanceBetween(Pose::Identity(), now) < Zero && angleBetween(Pose::Identity(), now) < Zero;
+    const bool wasElsewhere =
+        distanceBetween(m_base, now) > Elsewhere || angleBetween(m_base, now) > Elsewhere;
+    return leaps(m_base, now, since) || (since > Silence && atZero && wasElsewhere);
 }
 
 void RobotSight::take(const KeyScanSample& sample, SteadyTime now) {

@@ -48,7 +48,9 @@ public:
 
 private:
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
-    [[nodiscard]] const PictureWatch* driversPicture() const;                 ///< likewise; null: none came
+    /// Whether the odometry began anew since the newest that came.
+    [[nodiscard]] bool hasLeapt(const OdometrySample& odometry, Time stamp) const;
+    [[nodiscard]] const PictureWatch* driversPicture() const;  ///< likewise; null: none came
 
     const BodyBox m_body;
     mutable std::mutex m_mutex;

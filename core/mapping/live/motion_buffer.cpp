@@ -19,12 +19,6 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// Whether no robot moves from @p a to @p b in @p time.
-bool leaps(const Pose& a, const Pose& b, double time) {
-    return distanceBetween(a, b) > FastestMove * time + Leap ||
-           angleBetween(a, b) > FastestTurn * time + Swing;
-}
-
 /// The motion from @p a to @p b, @p share times (may be above 1).
 Pose continued(const Pose& a, const Pose& b, double share) {
     const Pose step = a.inverse() * b;
@@ -35,6 +29,11 @@ Pose continued(const Pose& a, const Pose& b, double share) {
 }
 
 }  // namespace
+
+bool leaps(const Pose& a, const Pose& b, double time) {
+    return distanceBetween(a, b) > FastestMove * time + Leap ||
+           angleBetween(a, b) > FastestTurn * time + Swing;
+}
 
 void MotionBuffer::keep(Time stamp, const Pose& baseInOdom) {
     const auto at = std::upper_bound(m_entries.begin(), m_entries.end(), stamp,
@@ -90,6 +89,9 @@ void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
     }
     if (imu.angularVelocity) turning = inBase * *imu.angularVelocity;
     m_level.add(imu.header.stamp, up, turning);
+    // Where no odometry comes that would have it forget.
+    if (m_entries.empty() || imu.header.stamp - m_entries.back().stamp > Memory)
+        m_level.forgetBefore(imu.header.stamp - Memory);
 }
 
 std::deque<MotionBuffer::Entry>::const_iterator MotionBuffer::after(Time stamp) const {

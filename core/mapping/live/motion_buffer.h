@@ -19,6 +19,9 @@ enum class MotionSource : std::uint8_t {
     Extrapolated,  ///< beyond the newest, as it moved last
 };
 
+/// Whether no robot moves from @p a to @p b, in its odometry's frame, in @p time [s]: that began anew.
+[[nodiscard]] bool leaps(const Pose& a, const Pose& b, double time);
+
 /// Where a robot was.
 struct Motion {
     Pose baseInOdom = Pose::Identity();  ///< level by the inertial unit where there is one

@@ -101,6 +101,34 @@ TEST(RobotSight, TakesARampForFloorWhereTheRobotClimbsIt) {
     EXPECT_EQ(aheadOf(robot, rampFrom(beginsAt, degrees(30))), Free);
 }
 
+TEST(RobotSight, ARobotThatStartedAgainBringsNoObstaclesAlong) {
+    const auto seconds = [](double time) {
+        return std::chrono::nanoseconds(static_cast<std::int64_t>(time * 1e9));
+    };
+    const auto aheadAfter = [&](double pause, const Pose& from, const Pose& to) {
+        const RobotDescription robot = robotOf(1.2);
+        RobotSight sight(robot);
+        SteadyTime now = std::chrono::steady_clock::now();
+        OdometrySample odometry;
+        odometry.header = {Stamp, "odom"};
+        odometry.childFrame = "base_link";
+        odometry.baseInOdom = from;
+        sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
+        sight.take(eventOf(StreamRole::Points, "scanner", boardOver(0.3)), now);
+        now += seconds(pause);
+        odometry.header.stamp += seconds(pause);
+        odometry.baseInOdom = to;
+        sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
+        return sight.view(now)->nearest(degrees(-6), degrees(6));
+    };
+    const Pose there = poseFrom({3.0, 1.0, 0}, 0, 0, 0);
+    EXPECT_NEAR(aheadAfter(2.0, there, there * poseFrom({0.2, 0, 0}, 0, 0, 0)), BoardAt - 0.2, 0.15)
+        << "it was silent and drove on";
+    EXPECT_EQ(aheadAfter(2.0, there, Pose::Identity()), Free) << "it started again";
+    EXPECT_EQ(aheadAfter(0.1, there, poseFrom({-2.0, 0, 0}, 0, 0, 0)), Free) << "no robot is so fast";
+    EXPECT_NEAR(aheadAfter(2.0, Pose::Identity(), Pose::Identity()), BoardAt, 0.15) << "it stood";
+}
+
 /// A robot with a colour camera and an infrared one, and no scanner.
 struct TwoCameras : testing::Test {
     TwoCameras() {

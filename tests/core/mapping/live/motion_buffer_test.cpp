@@ -21,6 +21,20 @@ Pose moving(int ms) {
     return poseFrom({0.5e-3 * ms, 0, 0}, 0, 0, degrees(0.03) * ms);
 }
 
+TEST(MotionBuffer, AnInertialUnitAloneFillsNoMemory) {
+    MotionBuffer buffer;
+    ImuSample imu;
+    imu.orientation = Eigen::Quaterniond::Identity();
+    const Time begin(std::chrono::seconds(1'000));
+    for (int i = 0; i < 3000; ++i) {
+        imu.header.stamp = begin + i * std::chrono::milliseconds(100);
+        buffer.add(imu, Pose::Identity());
+    }
+    EXPECT_TRUE(buffer.up(imu.header.stamp));
+    EXPECT_TRUE(buffer.up(imu.header.stamp - MotionBuffer::Memory / 2));
+    EXPECT_FALSE(buffer.up(begin)) << "five minutes ago";
+}
+
 TEST(MotionBuffer, TellsMeasuredBridgedAndExtrapolated) {
     MotionBuffer buffer;
     EXPECT_FALSE(buffer.at(at(0)));
