@@ -2827,6 +2827,10 @@ Apache License 2.0</translation>
         <source>Compare</source>
         <translation>Vergleich</translation>
     </message>
+    <message>
+        <source>layout %1 binds keys that are none, or that mean something else: %2</source>
+        <translation>Layout %1 belegt Tasten, die es nicht gibt oder die etwas anderes bedeuten: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>

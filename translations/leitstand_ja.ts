@@ -2827,6 +2827,10 @@ Apache License 2.0</translation>
         <source>Compare</source>
         <translation>比較</translation>
     </message>
+    <message>
+        <source>layout %1 binds keys that are none, or that mean something else: %2</source>
+        <translation>レイアウト %1 のキー割り当てのうち、存在しないキーまたは他で使われているキー: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinkFeature</name>

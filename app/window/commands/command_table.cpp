@@ -1,5 +1,7 @@
 #include "app/window/commands/command_table.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
@@ -74,16 +76,41 @@ void CommandTable::setHint(const QString& id, const QString& hint) {
     setKeys(found->second, found->second.action->shortcut());
 }
 
-QStringList CommandTable::bind(const std::map<QString, QKeySequence>& keys) {
-    QStringList unknown;
-    for (const auto& [id, sequence] : keys) {
-        if (!m_entries.contains(id)) unknown += id;
+CommandTable::Refused CommandTable::bind(const std::map<QString, QString>& keys,
+                                         const std::vector<Qt::Key>& reserved) {
+    Refused refused;
+    std::map<QString, QKeySequence> meant;
+    for (const auto& [id, entry] : m_entries) meant[id] = entry.keys;
+    std::map<QString, QString> own;
+    for (const auto& [id, text] : keys) {
+        if (!meant.contains(id)) {
+            refused.unknown += id;
+            continue;
+        }
+        meant[id] = QKeySequence::fromString(text);
+        if (!text.isEmpty()) own[id] = text;
     }
-    for (const auto& [id, entry] : m_entries) {
-        const auto own = keys.find(id);
-        setKeys(entry, own == keys.end() ? entry.keys : own->second);
+    const auto counts = [&](const QString& id) {
+        const QKeySequence& wanted = meant[id];
+        return !wanted.isEmpty() && wanted[0].key() != Qt::Key_unknown &&
+               std::none_of(reserved.begin(), reserved.end(),
+                            [&](Qt::Key key) { return wanted == QKeySequence(key); }) &&
+               std::none_of(meant.begin(), meant.end(),
+                            [&](const auto& other) { return other.first != id && other.second == wanted; });
+    };
+    // What is refused has its own keys again, which may be what another one wants.
+    for (auto one = own.begin(); one != own.end();) {
+        if (counts(one->first)) {
+            ++one;
+            continue;
+        }
+        refused.taken += QStringLiteral("%1: %2").arg(one->first, one->second);
+        meant[one->first] = m_entries.at(one->first).keys;
+        own.erase(one);
+        one = own.begin();
     }
-    return unknown;
+    for (const auto& [id, sequence] : meant) setKeys(m_entries.at(id), sequence);
+    return refused;
 }
 
 void CommandTable::setKeys(const Entry& entry, const QKeySequence& keys) {

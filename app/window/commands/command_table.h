@@ -49,8 +49,13 @@ public:
     void trigger(const QString& id);
     /// What the tooltip of @p id says from now on, before its keys.
     void setHint(const QString& id, const QString& hint);
-    /// Keys of commands by id, all others have those of their own; ids that are unknown come back.
-    QStringList bind(const std::map<QString, QKeySequence>& keys);
+    struct Refused {
+        QStringList unknown;  ///< ids
+        QStringList taken;    ///< "id: keys" that are none, mean another command or are @p reserved
+    };
+    /// Keys of commands by id, as text ("Ctrl+K"; empty: none); all others, and what is refused, have those
+    /// of their own.
+    Refused bind(const std::map<QString, QString>& keys, const std::vector<Qt::Key>& reserved);
 
 private:
     struct Entry {

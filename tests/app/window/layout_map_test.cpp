@@ -1,3 +1,8 @@
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
 #include <QAction>
 #include <QLineF>
 
@@ -130,6 +135,55 @@ TEST_F(LayoutMapTest, OwnLayoutsCarryIt) {
     use("drive");
     use("from-behind");
     EXPECT_EQ(sight(), Overview);
+}
+
+TEST_F(LayoutMapTest, TitlesOfAnyScriptAreLayoutsOfTheirOwn) {
+    use("drive");
+    const QString titles[] = {QStringLiteral("地図"), QStringLiteral("Lager Süd"),
+                              QStringLiteral("Lager S d"), QStringLiteral("A b"), QStringLiteral("A-b")};
+    std::set<std::string> names;
+    for (const QString& title : titles) {
+        ASSERT_TRUE(m_window->layouts().saveAs(title)) << title.toStdString();
+        EXPECT_EQ(m_window->layouts().current().title, title.toStdString());
+        EXPECT_TRUE(names.insert(m_window->layouts().current().name).second) << title.toStdString();
+    }
+    ASSERT_TRUE(m_window->layouts().saveAs(titles[1]));
+    EXPECT_TRUE(names.contains(m_window->layouts().current().name)) << "again: the same file";
+}
+
+TEST_F(LayoutMapTest, KeysOfALayoutThatAreTakenAreRefusedAndTold) {
+    use("drive");
+    const auto keysOf = [&](const char* id) {
+        return m_window->commands().find(QLatin1String(id))->shortcut().toString().toStdString();
+    };
+    const std::string arrange = keysOf("layout.arrange"), swap = keysOf("view.swap");
+    ASSERT_TRUE(m_window->layouts().saveAs(QStringLiteral("Own keys")));
+    WindowLayout layout = m_window->layouts().current();
+    const auto told = [&](std::map<std::string, std::string> keys) {
+        layout.keys = std::move(keys);
+        EXPECT_TRUE(saveLayout(layout, m_folder / "layouts" / "own-keys.yaml"));
+        QString text;
+        const auto heard = QObject::connect(&m_window->layouts(), &LayoutFeature::told,
+                                            [&](const QString& said) { text += said; });
+        use("own-keys");
+        QObject::disconnect(heard);
+        return text.toStdString();
+    };
+    EXPECT_THAT(told({{"layout.arrange", "Ctrl+Alt+K"}}), testing::IsEmpty());
+    EXPECT_EQ(keysOf("layout.arrange"), "Ctrl+Alt+K");
+    for (const std::string& taken :
+         {swap, std::string("W"), std::string("Space"), std::string("Esc"), std::string("no such key")}) {
+        EXPECT_THAT(told({{"layout.arrange", taken}}), testing::HasSubstr("layout.arrange: " + taken));
+        EXPECT_EQ(keysOf("layout.arrange"), arrange) << taken;
+        EXPECT_EQ(keysOf("view.swap"), swap) << taken;
+    }
+    EXPECT_THAT(told({{"layout.arrange", swap}, {"view.swap", "Ctrl+Alt+M"}}), testing::IsEmpty());
+    EXPECT_EQ(keysOf("layout.arrange"), swap) << "which is free then";
+    EXPECT_EQ(keysOf("view.swap"), "Ctrl+Alt+M");
+    EXPECT_THAT(told({{"layout.arrange", ""}}), testing::IsEmpty());
+    EXPECT_EQ(keysOf("layout.arrange"), "") << "none is a wish, too";
+    use("drive");
+    EXPECT_EQ(keysOf("layout.arrange"), arrange) << "and given back";
 }
 
 TEST_F(LayoutMapTest, AnOwnDriveThatIsDeletedGivesTheShippedOneBack) {

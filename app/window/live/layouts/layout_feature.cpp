@@ -27,6 +27,11 @@ QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);
 }
 
+/// Keys that drive or stop whatever a layout says.
+const std::vector<Qt::Key> OfDriving = {Qt::Key_W,     Qt::Key_S,    Qt::Key_A,     Qt::Key_D,
+                                        Qt::Key_Up,    Qt::Key_Down, Qt::Key_Left,  Qt::Key_Right,
+                                        Qt::Key_Space, Qt::Key_G,    Qt::Key_Escape};
+
 /// Titles of layouts that come with the program are in the window's language; those of people are theirs.
 QString shownTitle(const WindowLayout& layout) {
     for (const char* title : {QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Drive"),
@@ -41,13 +46,15 @@ QString shownTitle(const WindowLayout& layout) {
     return QString::fromStdString(layout.title);
 }
 
-/// "Second screen" as the name of a file.
+/// "Second screen" as the name of a file; other letters than a to z by their numbers (Unicode).
 std::string nameOf(const QString& title) {
     std::string name;
     for (const QChar letter : title.toLower()) {
         const bool plain = (letter >= u'a' && letter <= u'z') || (letter >= u'0' && letter <= u'9');
         if (plain) {
             name += letter.toLatin1();
+        } else if (letter.unicode() > 0x7F) {
+            name += QStringLiteral("u%1").arg(letter.unicode(), 4, 16, QLatin1Char('0')).toStdString();
         } else if (!name.empty() && name.back() != '-') {
             name += '-';
         }
@@ -169,12 +176,16 @@ bool LayoutFeature::use(const QString& name) {
     m_used = *layout;
     m_context.panes.arrange(m_used);
     m_map.show(m_sights.enter(m_used, m_map.sight()));
-    std::map<QString, QKeySequence> keys;
+    std::map<QString, QString> keys;
     for (const auto& [command, text] : m_used.keys)
-        keys[QString::fromStdString(command)] = QKeySequence(QString::fromStdString(text));
-    if (const QStringList unknown = m_context.commands.bind(keys); !unknown.isEmpty())
+        keys[QString::fromStdString(command)] = QString::fromStdString(text);
+    const CommandTable::Refused refused = m_context.commands.bind(keys, OfDriving);
+    if (!refused.unknown.isEmpty())
         emit told(tr("layout %1 binds keys to what is no command: %2")
-                      .arg(name, unknown.join(QStringLiteral(", "))));
+                      .arg(name, refused.unknown.join(QStringLiteral(", "))));
+    if (!refused.taken.isEmpty())
+        emit told(tr("layout %1 binds keys that are none, or that mean something else: %2")
+                      .arg(name, refused.taken.join(QStringLiteral(", "))));
     emit padBound(m_used.pad);
     if (QAction* choice = m_context.commands.find(idOf(m_used.name))) choice->setChecked(true);
     m_forget->setEnabled(m_book.isOwn(m_used.name));
@@ -193,10 +204,22 @@ MapSight LayoutFeature::ownSight() const {
     return m_sights.own(m_map.sight());
 }
 
+std::string LayoutFeature::nameFor(const QString& title) const {
+    // Titles that differ by signs alone are layouts of their own all the same.
+    const std::string plain = nameOf(title);
+    std::string name = plain;
+    for (int more = 2; m_book.isOwn(name); ++more) {
+        const auto other = m_book.find(name);
+        if (!other || shownTitle(*other) == title || other->title == title.toStdString()) break;
+        name = plain + "-" + std::to_string(more);
+    }
+    return name;
+}
+
 bool LayoutFeature::saveAs(const QString& title) {
     WindowLayout layout = m_used;
     layout.title = title.toStdString();
-    layout.name = nameOf(title);
+    layout.name = nameFor(title);
     layout.arrangement = m_context.panes.arrangement();
     layout.map = {m_map.sight().look, m_map.sight().follow};
     if (const auto saved = m_book.save(layout); !saved) {

@@ -52,6 +52,8 @@ private:
     [[nodiscard]] bool isOfUse(const WindowLayout& layout) const;
     void addChoice(const WindowLayout& layout, int place);
     void askForTitle();
+    /// A name for the file of a layout with that title; of the one of one's own that has it, where there is.
+    [[nodiscard]] std::string nameFor(const QString& title) const;
     void forget();
 
     ViewContext m_context;
