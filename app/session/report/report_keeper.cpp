@@ -1,5 +1,7 @@
 #include "app/session/report/report_keeper.h"
 
+#include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -7,6 +9,11 @@
 #include <utility>
 
 namespace leitstand {
+namespace {
+
+constexpr int LeastRest = 4;  // part of the interval that is waited where a report takes longer than that
+
+}  // namespace
 
 struct ReportKeeper::State {
     Settings settings;
@@ -26,13 +33,17 @@ struct ReportKeeper::State {
     }
 
     void run(const std::stop_token& stop) {
+        auto begun = std::chrono::steady_clock::now();
         while (!stop.stop_requested()) {
             {
+                const auto rest = std::chrono::steady_clock::now() + settings.interval / LeastRest;
                 std::unique_lock lock(mutex);
-                wake.wait_for(lock, stop, settings.interval, [this] { return asked; });
+                wake.wait_until(lock, stop, std::max(begun + settings.interval, rest),
+                                [this] { return asked; });
                 asked = false;
             }
             if (stop.stop_requested()) return;
+            begun = std::chrono::steady_clock::now();
             const auto outcome = written(stop);
             if (!stop.stop_requested() && onWritten) onWritten(outcome);
         }

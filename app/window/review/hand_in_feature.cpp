@@ -78,9 +78,9 @@ void HandInFeature::showScore() {
     const MissionState& mission = m_finds.state();
     const ScoreProfile* profile = m_board.profileOf(mission);
     if (profile == nullptr) return;
-    m_score->show(scoreText(*profile, score(*profile, mission),
-                            clockAt(mission.clock ? std::optional(mission.clock->sample) : std::nullopt,
-                                    m_bridge.reviewed()->now)));
+    const MissionClock clock = clockAt(mission.clock ? std::optional(mission.clock->sample) : std::nullopt,
+                                       m_bridge.reviewed()->now);
+    m_score->show(scoreText(*profile, score(*profile, mission), withLength(clock, profile->minutes)));
 }
 
 }  // namespace leitstand
