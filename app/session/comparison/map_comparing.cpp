@@ -13,6 +13,7 @@
 
 #include "app/session/comparison/recorded_truth.h"
 #include "app/session/job_queue.h"
+#include "app/session/review/review_log.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/settings/comparison_file.h"
@@ -158,7 +159,7 @@ struct MapComparing::State {
         Result<ComparedMapsPtr> result = ComparedMapsPtr();
         try {
             const auto made = compareMaps(folder, index, settings, {listener.onProgress, cancelled});
-            if (made && *made) {
+            if (made && *made && !isOfOthers(folder)) {
                 if (const auto kept = saveComparison(**made, comparisonFileOf(folder)); !kept)
                     tell(kept.error().text);
             }

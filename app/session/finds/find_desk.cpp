@@ -225,9 +225,8 @@ Result<void> FindDesk::fileCandidate(std::uint32_t id) {
         if (const auto* const one = robot(cue.robot))
             recent.try_emplace(one, m_recent.of(cue.robot, pressed));
     }
-    m_queue.submit(
-        [this, candidate, inMap = positionInMap(*state, candidate), pressed,
-         recent = std::move(recent)](const std::stop_token&) {
+    submitFiling(
+        [this, candidate, inMap = positionInMap(*state, candidate), pressed, recent = std::move(recent)] {
             FrozenEvidence seen;
             seen.found = pressed;
             for (const auto& [robot, evidence] : recent) {
@@ -237,8 +236,7 @@ Result<void> FindDesk::fileCandidate(std::uint32_t id) {
                 break;
             }
             file(candidate, seen);
-        },
-        /*cancellable=*/false);
+        });
     return {};
 }
 
@@ -307,9 +305,9 @@ Result<void> FindDesk::merge(const FindKey& find, std::uint32_t into) {
     return say(mergedInto(*known(), find, into, m_setup.station, m_setup.now()), find);
 }
 
-Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& placeInMap) {
+Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& floorInMap) {
     const std::scoped_lock filing(m_filing);
-    return say(movedTo(*known(), find, placeInMap, m_setup.station, m_setup.now()), find);
+    return say(movedTo(*known(), find, floorInMap, m_setup.station, m_setup.now()), find);
 }
 
 Result<void> FindDesk::edit(const VictimSample& form) {

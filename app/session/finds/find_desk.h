@@ -80,7 +80,7 @@ public:
     Result<void> confirm(const FindKey& find);
     Result<void> discard(const FindKey& find);
     Result<void> merge(const FindKey& find, std::uint32_t into);
-    Result<void> move(const FindKey& find, const Eigen::Vector3d& placeInMap);
+    Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
     /// The form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All else
     /// of the find stays as it is.
     Result<void> edit(const VictimSample& form);

@@ -278,4 +278,13 @@ bool isReviewable(const fs::path& mission) {
            holds(**bag, robots, {StreamRole::Odometry, StreamRole::Picture, StreamRole::Thermal});
 }
 
+bool isOfOthers(const fs::path& mission) {
+    const auto bag = BagReader::open(mission);
+    if (!bag || (*bag)->ours()) return false;
+    const auto& topics = (*bag)->topics();
+    return std::none_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
+        return topic.info.name.starts_with(station_topic::Prefix);
+    });
+}
+
 }  // namespace leitstand

@@ -84,5 +84,7 @@ private:
 /// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove, or
 /// clouds that make one and pictures or odometry beside them. Clouds alone are for a window on scans.
 [[nodiscard]] bool isReviewable(const std::filesystem::path& mission);
+/// Whether @p mission is a bag that no station of ours wrote anything into: it stays as it is.
+[[nodiscard]] bool isOfOthers(const std::filesystem::path& mission);
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 #include "app/session/log/live_mission.h"
 #include "app/session/log/sequencer.h"
+#include "app/session/review/review_log.h"
 #include "core/base/words.h"
-#include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
 #include "core/mission/victims/dismissal.h"
 
@@ -25,16 +25,6 @@ const Decision* newestAfter(const MissionState& state, std::uint64_t sequence) {
         if (!one->undone && !std::holds_alternative<UndoSample>(one->content)) return &*one;
     }
     return nullptr;
-}
-
-/// Whether @p mission is a bag that no station of ours wrote anything into.
-bool isOfOthers(const std::filesystem::path& mission) {
-    const auto bag = BagReader::open(mission);
-    if (!bag || (*bag)->ours()) return false;
-    const auto& topics = (*bag)->topics();
-    return std::none_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
-        return topic.info.name.starts_with(station_topic::Prefix);
-    });
 }
 
 std::string textOf(const Decision& decision) {
@@ -96,7 +86,8 @@ Result<void> ReviewPen::sayCandidate(const CandidateSample& candidate) {
     return await([&candidate](const MissionState& state) {
         const auto known = state.candidates->find(candidate.id);
         return known != state.candidates->end() && known->second.candidate.stamp == candidate.stamp &&
-               known->second.candidate.dismissed == candidate.dismissed;
+               known->second.candidate.dismissed == candidate.dismissed &&
+               known->second.candidate.victim == candidate.victim;
     });
 }
 
@@ -138,8 +129,9 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
     if (!known) return known.error();
     FrozenEvidence then;
     then.found = known->stamp;
-    return say(filedFrom(*mission()->state(), *known, m_station, stationTime(), then),
-               station_topic::Victims);
+    const VictimSample find = filedFrom(*mission()->state(), *known, m_station, stationTime(), then);
+    if (auto said = say(find, station_topic::Victims); !said) return said;
+    return sayCandidate(filedAs(*known, find.number, m_station, stationTime()));
 }
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
@@ -161,9 +153,9 @@ Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {
     return merged ? say(*merged, station_topic::Victims) : unknown(find);
 }
 
-Result<void> ReviewPen::move(const FindKey& find, const Eigen::Vector3d& placeInMap) {
+Result<void> ReviewPen::move(const FindKey& find, const Eigen::Vector3d& floorInMap) {
     if (auto opened = open(); !opened) return opened;
-    const auto moved = movedTo(*mission()->state(), find, placeInMap, m_station, stationTime());
+    const auto moved = movedTo(*mission()->state(), find, floorInMap, m_station, stationTime());
     return moved ? say(*moved, station_topic::Victims) : unknown(find);
 }
 

@@ -46,8 +46,8 @@ public:
     Result<void> dismiss(std::uint32_t candidate);
     /// @p find is part of the one of its kind with number @p into.
     Result<void> merge(const FindKey& find, std::uint32_t into);
-    /// @p find is at @p placeInMap [m].
-    Result<void> move(const FindKey& find, const Eigen::Vector3d& placeInMap);
+    /// @p find is where the floor is at @p floorInMap [m].
+    Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
     /// Takes back the newest that this pen wrote and that is not taken back.
     Result<void> undo();
     [[nodiscard]] bool canUndo() const;

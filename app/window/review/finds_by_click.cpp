@@ -98,7 +98,7 @@ void FindsByClick::file(QAction& by, VictimSample::Kind kind, bool on) {
     if (!on || !m_bridge.reviewed()) return m_map.gestures().disarm();
     m_map.gestures().armPose(by, m_map.robots().placeMark(m_context.selection.name().toStdString()),
                              tr("Click where it is · right button: not at all"),
-                             [this, kind](const GroundPose& pose) { fileAt(kind, pose.place); });
+                             [this, kind](const GroundPose& pose) { fileAt(kind, aboveFloor(pose.place)); });
 }
 
 void FindsByClick::fileAt(VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {

@@ -12,6 +12,8 @@ namespace {
 using Status = VictimSample::Status;
 using SignState = VictimSign::State;
 
+constexpr double Storey = 2.0;  ///< what is higher above a floor is not on it [m]
+
 const VictimSample* find(const MissionState& state, const FindKey& key) {
     const auto found = state.victims->find(key);
     return found == state.victims->end() ? nullptr : &found->second.victim;
@@ -151,6 +153,11 @@ void addCues(FrozenEvidence& frozen, const CandidateSample& candidate) {
     }
 }
 
+Eigen::Vector3d aboveFloor(const Eigen::Vector3d& floorInMap, std::optional<double> height) {
+    const bool kept = height && *height > floorInMap.z() && *height < floorInMap.z() + Storey;
+    return {floorInMap.x(), floorInMap.y(), kept ? *height : floorInMap.z() + LyingHeight};
+}
+
 void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
           const Eigen::Vector3d& inMap) {
     frozen.positionInMap = inMap;
@@ -254,13 +261,13 @@ std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey&
 }
 
 std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
-                                    const Eigen::Vector3d& placeInMap, const std::string& station, Time now) {
+                                    const Eigen::Vector3d& floorInMap, const std::string& station, Time now) {
     auto sample = changed(state, find, station, now);
-    if (!sample || !placeInMap.allFinite()) return std::nullopt;
-    sample->positionInMap = placeInMap;
+    if (!sample || !floorInMap.allFinite()) return std::nullopt;
+    sample->positionInMap = aboveFloor(floorInMap, positionInMap(state, *sample).z());
     const auto scan = state.keyScans->find(sample->scan);
     if (scan != state.keyScans->end())
-        sample->positionInScan = scan->second.pose.scanInMap.inverse() * placeInMap;
+        sample->positionInScan = scan->second.pose.scanInMap.inverse() * sample->positionInMap;
     sample->deviation = Unknown;  // a person has put it there
     return sample;
 }

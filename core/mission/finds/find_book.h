@@ -33,6 +33,11 @@ inline constexpr double PointedDeviation = 0.2;
 /// Of a body's middle above the ground, where the height is not told [m].
 inline constexpr double LyingHeight = 0.2;
 
+/// Where a find is that a person points to on the floor of the map [m]: as high as it was before (@p height,
+/// in the map [m]) where that is above this floor and below the next, else as a body lies.
+[[nodiscard]] Eigen::Vector3d aboveFloor(const Eigen::Vector3d& floorInMap,
+                                         std::optional<double> height = std::nullopt);
+
 /// Puts @p frozen to @p inMap [m], hanging on key scan @p scan; on none where @p state does not have that.
 void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
           const Eigen::Vector3d& inMap);
@@ -89,9 +94,9 @@ constexpr double MergeReach = 2.0;
 [[nodiscard]] std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find,
                                                      std::uint32_t into, const std::string& station,
                                                      Time now);
-/// @p find lies at @p placeInMap [m]; it hangs on the scan that it hung on.
+/// @p find is where the floor is at @p floorInMap [m], @ref aboveFloor; it hangs on the scan that it hung on.
 [[nodiscard]] std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
-                                                  const Eigen::Vector3d& placeInMap,
+                                                  const Eigen::Vector3d& floorInMap,
                                                   const std::string& station, Time now);
 
 /// The find of @p form's number with what an operator fills in (signs, situation, tag, area, text) of @p

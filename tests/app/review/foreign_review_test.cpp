@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <future>
 #include <mutex>
 #include <stop_token>
 #include <string>
@@ -11,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/comparison/map_comparing.h"
 #include "app/session/review/review_pen.h"
 #include "app/session/review/review_player.h"
 #include "core/mission/checkpoint.h"
@@ -127,6 +129,23 @@ TEST_F(ForeignReview, NothingIsWrittenIntoIt) {
     const auto written = pen.note(ForeignBag::at(3.0), "rover", "a door");
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error().text, HasSubstr("nothing can be written into it"));
+    EXPECT_EQ(fingerprint(m_bag), before);
+}
+
+TEST_F(ForeignReview, ComparingItsMapWithAnotherLeavesNothingInIt) {
+    const std::string before = fingerprint(m_bag);
+    const auto log = ReviewLog::open(m_bag).value();
+    log->makeMap({});
+    std::promise<Result<ComparedMapsPtr>> finished;
+    MapComparing::Listener listener;
+    listener.onFinished = [&](const Result<ComparedMapsPtr>& result) { finished.set_value(result); };
+    MapComparing comparing(listener);
+    RegistrationSettings settings;
+    settings.threads = 1;
+    comparing.begin(m_bag, indexOf(*log), settings);
+    auto result = finished.get_future();
+    ASSERT_EQ(result.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    ASSERT_TRUE(result.get());
     EXPECT_EQ(fingerprint(m_bag), before);
 }
 

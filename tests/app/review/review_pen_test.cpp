@@ -101,9 +101,10 @@ TEST_F(ReviewPenTest, FindsAreMergedAndMoved) {
     ASSERT_TRUE(writes.merge(second, 1).ok());
     EXPECT_EQ(now(second).mergedInto, 1U);
     EXPECT_EQ(now(second).station, "reviewer");
-    const Eigen::Vector3d before = now(first).positionInMap, there(2.0, -0.4, 0.3);
+    const Eigen::Vector3d before = now(first).positionInMap, there(2.0, -0.4, 0.0);
     ASSERT_TRUE(writes.move(first, there).ok());
-    EXPECT_TRUE(now(first).positionInMap.isApprox(there)) << now(first).positionInMap.transpose();
+    EXPECT_TRUE(now(first).positionInMap.isApprox(Eigen::Vector3d(2.0, -0.4, before.z())))
+        << now(first).positionInMap.transpose() << ": as high as it was";
     EXPECT_EQ(now(first).status, VictimSample::Status::Confirmed) << "it is the same find";
     ASSERT_TRUE(writes.undo().ok());
     EXPECT_TRUE(now(first).positionInMap.isApprox(before));
@@ -178,6 +179,8 @@ TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
     EXPECT_EQ(filed.found, Mission::at(31.0));
     EXPECT_TRUE(filed.positionInMap.isApprox(m_candidate.positionInMap));
     EXPECT_TRUE(isFiled(*writes.state(), m_candidate)) << "it is not shown beside it";
+    EXPECT_EQ(writes.state()->candidates->at(7).candidate.victim, 2U)
+        << "a station had told, so says the report";
     ASSERT_TRUE(writes.undo().ok());
     EXPECT_FALSE(isFiled(*writes.state(), m_candidate));
     EXPECT_FALSE(writes.fileCandidate(8).ok());

@@ -33,6 +33,17 @@ TEST_F(FindDeskTest, ACandidateIsFiledWithItsCuesAndWithWhatItsRobotSeesThere) {
     EXPECT_THAT(m_told, testing::Contains(HasSubstr("V1 filed")));
 }
 
+TEST_F(FindDeskTest, ASecondPressWhileWhatItsRobotSeesIsLookedAtConfirmsTheCandidate) {
+    believe();
+    m_desk->take(m_robot.picture(at(9.0), 2));
+    ASSERT_TRUE(m_desk->fileCandidate(7));
+    EXPECT_TRUE(m_desk->isFiling() || m_desk->unconfirmed()) << "the next press is about it";
+    ASSERT_TRUE(m_desk->confirmNewest());
+    finish();
+    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_EQ(find(1).status, VictimSample::Status::Confirmed);
+}
+
 TEST_F(FindDeskTest, WhatLooksElsewhereOrIsOldIsNoEvidenceOfACandidate) {
     believe();
     m_looksThere = false;

@@ -84,7 +84,7 @@ void FindPointing::arm(QAction& action, VictimSample::Kind kind, bool on) {
     m_map.gestures().armPose(action, mark,
                              victim ? tr("Click where the victim is · right button: not at all")
                                     : tr("Click where it is · right button: not at all"),
-                             [this, kind](const GroundPose& pose) { fileAt(pose.place, kind); });
+                             [this, kind](const GroundPose& pose) { fileAt(aboveFloor(pose.place), kind); });
     emit told(victim ? tr("Click on the victim: in a picture, in the virtual scan or on the map")
                      : tr("Click on it: in a picture, in the virtual scan or on the map"));
 }

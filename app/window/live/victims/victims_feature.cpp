@@ -173,9 +173,13 @@ std::optional<FindKey> VictimsFeature::meant() const {
 
 void VictimsFeature::confirm() {
     const auto chosen = m_panel->chosen();
-    if (chosen && !chosen->filed()) return answer(desk().fileCandidate(chosen->candidate));
-    // What was filed after something was chosen, or is being filed, is what the second press means.
+    // What was filed after something was chosen, or is being filed, is what the second press means: also of
+    // the candidate that is shown as one until the list is made anew.
     const bool newer = desk().isFiling() || (desk().filings() != m_shown && desk().unconfirmed());
+    if (chosen && !chosen->filed() && !(newer && chosen->candidate == m_asked)) {
+        m_asked = chosen->candidate;
+        return answer(desk().fileCandidate(chosen->candidate));
+    }
     answer(chosen && !newer ? desk().confirm(chosen->find) : desk().confirmNewest());
 }
 
@@ -200,7 +204,7 @@ void VictimsFeature::move(bool on) {
               : tr("Click where the victim is · right button: not at all"),
         [this, robot, filed, find = filed ? chosen->find : FindKey()](const GroundPose& pose) {
             if (filed) return answer(desk().move(find, pose.place));
-            desk().freezeAt(robot, Kind::Victim, pose.place);
+            desk().freezeAt(robot, Kind::Victim, aboveFloor(pose.place));
         });
 }
 

@@ -62,6 +62,7 @@ private:
     VictimForm* m_form;
     std::map<QString, QAction*> m_actions;
     std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
+    std::uint32_t m_asked = 0;  ///< candidate that was asked to be filed last; 0: none
     int m_sinceRows = 0;        ///< ticks
     FindMoves m_moves;
     bool m_following = false;  ///< what m_moves tells is new

@@ -163,6 +163,20 @@ TEST(FindBook, AMovedFindStillMovesWithItsScan) {
     EXPECT_FALSE(movedTo(mission.state, find, {NAN, 0.0, 0.0}, "s", Now));
 }
 
+TEST(FindBook, WhatIsMovedAlongTheFloorStaysAsHighAsItWas) {
+    Mission mission;
+    FrozenEvidence high = seenAt(1.0);
+    high.positionInMap.z() = 0.8;
+    const FindKey find = mission.file(high);
+    EXPECT_EQ(movedTo(mission.state, find, {5.0, 1.0, 0.1}, "s", Now)->positionInMap,
+              Eigen::Vector3d(5.0, 1.0, 0.8));
+    const auto above = movedTo(mission.state, find, {5.0, 1.0, 3.0}, "s", Now)->positionInMap;
+    EXPECT_NEAR(above.z(), 3.0 + LyingHeight, 1e-9) << "on another storey";
+    const auto below = movedTo(mission.state, find, {5.0, 1.0, -3.0}, "s", Now)->positionInMap;
+    EXPECT_NEAR(below.z(), -3.0 + LyingHeight, 1e-9);
+    EXPECT_NEAR(aboveFloor({1.0, 2.0, 0.4}).z(), 0.4 + LyingHeight, 1e-9) << "new: as a body lies";
+}
+
 TEST(FindBook, ACandidateIsFiledWithItsCues) {
     Mission mission;
     ModeSample mode;
