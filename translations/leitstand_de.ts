@@ -707,6 +707,13 @@
     </message>
 </context>
 <context>
+    <name>leitstand::Application</name>
+    <message>
+        <source>%1 was recorded until a moment ago: leitstand --resume goes on with it</source>
+        <translation>%1 wurde bis eben aufgezeichnet: leitstand --resume setzt sie fort</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::AttitudeGauge</name>
     <message>
         <source>Attitude</source>

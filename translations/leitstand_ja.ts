@@ -707,6 +707,13 @@
     </message>
 </context>
 <context>
+    <name>leitstand::Application</name>
+    <message>
+        <source>%1 was recorded until a moment ago: leitstand --resume goes on with it</source>
+        <translation>%1 は先ほどまで記録されていました:leitstand --resume で続行できます</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::AttitudeGauge</name>
     <message>
         <source>Attitude</source>

@@ -66,6 +66,16 @@ int showWindow(const Options& options) {
     return QApplication::exec();
 }
 
+/// @p options, and what they leave open as it was last.
+Options withLast(Options options, const Options& last) {
+    if (options.robots.empty()) options.robots = last.robots;
+    if (options.interfaces.empty()) options.interfaces = last.interfaces;
+    if (options.keys.empty()) options.keys = last.keys;
+    if (options.domain == 0) options.domain = last.domain;
+    options.live = true;
+    return options;
+}
+
 }  // namespace
 
 int runStation(int argc, char** argv) {
@@ -88,8 +98,9 @@ int runStation(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
     useLanguage(languageOf(options));
     if (options.live) return runLive(options);
-    if (argc == 1) {
-        if (const auto last = lastOptions()) return runLive(*last);
+    if (argc == 1 || options.resume) {
+        const auto last = lastOptions();
+        if (last || options.resume) return runLive(withLast(options, last.value_or(Options{})));
     }
     if (wantsReview(options)) return runReview(options);
     return picture ? takeScreenshot(options) : showWindow(options);

@@ -70,11 +70,16 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         app.add_option("--robot", options.robots, "Robot files, or names of shipped ones (kurt3d, crawler)"),
         demo)
         ->type_name("YAML...");
-    onRobots(app.add_option(
-                 "--mission", options.mission,
-                 "Folder to record into; one that exists is gone on with (a new one, named by the time)"),
-             nullptr)
-        ->type_name("FOLDER");
+    auto* mission =
+        onRobots(app.add_option(
+                     "--mission", options.mission,
+                     "Folder to record into; one that exists is gone on with (a new one, named by the time)"),
+                 nullptr);
+    mission->type_name("FOLDER");
+    onRobots(app.add_flag("--resume", options.resume,
+                          "Go on with the mission that was recorded last, as after a crash; alone: with the "
+                          "robots of last time"),
+             mission);
     onRobots(app.add_option("--layout", options.layout,
                             "How panes are arranged: drive, explore, map, review, link, or one of your own"),
              nullptr)
@@ -97,8 +102,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         return app.exit(problem) == 0 ? 0 : UsageError;
     }
     options.live = options.live || options.demo;
-    if (options.live && !options.scans.empty()) {
-        std::fputs("leitstand: --live and --demo take no scans\n", stderr);
+    if ((options.live || options.resume) && !options.scans.empty()) {
+        std::fputs("leitstand: --live, --demo and --resume take no scans\n", stderr);
         return UsageError;
     }
     return options;

@@ -25,6 +25,7 @@ struct Options {
     bool demo = false;                    ///< with simulated robots of its own
     std::vector<std::string> robots;      ///< files or names; empty: Kurt3D and the Crawler
     std::string mission;                  ///< folder; empty: a new one
+    bool resume = false;                  ///< the newest of this computer is gone on with
     std::string layout;                   ///< name; empty: the one used last
     std::string keys;                     ///< folder of an identity; empty: no security
     int domain = 0;                       ///< DDS domain

@@ -1,12 +1,15 @@
 #include "app/window/live/live_application.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QEventLoop>
 #include <QStandardPaths>
@@ -30,6 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
+constexpr std::chrono::minutes Recent(30);    ///< a mission that ended since may be meant
 
 void complain(const std::string& text) {
     std::fprintf(stderr, "leitstand: %s\n", text.c_str());
@@ -39,11 +43,38 @@ fs::path under(QStandardPaths::StandardLocation place, const QString& name) {
     return fs::path(QStandardPaths::writableLocation(place).toStdString()) / "leitstand" / name.toStdString();
 }
 
+fs::path missions() {
+    return under(QStandardPaths::GenericDataLocation, QStringLiteral("missions"));
+}
+
 /// A new mission's folder, named by the time.
 fs::path newMission() {
-    return under(QStandardPaths::GenericDataLocation,
-                 QStringLiteral("missions/") +
-                     QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")));
+    return missions() /
+           QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")).toStdString();
+}
+
+/// The folder of the mission that began last on this computer; empty: there is none.
+fs::path newestMission() {
+    fs::path newest;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(missions(), none)) {
+        if (entry.is_directory(none) && entry.path() > newest) newest = entry.path();
+    }
+    return newest;
+}
+
+/// What to say where a mission was recorded until a moment ago that @p settings do not go on with.
+QString hintAt(const fs::path& before, const StationSettings& settings) {
+    std::error_code none;
+    fs::file_time_type last = fs::file_time_type::min();
+    for (const auto& file : fs::directory_iterator(before, none))
+        last = std::max(last, fs::last_write_time(file.path(), none));
+    const auto ago = fs::file_time_type::clock::now() - last;
+    if (before.empty() || before == settings.mission.folder || ago > Recent) return {};
+    return QCoreApplication::translate(
+               "leitstand::Application",
+               "%1 was recorded until a moment ago: leitstand --resume goes on with it")
+        .arg(QString::fromStdString(before.string()));
 }
 
 /// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
@@ -97,6 +128,7 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
     settings.mission.version = LEITSTAND_VERSION;
     settings.mission.folder = !options.mission.empty() ? fs::path(options.mission)
                               : picture                ? passing / "mission"
+                              : options.resume         ? newestMission()
                                                        : newMission();
     settings.memory = picture ? passing / "station.yaml"
                               : under(QStandardPaths::GenericConfigLocation, QStringLiteral("station.yaml"));
@@ -113,7 +145,7 @@ struct Ended {
 };
 
 /// Shows a window on @p bridge until it is closed, or something else is wanted.
-Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
+Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const QString& hint) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
@@ -129,6 +161,7 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
         demo->start();
     }
     if (picture) return {takePicture(window, options)};
+    if (!hint.isEmpty()) window.tell(hint);
     std::string wanted;
     QObject::connect(&window.preflight(), &PreflightFeature::robotWanted, &window, [&](const QString& file) {
         wanted = file.toStdString();
@@ -154,12 +187,12 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo) {
 }
 
 /// Shows windows on the station of @p settings until one is closed, or another robot is wanted.
-Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo) {
+Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo, QString hint) {
     auto bridge = LiveBridge::open(settings);
     if (!bridge) return complain(bridge.error().text), Ended{1};
     // In another language the window is made anew; robots, mission and driver's grants stay.
     while (true) {
-        Ended ended = showWindow(**bridge, options, demo);
+        Ended ended = showWindow(**bridge, options, demo, std::exchange(hint, {}));
         if (ended.language.isEmpty()) return ended;
         useLanguage(ended.language);
     }
@@ -183,7 +216,10 @@ int runLive(const Options& options) {
     std::vector<std::string> files =
         options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots;
     const QTemporaryDir passing;  // a picture's mission is nobody's
+    const fs::path before = newestMission();
     StationSettings settings = settingsOf(options, passing.path().toStdString());
+    if (settings.mission.folder.empty())
+        return complain("--resume: no mission was recorded so far into " + missions().string()), 1;
     std::optional<DemoRobots> demo;
     if (options.demo) {
         DemoSettings simulated;
@@ -204,7 +240,7 @@ int runLive(const Options& options) {
         settings.mission.robots = std::move(robots).value();
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
-        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr);
+        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, hintAt(before, settings));
         if (ended.robot.empty()) return ended.status;
         files.push_back(ended.robot);
     }

@@ -1,0 +1,102 @@
+// The program on live robots, ended by a crash and started again.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/child_process.h"
+#include "tests/support/dds/test_domain.h"
+#include "tests/support/places.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr std::chrono::seconds Patience(60);
+
+class ResumeTest : public testing::Test {
+protected:
+    [[nodiscard]] std::unique_ptr<ChildProcess> start(std::vector<std::string> arguments) const {
+        return std::make_unique<ChildProcess>(
+            program("leitstand"), arguments,
+            std::vector<std::string>{"QT_QPA_PLATFORM=offscreen",
+                                     "XDG_CONFIG_HOME=" + (m_home / "config").string(),
+                                     "XDG_DATA_HOME=" + (m_home / "data").string()});
+    }
+    /// The folder that it says to record into; empty: it never did.
+    static std::string recordedInto(const ChildProcess& station) {
+        const std::string before = "recorded into ";
+        if (!waitUntil([&] { return station.out().find(before) != std::string::npos; }, Patience)) return {};
+        const std::string out = station.out();
+        const auto begin = out.find(before) + before.size();
+        return out.substr(begin, out.find('\n', begin) - begin);
+    }
+    /// Waits until the mission in @p folder has something.
+    static bool isWritten(const fs::path& folder) {
+        return waitUntil(
+            [&] {
+                std::error_code none;
+                for (const auto& file : fs::directory_iterator(folder, none)) {
+                    if (file.path().extension() == ".db3" && fs::file_size(file.path(), none) > 0)
+                        return true;
+                }
+                return false;
+            },
+            Patience);
+    }
+    [[nodiscard]] std::vector<std::string> onKurt() const {
+        return {"--live",
+                "--robot",
+                "kurt3d",
+                "--interface",
+                "lo",
+                "--domain",
+                std::to_string(m_domain.number())};
+    }
+
+    TestDomain m_domain;
+    TemporaryFolder m_home;
+};
+
+TEST_F(ResumeTest, TheNewestMissionIsGoneOnWithAndWithTheRobotsOfLastTime) {
+    auto station = start(onKurt());
+    const std::string first = recordedInto(*station);
+    ASSERT_THAT(first, HasSubstr((m_home / "data").string()));
+    ASSERT_TRUE(isWritten(first)) << station->out();
+    station->signal(SIGKILL);
+    station->wait();
+    station = start({"--resume"});
+    EXPECT_EQ(recordedInto(*station), first) << station->out();
+    station->signal(SIGKILL);
+    station->wait();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // missions are named by the second
+    station = start(onKurt());
+    const std::string second = recordedInto(*station);
+    EXPECT_NE(second, first) << "nobody asked for that";
+    ASSERT_TRUE(isWritten(second)) << station->out();
+    station->signal(SIGKILL);
+    station->wait();
+    station = start({"--resume"});
+    EXPECT_EQ(recordedInto(*station), second);
+}
+
+TEST_F(ResumeTest, WithoutAMissionItIsTold) {
+    auto station = start({"--resume"});
+    EXPECT_EQ(station->wait(), 1);
+    EXPECT_THAT(station->out(), HasSubstr("no mission was recorded so far"));
+    EXPECT_EQ(runProcess(program("leitstand"), {"--resume", "--mission", "there"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace leitstand::test
