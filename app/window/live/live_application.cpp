@@ -17,6 +17,10 @@
 #include <QTimer>
 
 #include "app/language/language.h"
+#include "app/report/pdf_report.h"
+#include "app/session/report/report_folder.h"
+#include "app/session/report/report_telling.h"
+#include "app/session/report/report_writer.h"
 #include "app/session/station/choose_robots.h"
 #include "app/session/station/last_station.h"
 #include "app/window/live/demo_robots.h"
@@ -198,6 +202,17 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
     }
 }
 
+/// A judges' folder that was kept up to date has what came since it was written last, too.
+void handInLast(const LiveMissionSettings& mission) {
+    const fs::path out = reportFolderOf(mission.folder);
+    if (out.empty()) return;
+    ReportOptions options;
+    options.pdf = &pdfOf;
+    options.version = mission.version;
+    const auto done = writeReport(mission.folder, out, options);
+    for (const std::string& text : ReportTelling().of(done, out)) complain(text);
+}
+
 }  // namespace
 
 std::optional<Options> lastOptions() {
@@ -241,7 +256,10 @@ int runLive(const Options& options) {
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
         const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, hintAt(before, settings));
-        if (ended.robot.empty()) return ended.status;
+        if (ended.robot.empty()) {
+            handInLast(settings.mission);
+            return ended.status;
+        }
         files.push_back(ended.robot);
     }
 }

@@ -7,9 +7,15 @@
 #include <thread>
 #include <vector>
 
+#include <QApplication>
+#include <QTimer>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/report/report_folder.h"
+#include "app/window/live/live_application.h"
+#include "app/window/live/live_window.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/places.h"
@@ -96,6 +102,34 @@ TEST_F(ResumeTest, WithoutAMissionItIsTold) {
     EXPECT_EQ(station->wait(), 1);
     EXPECT_THAT(station->out(), HasSubstr("no mission was recorded so far"));
     EXPECT_EQ(runProcess(program("leitstand"), {"--resume", "--mission", "there"}).exitCode, 2);
+}
+
+TEST_F(ResumeTest, AKeptReportIsWrittenOnceMoreWhenTheStationIsClosed) {
+    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+        ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(m_home.path().string())));
+    Options options;
+    options.live = true;
+    options.robots = {"kurt3d"};
+    options.interfaces = {"lo"};
+    options.domain = m_domain.number();
+    options.mission = (m_home / "mission").string();
+    const fs::path out = m_home / "hand-in";
+    QTimer glance;
+    QObject::connect(&glance, &QTimer::timeout, [&] {
+        for (QWidget* window : QApplication::topLevelWidgets()) {
+            if (qobject_cast<LiveWindow*>(window) == nullptr || !window->isVisible()) continue;
+            EXPECT_TRUE(keepReportFolder(options.mission, out)) << "as the window does";
+            glance.stop();
+            window->close();
+        }
+    });
+    glance.start(500);
+    EXPECT_EQ(runLive(options), 0);
+    bool printed = false;
+    for (const auto& file : fs::directory_iterator(out))
+        printed = printed || file.path().extension() == ".pdf";
+    EXPECT_TRUE(printed);
+    EXPECT_TRUE(fs::exists(out / "SHA256SUMS"));
 }
 
 }  // namespace

@@ -158,6 +158,9 @@ TEST(TimelineWords, RecordedTimeIsReadAsMinutes) {
     EXPECT_EQ(recordedText(271'540ms), "4:31.5");
     EXPECT_EQ(recordedText(3'871s), "1:04:31.0");
     EXPECT_EQ(recordedText(-5s), "0:00.0");
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    EXPECT_EQ(recordedText(271'540ms), "4:31,5");
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
 }
 
 TEST(TimelineMarks, NextAndPreviousAreThoseBesideTheMoment) {

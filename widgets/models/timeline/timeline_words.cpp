@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QLocale>
 #include <QStringList>
 
 #include "widgets/models/live/mode_label.h"
@@ -187,8 +188,10 @@ QString wallText(Time at, bool tenths) {
 QString recordedText(std::chrono::nanoseconds time) {
     const std::int64_t tenths = std::max<std::int64_t>(0, time.count() / 100'000'000);
     const std::int64_t hours = tenths / 36'000, minutes = tenths / 600 % 60;
-    const QString seconds =
-        QStringLiteral("%1.%2").arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
+    const QString seconds = QStringLiteral("%1%2%3")
+                                .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
+                                .arg(QLocale().decimalPoint())
+                                .arg(tenths % 10);
     if (hours == 0) return QStringLiteral("%1:%2").arg(minutes).arg(seconds);
     return QStringLiteral("%1:%2:%3").arg(hours).arg(minutes, 2, 10, QLatin1Char('0')).arg(seconds);
 }
