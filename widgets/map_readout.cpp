@@ -30,9 +30,10 @@ QString labelName(Label label) {
 QString pickText(const std::optional<PickedPoint>& point, const Map& map) {
     if (!point || point->scan < 0 || point->scan >= static_cast<int>(map.scans.size())) return {};
     const Eigen::Vector3d& at = point->pointInMap;
+    const Scan& scan = *map.scans[static_cast<std::size_t>(point->scan)].scan;
     return ReadoutTexts::tr("x %1  y %2  z %3 m · %4 · %5")
         .arg(numberText(at.x(), 2), numberText(at.y(), 2), numberText(at.z(), 2), labelName(point->label),
-             QString::fromStdString(map.scans[static_cast<std::size_t>(point->scan)].scan->name));
+             QString::fromStdString(scan.name.empty() ? scan.robot : scan.name));
 }
 
 QString measurementText(const Measurement& measurement) {

@@ -8,7 +8,8 @@
 
 namespace leitstand {
 
-/// A picked point in words: "x 1.20  y -0.33  z 0.05 m · wall · scan001"; empty for nothing.
+/// A picked point in words: "x 1.20  y -0.33  z 0.05 m · wall · scan001", or the robot that scanned it where
+/// the scan has no name; empty for nothing.
 [[nodiscard]] QString pickText(const std::optional<PickedPoint>& point, const Map& map);
 /// A measurement in words: "2.37 m · dx 1.20  dy -2.00  dz 0.31".
 [[nodiscard]] QString measurementText(const Measurement& measurement);

@@ -1,10 +1,14 @@
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 #include <QAction>
+#include <QApplication>
+#include <QEvent>
 #include <QLineF>
+#include <QTest>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,6 +104,29 @@ TEST_F(LayoutMapTest, ExploreHasTheFreeCameraWhereItWasLeft) {
         EXPECT_TRUE(soon([&] { return map().settled() && apart(onScreen(place), left) < Near; }))
             << apart(onScreen(place), left) << " px off";
     }
+}
+
+TEST_F(LayoutMapTest, ThePointUnderThePointerIsReadOut) {
+    goTo(30.0);
+    use("explore");
+    const MapPtr shown = m_bridge->reviewed()->map;
+    ASSERT_TRUE(shown && !shown->scans.empty());
+    const std::string usual = label("mapResult");
+    std::optional<QPoint> there;  // some point that is in sight
+    for (const Eigen::Vector3f& point : shown->scans.front().scan->points) {
+        const auto at = map().project(shown->scans.front().poseInMap * point.cast<double>());
+        if (!at || !map().rect().adjusted(40, 40, -40, -40).contains(at->toPoint())) continue;
+        if (map().pick(at->toPoint())) there = at->toPoint();
+        if (there) break;
+    }
+    ASSERT_TRUE(there);
+    QTest::mouseMove(&map(), *there + QPoint(30, 0));
+    QTest::mouseMove(&map(), *there);
+    EXPECT_TRUE(soon([this] { return label("mapResult").find("x ") == 0; })) << label("mapResult");
+    EXPECT_THAT(label("mapResult"), HasSubstr("kurt3d"));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&map(), &leave);
+    EXPECT_TRUE(soon([&] { return label("mapResult") == usual; })) << label("mapResult");
 }
 
 TEST_F(LayoutMapTest, ALayoutKeepsWhatTheOperatorLastHadThere) {

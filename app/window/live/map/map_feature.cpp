@@ -14,6 +14,7 @@
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "app/window/map_pane.h"
+#include "widgets/map_readout.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/live_summary.h"
 #include "widgets/theme.h"
@@ -31,7 +32,12 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     addCommands();
     connect(&context.source, &MomentSource::mapChanged, this, [this](const MapPtr& map) {
         m_seen = m_seen || !map->scans.empty();
+        m_map = map;
         m_pane->view().setMap(map);
+    });
+    connect(&m_pane->view(), &MapView::hovered, this, [this](const std::optional<PickedPoint>& point) {
+        const QString pointed = m_map ? pickText(point, *m_map) : QString();
+        if (std::exchange(m_pointed, pointed) != pointed) showSummaryNow();
     });
     connect(&context.source, &MomentSource::ticked, this, &MapFeature::showSummary);
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
@@ -44,11 +50,19 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     m_robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *m_gestures, this);
 }
 
-void MapFeature::showSummary(const LiveMoment& moment) {
-    if (m_describe) return m_pane->setSummary(m_describe(moment));
+MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {
+    if (m_describe) return m_describe(moment);
     const bool follows = m_view.settings().follow != MapFollow::Free;
-    m_pane->setSummary(
-        liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now));
+    return liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now);
+}
+
+void MapFeature::showSummary(const LiveMoment& moment) {
+    MapSummary summary = summaryOf(moment);
+    if (!m_pointed.isEmpty()) {  // what is under the pointer, while it is there
+        summary.result = m_pointed;
+        summary.tone = Tone::Normal;
+    }
+    m_pane->setSummary(summary);
 }
 
 void MapFeature::showSummaryNow() {

@@ -38,6 +38,7 @@ public:
 
 private:
     void addCommands();
+    [[nodiscard]] MapSummary summaryOf(const LiveMoment& moment) const;
     void showSummary(const LiveMoment& moment);
     void showSummaryNow();
 
@@ -47,6 +48,8 @@ private:
     MapGestures* m_gestures;
     RobotsOnMap* m_robots;
     std::function<MapSummary(const LiveMoment&)> m_describe;
+    MapPtr m_map;       ///< that is shown; null: none came
+    QString m_pointed;  ///< the point under the pointer, in words; empty: none is
     bool m_seen = false;
 };
 
