@@ -77,8 +77,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                  nullptr);
     mission->type_name("FOLDER");
     onRobots(app.add_flag("--resume", options.resume,
-                          "Go on with the mission that was recorded last, as after a crash; alone: with the "
-                          "robots of last time"),
+                          "Go on with the newest of the missions named by the time, as after a crash; alone: "
+                          "with the robots of last time"),
              mission);
     onRobots(app.add_option("--layout", options.layout,
                             "How panes are arranged: drive, explore, map, review, link, or one of your own"),

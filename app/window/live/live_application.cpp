@@ -257,7 +257,7 @@ int runLive(const Options& options) {
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
         const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, hintAt(before, settings));
         if (ended.robot.empty()) {
-            handInLast(settings.mission);
+            if (ended.status == 0) handInLast(settings.mission);  // else it may be another station's
             return ended.status;
         }
         files.push_back(ended.robot);

@@ -83,6 +83,17 @@ VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std
     return sample;
 }
 
+/// The scan that a find hangs on is evidence, where none was frozen.
+void addScan(FrozenEvidence& frozen, const MissionState& state) {
+    const auto known = state.keyScans->find(frozen.scan);
+    const bool there = std::any_of(frozen.evidence.begin(), frozen.evidence.end(),
+                                   [](const VictimEvidence& one) { return one.kind == "scan"; });
+    if (there || known == state.keyScans->end()) return;
+    const KeyScanState& scan = known->second;
+    frozen.evidence.push_back(
+        {"scan", std::string(station_topic::KeyScans), scan.sequence, scan.entry.stamp});
+}
+
 }  // namespace
 
 std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind) {
@@ -165,17 +176,6 @@ void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
     if (known == state.keyScans->end()) return;
     frozen.scan = scan;
     frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
-}
-
-/// The scan that a find hangs on is evidence, where none was frozen.
-void addScan(FrozenEvidence& frozen, const MissionState& state) {
-    const auto known = state.keyScans->find(frozen.scan);
-    const bool there = std::any_of(frozen.evidence.begin(), frozen.evidence.end(),
-                                   [](const VictimEvidence& one) { return one.kind == "scan"; });
-    if (there || known == state.keyScans->end()) return;
-    const KeyScanState& scan = known->second;
-    frozen.evidence.push_back(
-        {"scan", std::string(station_topic::KeyScans), scan.sequence, scan.entry.stamp});
 }
 
 std::uint64_t newestScan(const MissionState& state, const std::string& robot) {

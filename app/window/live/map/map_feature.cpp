@@ -1,5 +1,6 @@
 #include "app/window/live/map/map_feature.h"
 
+#include <chrono>
 #include <utility>
 
 #include <QAction>
@@ -20,6 +21,11 @@
 #include "widgets/theme.h"
 
 namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds Rest(5);  ///< of the pointer, after which its point is not read out any more
+
+}  // namespace
 
 MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     : QObject(&context.window),
@@ -36,9 +42,13 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
         m_pane->view().setMap(map);
     });
     connect(&m_pane->view(), &MapView::hovered, this, [this](const std::optional<PickedPoint>& point) {
-        const QString pointed = m_map ? pickText(point, *m_map) : QString();
-        if (std::exchange(m_pointed, pointed) != pointed) showSummaryNow();
+        m_resting.start();
+        showPointed(m_map ? pickText(point, *m_map) : QString());
     });
+    // A pointer that was left on the map must not hide for long how it grows.
+    m_resting.setSingleShot(true);
+    m_resting.setInterval(Rest);
+    connect(&m_resting, &QTimer::timeout, this, [this] { showPointed({}); });
     connect(&context.source, &MomentSource::ticked, this, &MapFeature::showSummary);
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
         if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
@@ -58,11 +68,13 @@ MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {
 
 void MapFeature::showSummary(const LiveMoment& moment) {
     MapSummary summary = summaryOf(moment);
-    if (!m_pointed.isEmpty()) {  // what is under the pointer, while it is there
-        summary.result = m_pointed;
-        summary.tone = Tone::Normal;
-    }
+    // What is under the pointer; but never in place of a doubt about the map.
+    if (!m_pointed.isEmpty() && summary.tone == Tone::Normal) summary.result = m_pointed;
     m_pane->setSummary(summary);
+}
+
+void MapFeature::showPointed(const QString& point) {
+    if (std::exchange(m_pointed, point) != point) showSummaryNow();
 }
 
 void MapFeature::showSummaryNow() {

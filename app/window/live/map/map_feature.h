@@ -3,7 +3,9 @@
 #include <functional>
 
 #include <QObject>
+#include <QString>
 #include <QStringList>
+#include <QTimer>
 
 #include "app/window/live/live_context.h"
 #include "app/window/view_state.h"
@@ -40,6 +42,7 @@ private:
     void addCommands();
     [[nodiscard]] MapSummary summaryOf(const LiveMoment& moment) const;
     void showSummary(const LiveMoment& moment);
+    void showPointed(const QString& point);  ///< empty: none
     void showSummaryNow();
 
     ViewContext m_context;
@@ -50,6 +53,7 @@ private:
     std::function<MapSummary(const LiveMoment&)> m_describe;
     MapPtr m_map;       ///< that is shown; null: none came
     QString m_pointed;  ///< the point under the pointer, in words; empty: none is
+    QTimer m_resting;   ///< since the pointer moved
     bool m_seen = false;
 };
 
