@@ -43,7 +43,8 @@ MissionFeed::~MissionFeed() {
     end();
 }
 
-Result<void> MissionFeed::listen(const std::string& topic, const std::string& type, const Qos& qos) {
+Result<void> MissionFeed::listen(const std::string& topic, const std::string& type, const Qos& qos,
+                                 const Gate& gate) {
     {
         const std::lock_guard lock(m_mutex);
         if (m_topics.contains(topic)) return {};
@@ -51,8 +52,9 @@ Result<void> MissionFeed::listen(const std::string& topic, const std::string& ty
     m_mission.addTopic(topic, type, qos);
     auto subscription =
         m_node.subscribe({.topic = topic, .type = type, .qos = recording(qos), .lane = laneOf(type)},
-                         [this](ReceivedSample sample) {
+                         [this, gate](ReceivedSample sample) {
                              if (m_tap) m_tap(sample);
+                             if (gate) return gate(std::move(sample));
                              m_mission.receive(std::move(sample.event));
                          });
     if (!subscription) return subscription.error();
@@ -71,11 +73,11 @@ std::vector<std::string> MissionFeed::listenTo(const RobotDescription& robot, Co
     return problems;
 }
 
-std::vector<std::string> MissionFeed::listenToStations() {
+std::vector<std::string> MissionFeed::listenToStations(const Gate& gate) {
     const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
     std::vector<std::string> problems;
     for (const auto& [topic, type] : StationTopics) {
-        if (const auto heard = listen(std::string(topic), std::string(type), qos); !heard)
+        if (const auto heard = listen(std::string(topic), std::string(type), qos, gate); !heard)
             problems.push_back(heard.error().text);
     }
     return problems;

@@ -31,6 +31,8 @@ class MissionFeed {
 public:
     /// Called on the node's threads, before the mission has the sample; must not hold them up.
     using Tap = std::function<void(const ReceivedSample&)>;
+    /// Decides what of it enters the mission, on the node's threads.
+    using Gate = std::function<void(ReceivedSample)>;
     /// Whether topics that stations command robots with are heard too.
     enum class Commands : std::uint8_t { Left, Heard };
 
@@ -39,13 +41,15 @@ public:
     MissionFeed(const MissionFeed&) = delete;
     MissionFeed& operator=(const MissionFeed&) = delete;
 
-    /// Listens to a topic, and announces it to the mission; nothing when it does already.
-    Result<void> listen(const std::string& topic, const std::string& type, const Qos& qos);
+    /// Listens to a topic, and announces it to the mission; nothing when it does already. With a @p gate
+    /// that gets what comes instead of the mission.
+    Result<void> listen(const std::string& topic, const std::string& type, const Qos& qos,
+                        const Gate& gate = {});
     /// Listens to all of @p robot's topics that its file wants recorded. Returns what cannot be heard, in
     /// words.
     std::vector<std::string> listenTo(const RobotDescription& robot, Commands commands = Commands::Left);
     /// Listens to what stations say to each other, but for what speaks of their own logs.
-    std::vector<std::string> listenToStations();
+    std::vector<std::string> listenToStations(const Gate& gate = {});
 
     [[nodiscard]] std::vector<HeardTopic> topics() const;  ///< by name
     void end();                                            ///< nothing comes any more once it has returned

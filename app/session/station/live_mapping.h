@@ -59,6 +59,10 @@ public:
     void post(std::function<void(LiveMapper&)> task);
     /// What of the world belongs into the map from now on, and of what lasers see.
     void setCrop(const MapCrop& crop);
+    /// What another station, which makes the map, added to it, and where its scans and robots are now.
+    void adopt(const KeyScanSample& keyScan);
+    void follow(std::vector<ScanPose> poses);
+    void follow(const RobotPlaceSample& place);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
     /// Where the robots are; never null.

@@ -85,6 +85,21 @@ void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
     if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
 }
 
+void LiveMapping::adopt(const KeyScanSample& keyScan) {
+    post([keyScan](LiveMapper& mapper) { mapper.adopt(keyScan); });
+}
+
+void LiveMapping::follow(std::vector<ScanPose> poses) {
+    post([poses = std::move(poses)](LiveMapper& mapper) { mapper.follow(poses); });
+}
+
+void LiveMapping::follow(const RobotPlaceSample& place) {
+    post([this, place](LiveMapper& mapper) {
+        const auto robot = m_robots.find(place.robot);
+        if (robot != m_robots.end() && !mapper.fix(place.robot)) robot->second.laser.follow(place);
+    });
+}
+
 void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
     post([this, name, baseInMap](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);

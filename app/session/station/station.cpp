@@ -53,7 +53,9 @@ StationAlarms& Station::alarms() {
 Result<void> Station::describe(MissionInfoSample info) {
     info.stamp = stationTime();
     info.station = m_state->memory->identity().id;
-    return m_state->mission->say(info, station_topic::Mission);
+    auto said = m_state->mission->say(info, station_topic::Mission);
+    if (said) m_state->sharing->say(info, station_topic::Mission);
+    return said;
 }
 
 std::shared_ptr<const SearchedFloor> Station::searched() const {

@@ -10,9 +10,10 @@
 
 namespace leitstand {
 
-StationClock::StationClock(LiveMission& mission, std::string station)
+StationClock::StationClock(LiveMission& mission, std::string station, Changed changed)
     : m_mission(mission), m_station(std::move(station)) {
     if (!mission.state()->clock) (void)run(true);  // what can be wrong with the log, the log tells
+    m_changed = std::move(changed);                // that it began by itself is no news to others
 }
 
 MissionClock StationClock::now() const {
@@ -34,6 +35,7 @@ Result<void> StationClock::change(Change change) {
     const ClockSample sample = change(present(), stationTime(), m_station);
     auto said = m_mission.say(sample, station_topic::Clock);
     if (said) m_said = sample;
+    if (said && m_changed) m_changed(sample);
     return said;
 }
 

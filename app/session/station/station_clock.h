@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,8 +16,10 @@ class LiveMission;
 /// The mission's clock as this station sets it: each change is an event of the mission. Any thread.
 class StationClock {
 public:
-    /// Starts the clock of a mission that has none yet.
-    StationClock(LiveMission& mission, std::string station);
+    using Changed = std::function<void(const ClockSample&)>;
+
+    /// Starts the clock of a mission that has none yet. @p changed: what the operator does to it.
+    StationClock(LiveMission& mission, std::string station, Changed changed = {});
 
     [[nodiscard]] MissionClock now() const;
     Result<void> run(bool running);
@@ -30,6 +33,7 @@ private:
 
     LiveMission& m_mission;
     const std::string m_station;
+    Changed m_changed;
     mutable std::mutex m_mutex;         ///< one change after the other
     std::optional<ClockSample> m_said;  ///< by this station, under the mutex; may not be in the state yet
 };

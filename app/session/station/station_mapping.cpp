@@ -44,6 +44,7 @@ struct StationMapping::State {
     /// Of the poses, areas and undos that we said, how much came back from the log: only then the mission has
     /// all of it.
     std::uint64_t said = 0, heard = 0;
+    std::set<std::uint64_t> registered;  ///< key scans that we said and that did not come back yet
     bool cropMoved = false;  ///< the mapping does not know the log's area yet; under the mutex
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::set<std::string> robots;                          ///< fixed
@@ -63,6 +64,7 @@ struct StationMapping::State {
     void log(const MapUpdate& update);
     void log(const RobotPlaceSample& place);
     void hear(const Event& event);
+    void hear(const KeyScanSample& scan);
     [[nodiscard]] MapCrop cropInLog() const;
     void whenSettled(std::function<void(LiveMapper&)> task, bool first = false);
     void settle(LiveMapper& mapper);
@@ -97,6 +99,10 @@ Result<void> StationMapping::State::say(const Sample& sample, std::string_view t
 
 void StationMapping::State::log(const MapUpdate& update) {
     if (update.keyScan) {
+        {
+            const std::lock_guard lock(mutex);
+            registered.insert(update.keyScan->id);
+        }
         if (const auto kept = mission.say(*update.keyScan, station_topic::KeyScans); !kept)
             tell(kept.error().text);
     }
@@ -139,8 +145,21 @@ void StationMapping::State::settle(LiveMapper& mapper) {
     }
 }
 
+void StationMapping::State::hear(const KeyScanSample& scan) {
+    {
+        const std::lock_guard lock(mutex);
+        if (registered.erase(scan.id) != 0) return;
+    }
+    mapping->adopt(scan);
+}
+
 void StationMapping::State::hear(const Event& event) {
     if (std::holds_alternative<ClockOffsetSample>(event.sample)) return mapping->take(event);
+    if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) return hear(*scan);
+    if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+        if (place->station != station) mapping->follow(*place);
+        return;
+    }
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
     const auto* undo = std::get_if<UndoSample>(&event.sample);
     const auto* area = std::get_if<MapCropSample>(&event.sample);
@@ -148,6 +167,8 @@ void StationMapping::State::hear(const Event& event) {
     if (undo != nullptr) {
         whenSettled([this](LiveMapper& mapper) { mapper.follow(posesOf(*mission.state())); }, true);
     }
+    // Another station's, which makes the map.
+    if (poses != nullptr && poses->station != station) mapping->follow(posesOf(*mission.state()));
     bool waits = undo != nullptr;
     const std::string& who = poses != nullptr  ? poses->station
                              : undo != nullptr ? undo->station

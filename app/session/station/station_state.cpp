@@ -11,6 +11,7 @@
 #include "core/base/words.h"
 #include "core/io/settings/alarm_file.h"
 #include "core/mission/station_topics.h"
+#include "transport/link/grant_sender.h"
 
 namespace leitstand {
 Station::State::~State() {
@@ -26,6 +27,7 @@ Station::State::~State() {
     if (finds) finds->finish();                  // what the operator saw is in the log
     if (alarms) alarms->end();
     if (feed) feed->end();
+    if (sharing) sharing->end();
     // Events that wait still go into the log; what would come of them in the map does not.
     if (mapping) mapping->end();
     if (victims) victims->end();
@@ -38,6 +40,8 @@ Station::State::~State() {
     finds.reset();
     cameras.reset();
     alarms.reset();
+    sharing.reset();
+    intake.reset();
     lines.clear();
     streams.reset();
     brakes.reset();
@@ -56,7 +60,11 @@ void Station::State::refresh(const std::string& robot) {
 
 Result<void> Station::State::control() {
     GrantListener held;
-    held.onChange = [this] { refresh({}); };
+    held.onChange = [this] {
+        refresh({});
+        const std::lock_guard lock(mutex);
+        if (open) sharing->look();
+    };
     held.onHeld = [this](const std::vector<HeldGrant>& now) {
         if (const auto kept = memory->remember(now); !kept) say(kept.error().text);
     };
@@ -129,6 +137,24 @@ void Station::State::watch() {
     alarms = std::make_unique<StationAlarms>(std::move(setup));
 }
 
+void Station::State::share() {
+    SharedIntakeSetup hearing;
+    hearing.me = senderOf(node->guid());
+    hearing.mission = [this] { return mission->state(); };
+    hearing.holdsMap = [this] { return grants->mayAct(MapGrant); };
+    hearing.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
+    hearing.tell = [this](const std::string& text) { say(text); };
+    MissionSharingSetup telling;
+    telling.station = memory->identity().id;
+    telling.folder = settings.mission.folder;
+    telling.holdsMap = hearing.holdsMap;
+    telling.tell = hearing.tell;
+    telling.robots = [this] { return mapping->robots(); };
+    intake = std::make_unique<SharedIntake>(std::move(hearing));
+    telling.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
+    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(telling));
+}
+
 void Station::State::listen() {
     feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
         for (const auto& [name, line] : lines) line->link().onSample(sample);
@@ -136,8 +162,15 @@ void Station::State::listen() {
     for (const RobotDescription& robot : settings.mission.robots) {
         for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Heard)) say(problem);
     }
-    for (const auto& problem : feed->listenToStations()) say(problem);
-    node->onDiscovery([this] { tellMismatches(); });
+    const auto gate = [this](ReceivedSample sample) {
+        const SteadyTime now = std::chrono::steady_clock::now();
+        intake->take(std::move(sample.event), senderOf(sample.writer), now);
+    };
+    for (const auto& problem : feed->listenToStations(gate)) say(problem);
+    node->onDiscovery([this] {
+        tellMismatches();
+        sharing->look();
+    });
 }
 
 void Station::State::tellMismatches() {
@@ -210,6 +243,8 @@ Result<void> Station::State::start() {
         coverage->take(event);
         finds->take(event);
         cameras->turning().take(event);
+        intake->know(event);
+        sharing->take(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
@@ -234,7 +269,10 @@ Result<void> Station::State::start() {
     search();
     file();
     watch();
-    clock = std::make_unique<StationClock>(*mission, memory->identity().id);
+    clock = std::make_unique<StationClock>(*mission, memory->identity().id, [this](const ClockSample& now) {
+        sharing->say(now, station_topic::Clock);
+    });
+    share();
     {
         const std::lock_guard lock(mutex);
         open = true;

@@ -12,6 +12,8 @@
 #include "app/session/finds/find_desk.h"
 #include "app/session/heap_keeper.h"
 #include "app/session/log/mission_feed.h"
+#include "app/session/sharing/mission_sharing.h"
+#include "app/session/sharing/shared_intake.h"
 #include "app/session/station/robot_lines.h"
 #include "app/session/station/station.h"
 #include "app/session/station/station_alarms.h"
@@ -48,6 +50,8 @@ struct Station::State {
     std::unique_ptr<StationClock> clock;
     std::unique_ptr<FindDesk> finds;
     std::unique_ptr<StationAlarms> alarms;
+    std::unique_ptr<SharedIntake> intake;
+    std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::mutex mutex;                ///< of the next two
     std::atomic<bool> open = false;  ///< all is there; changed under the mutex
@@ -65,6 +69,7 @@ struct Station::State {
     void cover(std::vector<KeyScanSample> earlier);
     void watch();
     void file();
+    void share();
     void listen();
     [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all

@@ -23,6 +23,9 @@ public:
     /// them, where it has that. The same key scan at the same place gets the same pointers again.
     void fit(LiveKeyScan& scan);
 
+    /// The key scan @p id is no more: the next of its number is another.
+    void forget(std::uint64_t id) { m_fitted.erase(id); }
+
 private:
     /// A key scan that was looked at.
     struct Fitted {

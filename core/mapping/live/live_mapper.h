@@ -86,9 +86,13 @@ public:
     /// Sets aside all scans that entered after @p moment (station's clock); robots go on from what is left.
     [[nodiscard]] Result<ScanPosesSample> rewind(Time moment, Time now);
 
-    /// Takes back a key scan of the log, when the station starts again: before any add(). Its odometry may
-    /// have begun anew since.
+    /// Takes back a key scan of the log, when the station starts again. Its odometry may have begun anew
+    /// since. One that the map has already is left as it is.
     void restore(const KeyScanSample& keyScan);
+    /// The same for a key scan that another station registers now, but that it counts instead of another one
+    /// of its number. Scans that this station enters later get numbers from the next thousand on: the other
+    /// may go on, unheard, with those that follow its own.
+    void adopt(const KeyScanSample& keyScan);
     /// Takes over where the mission has its key scans and how far they count, after an undo or from another
     /// station: all of them; those that are missing are set aside.
     void follow(std::span<const ScanPose> poses);

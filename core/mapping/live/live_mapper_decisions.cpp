@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 namespace leitstand {
 namespace {
+
+constexpr std::uint64_t IdBlock = 1000;  ///< of key scans that stations number without hearing each other
 
 Error unknown(std::uint64_t id) {
     return Error{
@@ -141,9 +144,13 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     const auto place =
         std::upper_bound(state.map.scans.begin(), state.map.scans.end(), key.id,
                          [](std::uint64_t id, const LiveKeyScan& scan) { return id < scan.id; });
+    const auto before = std::distance(state.map.scans.begin(), place);
     state.map.scans.insert(place, std::move(key));
     state.nextId = std::max(state.nextId, sample.id + 1);
     state.localStale = true;
+    for (auto newer = std::next(state.map.scans.begin(), before + 1); newer != state.map.scans.end(); ++newer) {
+        if (newer->scan->robot == robot) return;  // the robot is where that one saw it
+    }
     RobotTrack& track = state.robots[robot];
     track.odometry = sample.scan->hasOdometry;
     track.sensorInOdom = sample.scan->sensorInOdom;
@@ -151,6 +158,18 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     track.stamp = sample.scan->end;
     track.sensorInBase = sample.sensorInBase;
     state.goOn(robot);
+}
+
+void LiveMapper::adopt(const KeyScanSample& sample) {
+    if (!sample.scan) return;
+    const LiveKeyScan* known = m_state->find(sample.id);
+    if (known != nullptr && known->entered == sample.stamp) return;
+    if (known != nullptr) {
+        std::erase_if(m_state->map.scans, [&](const LiveKeyScan& scan) { return scan.id == sample.id; });
+        m_state->cropped.forget(sample.id);
+    }
+    restore(sample);
+    m_state->nextId = std::max(m_state->nextId, (sample.id / IdBlock + 1) * IdBlock + 1);
 }
 
 void LiveMapper::follow(std::span<const ScanPose> poses) {

@@ -175,6 +175,12 @@ void LaserRobot::restore(const RobotPlaceSample& place) {
     m_tracker.correct({place.measured, place.baseInMap, 0.0, false, placement_says::WhereLeft});
 }
 
+void LaserRobot::follow(const RobotPlaceSample& place) {
+    if (place.cause == RobotPlaceSample::Cause::Slot && !place.certain) return;  // looked for in vain
+    m_resumed = place;  // it is found from there, once this station makes the map
+    m_tracker.correct({place.measured, place.baseInMap, place.certainty, place.certain, place.how});
+}
+
 std::optional<RobotPlaceSample> LaserRobot::resumed(const LiveMapPtr& map, Time now) {
     const auto motion = m_tracker.motion().at(m_view->stamp);
     if (!motion) return std::nullopt;

@@ -50,6 +50,8 @@ public:
     /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its
     /// odometry went on to.
     void restore(const RobotPlaceSample& place);
+    /// As another station, which makes the map, has it now.
+    void follow(const RobotPlaceSample& place);
 
     [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
     [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && !m_put; }

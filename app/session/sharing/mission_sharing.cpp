@@ -1,0 +1,248 @@
+#include "app/session/sharing/mission_sharing.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+#include "app/session/domain/topic_lane.h"
+#include "app/session/log/sequencer.h"
+#include "app/session/station/mission_map.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mission/mission_clock.h"
+#include "core/mission/station_topics.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> SharedTopics = {{
+    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
+    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
+    {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop"},
+    {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace"},
+    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
+    {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
+    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
+    {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
+}};
+
+constexpr int Kept = 32;         ///< samples a topic, for who was away for a moment
+constexpr int ScansAtOnce = 8;   ///< key scans that are on their way before the others wait for them
+constexpr std::chrono::seconds LongestOnTheirWay(2);
+
+bool isShared(std::string_view topic) {
+    return std::any_of(SharedTopics.begin(), SharedTopics.end(),
+                       [&](const auto& shared) { return shared.first == topic; });
+}
+
+/// @p sample as it is for others: where it stands in this log says nothing in theirs.
+Sample forOthers(Sample sample) {
+    if (auto* find = std::get_if<VictimSample>(&sample)) {
+        for (VictimEvidence& one : find->evidence) one.sequence = 0;
+    } else if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
+        for (Cue& cue : candidate->cues) cue.sequence = 0;
+    }
+    return sample;
+}
+
+/// The station that @p sample names; null where it names none.
+const std::string* stationOf(const Sample& sample) {
+    return std::visit(
+        [](const auto& one) -> const std::string* {
+            if constexpr (requires { std::string(one.station); }) return &one.station;
+            return nullptr;
+        },
+        sample);
+}
+
+/// What the undo takes back, or does again, in the end.
+const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
+    const Decision* meant = decisionAt(mission, undo.event);
+    while (meant != nullptr) {
+        const auto* other = std::get_if<UndoSample>(&meant->content);
+        if (other == nullptr || other->event >= meant->sequence) break;
+        meant = decisionAt(mission, other->event);
+    }
+    return meant;
+}
+
+}  // namespace
+
+MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup)
+    : m_node(node), m_mission(mission), m_setup(std::move(setup)) {
+    for (const auto& [topic, type] : SharedTopics) {
+        WriterSettings writer;
+        writer.topic = topic;
+        writer.type = type;
+        writer.qos = {.reliability = Qos::Reliability::Reliable,
+                      .durability = Qos::Durability::TransientLocal,
+                      .depth = Kept};
+        writer.flow = flowOf(type);
+        auto made = node.publisher(writer);
+        if (made)
+            m_publishers.emplace(topic, std::move(made).value());
+        else
+            m_setup.tell(made.error().text);
+    }
+    m_thread = std::jthread([this](const std::stop_token& stop) { m_jobs.work(stop); });
+}
+
+MissionSharing::~MissionSharing() {
+    end();
+}
+
+void MissionSharing::end() {
+    m_jobs.cancel();
+    m_thread.request_stop();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+bool MissionSharing::isHeard() const {
+    const std::lock_guard lock(m_mutex);
+    return !m_listeners.empty();
+}
+
+void MissionSharing::look() {
+    std::set<Guid> now;
+    for (const RemoteEndpoint& one : m_node.endpoints()) {
+        if (one.kind == RemoteEndpoint::Kind::Reader && isShared(one.topic)) now.insert(one.participant);
+    }
+    const bool holds = m_setup.holdsMap();
+    const std::lock_guard lock(m_mutex);
+    const bool came = !std::includes(m_listeners.begin(), m_listeners.end(), now.begin(), now.end());
+    const bool took = holds && !m_heldMap;
+    m_listeners = std::move(now);
+    m_heldMap = holds;
+    if (m_listeners.empty() || (!came && !took)) return;
+    m_jobs.submit([this](const std::stop_token& stop) { tellAll(stop); });
+}
+
+void MissionSharing::submit(const Sample& sample, std::string_view topic) {
+    m_jobs.submit([this, sample, topic](const std::stop_token& stop) {
+        if (!stop.stop_requested()) write(sample, topic);
+    });
+}
+
+void MissionSharing::say(const Sample& sample, std::string_view topic) {
+    if (isHeard()) submit(sample, topic);
+}
+
+void MissionSharing::take(const Event& event) {
+    if (!event.robot.empty() || !isHeard()) return;
+    if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
+        if (undo->station != m_setup.station) return;
+        return m_jobs.submit([this, undo = *undo](const std::stop_token& stop) {
+            if (!stop.stop_requested()) tellUndone(undo);
+        });
+    }
+    // What the operator says of them comes by say(); what a station says of them at its start is its own.
+    if (event.topic == station_topic::Clock || event.topic == station_topic::Mission) return;
+    if (!isShared(event.topic)) return;
+    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    const std::string* station = stationOf(event.sample);
+    const bool ours = scan != nullptr ? !m_setup.isAdopted(scan->id)
+                                      : station != nullptr && *station == m_setup.station;
+    if (ours) submit(event.sample, event.topic);
+}
+
+void MissionSharing::write(const Sample& sample, std::string_view topic) {
+    const Sample said = forOthers(sample);
+    auto cdr = encode(said, typeOf(said));
+    if (cdr) write(*cdr, topic);  // the log has told what cannot be
+}
+
+void MissionSharing::write(const Payload& cdr, std::string_view topic) {
+    const auto publisher = m_publishers.find(topic);
+    // Not written: the node has left.
+    if (publisher != m_publishers.end()) static_cast<void>(publisher->second->write(cdr));
+}
+
+void MissionSharing::tellAll(const std::stop_token& stop) {
+    if (m_setup.holdsMap()) {
+        tellScans(stop);
+        if (stop.stop_requested()) return;
+        tellMap(*m_mission.state());
+    }
+    tellFinds(*m_mission.state());
+}
+
+void MissionSharing::tellScans(const std::stop_token& stop) {
+    const auto publisher = m_publishers.find(station_topic::KeyScans);
+    if (publisher == m_publishers.end() || !m_mission.flush()) return;
+    const auto bag = BagReader::open(m_setup.folder);
+    if (!bag) return m_setup.tell(bag.error().text);
+    BagQuery query;
+    query.topics = {std::string(station_topic::KeyScans)};
+    BagCursor scans = (*bag)->read(query);
+    int onTheirWay = 0;
+    while (const auto scan = scans.next()) {
+        if (stop.stop_requested()) return;
+        write(scan->cdr, station_topic::KeyScans);
+        if (++onTheirWay % ScansAtOnce == 0)
+            (void)publisher->second->waitForAcknowledgments(LongestOnTheirWay);  // who is gone is not waited for
+    }
+}
+
+void MissionSharing::tellMap(const MissionState& mission) {
+    const Time now = stationTime();
+    if (!mission.keyScans->empty())
+        write(ScanPosesSample{now, m_setup.station, ScanPosesSample::Cause::Registration, posesOf(mission)},
+              station_topic::ScanPoses);
+    if (mission.crop) write(mission.crop->sample, station_topic::MapCrop);
+    const RobotsInMapPtr robots = m_setup.robots();
+    for (const auto& [name, robot] : mission.robots) {
+        if (!robot->place) continue;
+        RobotPlaceSample place = robot->place->sample;
+        for (const RobotInMap& one : *robots) {
+            if (one.robot != name || !one.placed || !one.odomInMap) continue;
+            place.measured = one.stamp;
+            place.baseInMap = one.baseInMap;
+            place.odomInMap = *one.odomInMap;
+        }
+        place.station = m_setup.station;
+        write(place, station_topic::RobotPlaces);
+    }
+    for (const auto& [id, candidate] : *mission.candidates)
+        write(candidate.candidate, station_topic::Candidates);
+    if (mission.clock) {
+        // By its stamp newer than the clock that a station began by itself when it came.
+        const MissionClock clock = clockAt(mission.clock->sample, now);
+        write(clockRun(clock, clock.running, now, m_setup.station), station_topic::Clock);
+    }
+    if (mission.info) write(mission.info->sample, station_topic::Mission);
+}
+
+void MissionSharing::tellFinds(const MissionState& mission) {
+    for (const auto& [key, find] : *mission.victims) write(find.victim, station_topic::Victims);
+}
+
+void MissionSharing::tellUndone(const UndoSample& undo) {
+    const MissionStatePtr mission = m_mission.state();
+    const Decision* meant = meantBy(*mission, undo);
+    if (meant == nullptr) return;
+    if (const auto* poses = std::get_if<ScanPosesSample>(&meant->content)) {
+        ScanPosesSample now{undo.stamp, m_setup.station, ScanPosesSample::Cause::Operator, {}};
+        for (const ScanPose& pose : poses->poses) {
+            const auto scan = mission->keyScans->find(pose.scan);
+            if (scan != mission->keyScans->end()) now.poses.push_back(scan->second.pose);
+        }
+        write(now, station_topic::ScanPoses);
+    } else if (std::holds_alternative<MapCropSample>(meant->content)) {
+        MapCropSample now;
+        if (mission->crop) now = mission->crop->sample;
+        now.stamp = undo.stamp;
+        now.station = m_setup.station;
+        write(now, station_topic::MapCrop);
+    } else if (const auto* find = std::get_if<VictimSample>(&meant->content)) {
+        const auto known = mission->victims->find({find->kind, find->number});
+        VictimSample now = known != mission->victims->end() ? known->second.victim : *find;
+        if (known == mission->victims->end()) now.status = VictimSample::Status::Discarded;
+        now.stamp = undo.stamp;
+        now.station = m_setup.station;
+        write(now, station_topic::Victims);
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/mission/event.h"
+#include "core/mission/mission_state.h"
+#include "core/mission/raw_event.h"
+#include "core/robot/control/grants.h"
+#include "core/robot/link_status.h"
+
+namespace leitstand {
+
+/// What a SharedIntake works with; may be called on any thread, with its lock held.
+struct SharedIntakeSetup {
+    Sender me;                                          ///< this process: what it says itself is left out
+    std::function<MissionStatePtr()> mission = {};      ///< never null
+    std::function<bool()> holdsMap = {};                ///< whether this station makes the map
+    std::function<void(RawEvent)> enter = {};           ///< into the log, in this order
+    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+};
+
+/// What other stations say of the mission, on its way into this station's log (docs/stations.md). Samples of
+/// different topics overtake each other on the wire, and who comes late is told everything again; the log
+/// gets each thing once, and after what it builds on:
+///
+/// - a key scan that the map has already is left out; one that has another's number counts instead of it, as
+///   its station lost that when it was killed; poses and places wait until all their scans are there;
+/// - of a find, a candidate, a clock and the mission's description the newest by its stamp counts;
+/// - the station that makes the map hears nobody else's;
+/// - a map that has no scan in common with this mission's, which is not empty, is another one: that is told
+///   once, and nothing that lies in it is taken from that station. (Who meets a station tells it all scans
+///   from the first on.)
+///
+/// Any thread.
+class SharedIntake {
+public:
+    explicit SharedIntake(SharedIntakeSetup setup);
+
+    /// Takes what @p from said, on one of station_topic.
+    void take(RawEvent event, const Sender& from, SteadyTime now);
+    /// An event of our log: key scans are known from then on.
+    void know(const Event& event);
+    /// Whether key scan @p id came from another station in this session.
+    [[nodiscard]] bool isAdopted(std::uint64_t id) const;
+
+    static constexpr std::chrono::seconds LongestWait{60};  ///< of poses for their scans
+    static constexpr std::size_t MostWaiting = 4096;        ///< of one station
+
+private:
+    /// What tells a key scan from another of its number.
+    struct Known {
+        std::string robot;
+        Time entered{};
+        friend bool operator==(const Known&, const Known&) = default;
+    };
+    struct Waiting {
+        RawEvent event;
+        SteadyTime since;
+        std::vector<std::uint64_t> scans;
+    };
+    enum class Map : std::uint8_t { Unknown, Same, Other };
+    struct Other {
+        Map map = Map::Unknown;
+        std::deque<Waiting> waiting;  ///< what lies in its map, as it came
+    };
+    [[nodiscard]] bool wants(const Event& event, Other& other);
+    [[nodiscard]] bool wants(const KeyScanSample& scan, Other& other);
+    void tellOtherMap(std::uint64_t scan) const;
+    [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;
+    void release(SteadyTime now);
+
+    const SharedIntakeSetup m_setup;
+    mutable std::mutex m_mutex;
+    std::map<std::uint64_t, Known> m_scans;  ///< by id; under the mutex, as all that follows
+    std::set<std::uint64_t> m_adopted;
+    std::map<Sender, Other> m_others;
+};
+
+}  // namespace leitstand
