@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "app/session/finds/find_desk.h"
+#include "app/session/station/mission_map.h"
+#include "app/session/station/station_clock.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mission/mission_state.h"
+#include "tests/app/station/scanning_scene.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Two stations in one domain that hear the same robot: the first one there makes the map.
+class TwoStations : public ScanningScene {
+protected:
+    void openFirst() { m_first = stationFor({m_description}, "first"); }
+    void openSecond() { m_second = stationFor({m_description}, "second"); }
+    void hear() {
+        m_hearing.clear();
+        for (Station* one : {m_first.get(), m_second.get()}) {
+            if (one != nullptr) m_hearing.push_back(one);
+        }
+    }
+    [[nodiscard]] static std::vector<std::uint64_t> ids(Station& station) {
+        std::vector<std::uint64_t> all;
+        for (const LiveKeyScan& scan : station.mapping().scans()->scans) all.push_back(scan.id);
+        return all;
+    }
+    [[nodiscard]] static bool has(Station& station, std::size_t count) {
+        return waitUntil([&] { return station.mapping().scans()->scans.size() == count; }, 60s);
+    }
+    [[nodiscard]] static std::optional<ScanTrust> trust(Station& station, std::uint64_t id) {
+        for (const LiveKeyScan& scan : station.mapping().scans()->scans) {
+            if (scan.id == id) return scan.pose.trust;
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] static bool becomes(Station& station, std::uint64_t id, ScanTrust wanted) {
+        return waitUntil([&] { return trust(station, id) == wanted; }, 60s);
+    }
+    [[nodiscard]] static std::optional<VictimSample> victim(Station& station, std::uint32_t number) {
+        const MissionStatePtr mission = station.mission();
+        const auto known = mission->victims->find({VictimSample::Kind::Victim, number});
+        return known == mission->victims->end() ? std::nullopt : std::optional(known->second.victim);
+    }
+    [[nodiscard]] static const RobotInMap& robot(const RobotsInMapPtr& robots) { return robots->front(); }
+
+    std::unique_ptr<Station> m_first, m_second;
+};
+
+TEST_F(TwoStations, TheSecondShowsTheMapThatTheFirstMakesAndWhatIsDecidedOfIt) {
+    openFirst();
+    hear();
+    ASSERT_TRUE(holdsMap(*m_first)) << words();
+    for (int i = 0; i < 3; ++i) scan();
+    ASSERT_TRUE(has(*m_first, 3)) << words();
+    openSecond();  // what was before comes to who comes late ...
+    ASSERT_TRUE(has(*m_second, 3)) << words();
+    hear();
+    scan();  // ... and then what is new
+    ASSERT_TRUE(has(*m_first, 4)) << words();
+    ASSERT_TRUE(has(*m_second, 4)) << words();
+    const LiveMapPtr made = m_first->mapping().scans();
+    ASSERT_TRUE(waitUntil([&] {
+        const LiveMapPtr shown = m_second->mapping().scans();
+        return std::equal(made->scans.begin(), made->scans.end(), shown->scans.begin(), shown->scans.end(),
+                          [](const LiveKeyScan& a, const LiveKeyScan& b) {
+                              return a.id == b.id && a.pose.trust == b.pose.trust &&
+                                     a.scan->points.size() == b.scan->points.size() &&
+                                     a.pose.scanInMap.isApprox(b.pose.scanInMap, 1e-9);
+                          });
+    })) << words();
+    ASSERT_TRUE(waitUntil([&] { return robot(m_second->mapping().robots()).placed; }));
+    const Pose apart = robot(m_first->mapping().robots()).baseInMap.inverse() *
+                       robot(m_second->mapping().robots()).baseInMap;
+    EXPECT_LT(apart.translation().norm(), 0.02) << "the robot, too";
+
+    EXPECT_THAT(m_second->mapping().reject(2).error().text, HasSubstr("another station"));
+    ASSERT_TRUE(m_first->mapping().reject(2).ok());
+    EXPECT_TRUE(becomes(*m_second, 2, ScanTrust::SetAside)) << words();
+    ASSERT_TRUE(m_first->mapping().undo().ok());
+    EXPECT_TRUE(becomes(*m_second, 2, ScanTrust::Certain)) << words();
+    MapCrop area;
+    area.polygon = {{-10.0, -10.0}, {1.2, -10.0}, {1.2, 10.0}, {-10.0, 10.0}};
+    ASSERT_TRUE(m_first->mapping().setCrop(area).ok());
+    EXPECT_TRUE(waitUntil([&] { return m_second->mapping().crop().polygon == area.polygon; })) << words();
+    ASSERT_TRUE(m_first->mapping().undo().ok());
+    EXPECT_TRUE(waitUntil([&] { return m_second->mapping().crop().open(); })) << words();
+
+    m_second.reset();
+    openSecond();
+    EXPECT_THAT(ids(*m_second), ElementsAre(1, 2, 3, 4)) << "its own log has all of it";
+    m_second.reset();
+    m_first.reset();
+    const auto log = must(BagReader::open(m_folder / "second-mission"));
+    EXPECT_EQ(keyScansOf(*log).size(), 4u) << "and no scan twice";
+}
+
+TEST_F(TwoStations, TheSecondGoesOnWithTheMapWhereTheFirstEndsAndTheFirstFollows) {
+    openFirst();
+    ASSERT_TRUE(holdsMap(*m_first)) << words();
+    openSecond();
+    hear();
+    for (int i = 0; i < 3; ++i) scan();
+    ASSERT_TRUE(has(*m_second, 3)) << words();
+    m_first.reset();
+    hear();
+    ASSERT_TRUE(holdsMap(*m_second)) << words();
+    scan();
+    ASSERT_TRUE(has(*m_second, 4)) << words();
+    EXPECT_THAT(ids(*m_second), ElementsAre(1, 2, 3, 1001));
+    EXPECT_EQ(trust(*m_second, 1001), ScanTrust::Certain) << "it fits the map of the first";
+    openFirst();
+    EXPECT_TRUE(waitUntil([&] { return ids(*m_first) == ids(*m_second); }, 60s)) << words();
+    EXPECT_THAT(m_first->mapping().reject(1).error().text, HasSubstr("another station"));
+}
+
+TEST_F(TwoStations, FindsAndTheClockAreTheTeams) {
+    openFirst();
+    ASSERT_TRUE(holdsMap(*m_first)) << words();
+    ASSERT_TRUE(m_first->clock().run(false).ok());
+    ASSERT_TRUE(m_first->clock().limit(20min).ok());
+    openSecond();
+    EXPECT_TRUE(waitUntil([&] { return m_second->clock().now().limit == 20min; })) << words();
+    EXPECT_FALSE(m_second->clock().now().running);
+    hear();
+    scan();
+    ASSERT_TRUE(has(*m_second, 1)) << words();
+    m_second->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {1.0, 0.5, -0.8});
+    ASSERT_TRUE(waitUntil([&] { return victim(*m_first, 1).has_value(); })) << words();
+    EXPECT_LT((victim(*m_first, 1)->positionInMap - Eigen::Vector3d(1.0, 0.5, -0.8)).head<2>().norm(), 1e-6);
+    const FindKey found{VictimSample::Kind::Victim, 1};
+    ASSERT_TRUE(m_first->finds().confirm(found).ok()) << "whoever filed it";
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Confirmed; }));
+    ASSERT_TRUE(m_first->finds().undo().ok());
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Hypothesis; }));
+    ASSERT_TRUE(m_second->finds().undo().ok());
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_first, 1)->status == VictimSample::Status::Discarded; }))
+        << "that it was filed is taken back";
+    m_first->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {2.0, -0.5, -0.8});
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 2).has_value(); })) << "no number twice; " << words();
+    ASSERT_TRUE(m_second->clock().run(true).ok());
+    EXPECT_TRUE(waitUntil([&] { return m_first->clock().now().running; }));
+}
+
+}  // namespace
+}  // namespace leitstand::test
