@@ -120,7 +120,7 @@ void MissionSharing::look() {
 }
 
 void MissionSharing::submit(const Sample& sample, std::string_view topic) {
-    m_jobs.submit([this, sample, topic](const std::stop_token& stop) {
+    m_jobs.submit([this, sample, topic = std::string(topic)](const std::stop_token& stop) {
         if (!stop.stop_requested()) write(sample, topic);
     });
 }
