@@ -144,11 +144,11 @@ TEST_F(TwoStations, FindsAndTheClockAreTheTeams) {
     EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Confirmed; }));
     ASSERT_TRUE(m_first->finds().undo().ok());
     EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Hypothesis; }));
+    m_second->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {2.0, -0.5, -0.8});
+    ASSERT_TRUE(waitUntil([&] { return victim(*m_first, 2).has_value(); })) << "no number twice; " << words();
     ASSERT_TRUE(m_second->finds().undo().ok());
-    EXPECT_TRUE(waitUntil([&] { return victim(*m_first, 1)->status == VictimSample::Status::Discarded; }))
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_first, 2)->status == VictimSample::Status::Discarded; }))
         << "that it was filed is taken back";
-    m_first->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {2.0, -0.5, -0.8});
-    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 2).has_value(); })) << "no number twice; " << words();
     ASSERT_TRUE(m_second->clock().run(true).ok());
     EXPECT_TRUE(waitUntil([&] { return m_first->clock().now().running; }));
 }
