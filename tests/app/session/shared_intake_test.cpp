@@ -81,7 +81,6 @@ protected:
                 m_entered.push_back("broken");
                 return;
             }
-            event->sequence = raw.sequence;
             m_state = std::make_shared<const MissionState>(fold(*m_state, *event));
             m_entered.push_back(nameOf(event->sample));
         };
