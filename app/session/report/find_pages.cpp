@@ -83,7 +83,7 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
     FindPages pages;
     bool toldOfGas = false;  // a trace has many readings
     for (const VictimEvidence& evidence : find.sample.evidence) {
-        const auto event = source.event(evidence.sequence);
+        const auto event = source.event(evidence, find.sample);
         if (!event) {
             if (evidence.kind == "gas" && std::exchange(toldOfGas, true)) continue;
             warnings.push_back(fill(translate("leitstand::ReportText", "{}: its {} is missing: {}"),

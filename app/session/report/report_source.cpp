@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/session/coverage/logged_views.h"
+#include "app/session/finds/freezing.h"
 #include "app/session/log/bag_history.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
@@ -198,6 +199,26 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
         if (!found) found = event;
     });
     if (!found) return Error{fmt::format("event {} ({}) cannot be read", sequence, raw->topic)};
+    return std::move(*found);
+}
+
+Result<Event> ReportSource::event(const VictimEvidence& evidence, const VictimSample& find) {
+    constexpr auto Around = std::chrono::minutes(1);
+    if (evidence.sequence != 0) return event(evidence.sequence);
+    BagQuery query;
+    query.topics = {evidence.topic};
+    query.from = find.found - Around;
+    query.to = find.found + Around;
+    BagCursor cursor = m_bag->read(query);
+    std::optional<Event> found;
+    while (!found) {
+        const auto raw = cursor.next();
+        if (!raw) break;
+        m_decoder->decode(*raw, [&](const Event& event) {
+            if (!found && evidenceOf("", event).stamp == evidence.stamp) found = event;
+        });
+    }
+    if (!found) return Error{"another station has it in its log"};
     return std::move(*found);
 }
 

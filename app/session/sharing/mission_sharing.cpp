@@ -8,6 +8,7 @@
 
 #include "app/session/domain/topic_lane.h"
 #include "app/session/log/sequencer.h"
+#include "app/session/sharing/shared_evidence.h"
 #include "app/session/station/mission_map.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/mission_clock.h"
@@ -35,16 +36,6 @@ constexpr std::chrono::seconds LongestOnTheirWay(2);
 bool isShared(std::string_view topic) {
     return std::any_of(SharedTopics.begin(), SharedTopics.end(),
                        [&](const auto& shared) { return shared.first == topic; });
-}
-
-/// @p sample as it is for others: where it stands in this log says nothing in theirs.
-Sample forOthers(Sample sample) {
-    if (auto* find = std::get_if<VictimSample>(&sample)) {
-        for (VictimEvidence& one : find->evidence) one.sequence = 0;
-    } else if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
-        for (Cue& cue : candidate->cues) cue.sequence = 0;
-    }
-    return sample;
 }
 
 /// The station that @p sample names; null where it names none.

@@ -4,9 +4,11 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/sharing/shared_evidence.h"
 #include "core/base/words.h"
 #include "core/mission/station_topics.h"
 #include "transport/convert/decode.h"
+#include "transport/convert/encode.h"
 
 namespace leitstand {
 namespace {
@@ -137,6 +139,10 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
         other.waiting.push_back({std::move(event), now, scansOf(decoded->sample)});
         if (other.waiting.size() > MostWaiting) other.waiting.pop_front();
     } else if (wanted) {
+        Sample sample = decoded->sample;  // points are shared
+        if (takeOurSequences(sample, *m_setup.mission())) {
+            if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
+        }
         m_setup.enter(std::move(event));
     }
     release(now);

@@ -28,7 +28,7 @@ void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
     for (const VictimEvidence& one : from) {
         const bool known =
             std::any_of(to.evidence.begin(), to.evidence.end(), [&](const VictimEvidence& there) {
-                return there.sequence == one.sequence && there.topic == one.topic;
+                return there.sequence == one.sequence && there.topic == one.topic && there.stamp == one.stamp;
             });
         if (!known) to.evidence.push_back(one);
     }

@@ -23,7 +23,7 @@ struct VictimSign {
 struct VictimEvidence {
     std::string kind;            ///< "picture", "thermal", "gas", "scan", "odometry"
     std::string topic;           ///< ROS name
-    std::uint64_t sequence = 0;  ///< of the event in the mission
+    std::uint64_t sequence = 0;  ///< of the event in the mission; 0: of another station's log, by topic and stamp
     Time stamp{};                ///< sample's own
 };
 

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/sharing/shared_evidence.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
 #include "tests/transport/dds/test_node.h"
@@ -255,6 +256,27 @@ TEST_F(SharedIntakeTest, TheNewestFormOfAFindAndTheNewestClockCount) {
     clock.stamp = at(9);
     hear(clock, station_topic::Clock);
     EXPECT_THAT(entered(), ElementsAre("victim", "clock"));
+}
+
+TEST_F(SharedIntakeTest, AFindThatAnotherStationChangedKeepsWhereItsEvidenceStandsInThisLog) {
+    begin();
+    VictimSample ours;
+    ours.stamp = at(80);
+    ours.number = 1;
+    ours.evidence = {{"picture", "/kurt3d/left", 512, at(79)}, {"gas", "/kurt3d/co2", 513, at(78)}};
+    hear(ours, station_topic::Victims);
+    VictimSample changed = std::get<VictimSample>(forOthers(ours));
+    EXPECT_EQ(changed.evidence[0].sequence, 0u);
+    changed.stamp = at(90);
+    changed.status = VictimSample::Status::Confirmed;
+    changed.evidence.push_back({"picture", "/crawler/left", 0, at(89)});
+    hear(changed, station_topic::Victims, Third);
+    const VictimSample& kept = m_state->victims->at({VictimSample::Kind::Victim, 1}).victim;
+    EXPECT_EQ(kept.status, VictimSample::Status::Confirmed);
+    ASSERT_EQ(kept.evidence.size(), 3u);
+    EXPECT_EQ(kept.evidence[0].sequence, 512u);
+    EXPECT_EQ(kept.evidence[1].sequence, 513u);
+    EXPECT_EQ(kept.evidence[2].sequence, 0u) << "another log has it";
 }
 
 TEST_F(SharedIntakeTest, OwnWordsAreLeftOutAndNonsenseIsKeptForTheLog) {
