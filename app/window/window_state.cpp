@@ -42,7 +42,7 @@ void readChoice(const QSettings& file, const char* key, const std::vector<Choice
 
 void readView(const QSettings& file, MapViewSettings& view) {
     readEnum(file, "view/look", MapLook::Top, view.look);
-    readEnum(file, "view/colouring", MapColouring::Range, view.colouring);
+    readEnum(file, "view/colouring", MapColouring::Age, view.colouring);
     readEnum(file, "view/theme", Theme::Light, view.theme);
     readNumber(file, "view/voxel", 0.05, 0.5, view.voxelSize);
 }

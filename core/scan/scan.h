@@ -34,6 +34,7 @@ struct Scan {
     std::vector<Eigen::Vector3f> points;  ///< in the sensor's frame at the end of the sweep [m]; NaN: no echo
     std::vector<float> intensities;       ///< empty, or one per point
     std::vector<Label> labels;            ///< empty, or one per point
+    std::vector<std::uint8_t> shades;     ///< empty, or one per point: intensities to look at (shadesOf())
 
     [[nodiscard]] bool organised() const { return rows > 0 && columns > 0; }
 };

@@ -79,6 +79,12 @@ void MapScenery::setVisible(std::vector<bool> scanIsVisible) {
     submit();
 }
 
+void MapScenery::setTeam(std::vector<SceneRobot> robots) {
+    if (robots == m_order.robots) return;
+    m_order.robots = std::move(robots);
+    if (m_order.settings.colouring == MapColouring::Robot) submit();
+}
+
 void MapScenery::setSettings(const MapViewSettings& settings) {
     if (settings == m_order.settings) return;
     const bool followed = following();

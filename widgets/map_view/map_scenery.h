@@ -27,6 +27,8 @@ public:
 
     void setMap(MapPtr map);
     void setVisible(std::vector<bool> scanIsVisible);
+    /// Whose colours and names the robots' scans have.
+    void setTeam(std::vector<SceneRobot> robots);
     /// A camera that followed a robot and does no more stays where it is.
     void setSettings(const MapViewSettings& settings);
     /// The same, but cameras that follow nothing are where they were left.

@@ -15,7 +15,12 @@ void MapView::setRobots(std::vector<RobotMark> robots) {
     const bool same =
         std::equal(robots.begin(), robots.end(), m_state->robots.begin(), m_state->robots.end(), sameMark);
     m_state->robots = std::move(robots);
-    if (!same) update();
+    if (same) return;
+    std::vector<SceneRobot> team;
+    for (const RobotMark& robot : m_state->robots)
+        team.push_back({robot.face.name.toStdString(), robot.face.title.toStdString(), robot.face.place});
+    m_state->scenery.setTeam(std::move(team));
+    update();
 }
 
 void MapView::setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen) {

@@ -8,7 +8,7 @@
 namespace leitstand {
 
 /// What the colour of a point tells.
-enum class MapColouring : std::uint8_t { Label, Scan, Height, Range };
+enum class MapColouring : std::uint8_t { Label, Scan, Height, Range, Robot, Intensity, Age };
 
 /// Which poses are shown.
 enum class MapPoses : std::uint8_t { Registered, Guess };

@@ -34,6 +34,7 @@ MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
         scan.icp.overlap = one.pose.overlap;
         scan.icp.certainty = one.counts() ? one.pose.certainty : 0.0;
         scan.id = one.id;
+        scan.entered = one.entered;
         scan.uncertain = one.pose.trust == ScanTrust::Uncertain;
         map->scans.push_back(std::move(scan));
     }

@@ -84,6 +84,15 @@ void ViewCommands::addColourings() {
     addChoice(*m_colourings, MapColouring::Range,
               {"colourRange", tr("Colour by &range"), tr("Distance from the scanner"),
                QKeySequence(Qt::CTRL | Qt::Key_4)});
+    addChoice(*m_colourings, MapColouring::Robot,
+              {"colourRobot", tr("Colour by r&obot"), tr("Which robot's scanner saw it"),
+               QKeySequence(Qt::CTRL | Qt::Key_5)});
+    addChoice(*m_colourings, MapColouring::Intensity,
+              {"colourIntensity", tr("Colour by &intensity"), tr("How strongly surfaces throw the laser back"),
+               QKeySequence(Qt::CTRL | Qt::Key_6)});
+    addChoice(*m_colourings, MapColouring::Age,
+              {"colourAge", tr("Colour by a&ge"), tr("When it came into the map: what is bright is new"),
+               QKeySequence(Qt::CTRL | Qt::Key_7)});
     connect(m_colourings, &QActionGroup::triggered, this, [this](const QAction* action) {
         m_state.alter([action](MapViewSettings& view) { view.colouring = chosenBy<MapColouring>(action); });
     });

@@ -9,6 +9,7 @@
 #include "core/scan/normals.h"
 #include "core/scan/outliers.h"
 #include "core/scan/range_filter.h"
+#include "core/scan/shades.h"
 #include "core/scan/voxel_grid.h"
 
 namespace leitstand {
@@ -73,13 +74,16 @@ Scan selected(const Scan& scan, const std::vector<std::size_t>& kept) {
     Scan result = headOf(scan);
     const bool intensities = scan.intensities.size() == scan.points.size();
     const bool labels = scan.labels.size() == scan.points.size();
+    const bool shades = scan.shades.size() == scan.points.size();
     result.points.reserve(kept.size());  // an hour has hundreds of scans: no spare room in any
     if (labels) result.labels.reserve(kept.size());
     if (intensities) result.intensities.reserve(kept.size());
+    if (shades) result.shades.reserve(kept.size());
     for (const std::size_t i : kept) {
         result.points.push_back(scan.points[i]);
         if (labels) result.labels.push_back(scan.labels[i]);
         if (intensities) result.intensities.push_back(scan.intensities[i]);
+        if (shades) result.shades.push_back(scan.shades[i]);
     }
     return result;
 }
@@ -91,13 +95,16 @@ ScanPtr keptOf(const ScanPtr& scan) {
     kept->columns = scan->columns;
     kept->points = scan->points;
     kept->labels = scan->labels;
+    kept->shades = scan->intensities.size() == scan->points.size() ? shadesOf(scan->intensities)
+                                                                   : std::vector<std::uint8_t>();
     return kept;
 }
 
 std::size_t memoryOf(const LiveKeyScan& scan) {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list.front()); };
     std::size_t sum = sizeof(LiveKeyScan);
-    if (scan.scan) sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels);
+    if (scan.scan) sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels) +
+               bytes(scan.scan->shades);
     if (scan.reduced) sum += scan.reduced->memory();
     return sum;
 }

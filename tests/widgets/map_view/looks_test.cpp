@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ostream>
 #include <set>
@@ -8,6 +9,7 @@
 #include "tests/widgets/map_view/golden.h"
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
+#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {
@@ -118,6 +120,64 @@ TEST(MapLooks, ColoursByScanDiffer) {
     EXPECT_NE(left, right);
     EXPECT_NE(left, DarkBackground);
     EXPECT_NE(right, DarkBackground);
+}
+
+/// Two blobs on the left and on the right, two minutes apart, of two robots, a dim and a bright one.
+MapPtr twoRobots() {
+    const auto made = [](float y, const char* robot, int minute, float intensity) {
+        const auto scan = std::make_shared<Scan>(*blob({4, y, 0}, Label::Wall));
+        scan->robot = robot;
+        scan->end = Time(std::chrono::minutes(28'000'000 + minute));
+        scan->intensities.assign(scan->points.size(), intensity);
+        return scan;
+    };
+    return mapOf({made(1, "kurt3d", 0, 10.0F), made(-1, "crawler", 2, 200.0F)});
+}
+
+TEST(MapLooks, ColoursByRobotAreThoseOfTheTeam) {
+    ShownView view(twoRobots(), settingsOf(MapLook::Points, MapColouring::Robot));
+    std::vector<RobotMark> team(2);
+    team[0].face = {QStringLiteral("kurt3d"), QStringLiteral("K"), QStringLiteral("Kurt3D"), 0};
+    team[1].face = {QStringLiteral("crawler"), QStringLiteral("C"), QStringLiteral("Crawler"), 1};
+    for (RobotMark& robot : team) robot.baseInMap = poseFrom({-3, 0, 0}, 0, 0, 0);
+    for (const MapLook look : {MapLook::Points, MapLook::Voxels}) {
+        view.alter([look](MapViewSettings& settings) { settings.look = look; });
+        view->setRobots(team);
+        ASSERT_TRUE(view.settle());
+        const QImage picture = view->picture();
+        const QColor left = colourAt(picture, view.at({4, 1, 0}), DarkBackground);
+        const QColor right = colourAt(picture, view.at({4, -1, 0}), DarkBackground);
+        const ThemeColours& colours = coloursOf(Theme::Dark);
+        EXPECT_LT(std::abs(left.hue() - colours.robot(0).hue()), 12) << left.name().toStdString();
+        EXPECT_LT(std::abs(right.hue() - colours.robot(1).hue()), 12) << right.name().toStdString();
+    }
+}
+
+TEST(MapLooks, ColoursByIntensityAndAgeGoFromDarkVioletToYellow) {
+    for (const MapLook look : {MapLook::Points, MapLook::Voxels}) {
+        ShownView view(twoRobots(), settingsOf(look, MapColouring::Intensity));
+        for (const MapColouring colouring : {MapColouring::Intensity, MapColouring::Age}) {
+            view.alter([colouring](MapViewSettings& settings) { settings.colouring = colouring; });
+            const QImage picture = view->picture();
+            const QRgb low = colourAt(picture, view.at({4, 1, 0}), DarkBackground);
+            const QRgb high = colourAt(picture, view.at({4, -1, 0}), DarkBackground);
+            EXPECT_GT(qGreen(high), qGreen(low) + 60);
+            EXPECT_GT(qBlue(low), qBlue(high));
+        }
+    }
+}
+
+TEST(MapLooks, WithoutIntensitiesAndTimesThereIsStillAMap) {
+    ShownView view(mapOf({blob({4, 1, 0}, Label::Wall), blob({4, -1, 0}, Label::Wall)}),
+                   settingsOf(MapLook::Points, MapColouring::Intensity));
+    const QRgb left = colourAt(view->picture(), view.at({4, 1, 0}), DarkBackground);
+    EXPECT_LT(std::abs(qRed(left) - qBlue(left)), 40) << "grey: nobody told them";
+    EXPECT_NE(left, DarkBackground);
+    view.alter([](MapViewSettings& settings) { settings.colouring = MapColouring::Age; });
+    const QImage picture = view->picture();
+    EXPECT_GT(qGreen(colourAt(picture, view.at({4, -1, 0}), DarkBackground)),
+              qGreen(colourAt(picture, view.at({4, 1, 0}), DarkBackground)) + 60)
+        << "in their order";
 }
 
 TEST(MapLooks, ColoursByHeightAndRangeGoFromDarkVioletToYellow) {

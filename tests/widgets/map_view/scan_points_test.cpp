@@ -49,6 +49,27 @@ TEST(ScanPoints, WhatCannotBeDrawnIsLeftOut) {
     }
 }
 
+TEST(ScanPoints, ShadesGoAlongWithTheirPoints) {
+    Scan scan = keyScan(1'000);
+    scan.points[0] = {40.0F, 0.0F, 0.0F};
+    for (std::size_t i = 0; i < scan.points.size(); ++i)
+        scan.shades.push_back(static_cast<std::uint8_t>(i % 250));
+    const ScanPoints some = drawablePoints(std::make_shared<const Scan>(scan), MinRange, MaxRange);
+    ASSERT_TRUE(some.shades);
+    ASSERT_EQ(some.shades->size(), 999U);
+    EXPECT_EQ(some.shades->front(), 1);
+    EXPECT_EQ(some.shadeOfSample(0), (*some.shades)[static_cast<std::size_t>(some.order->front())]);
+    scan.points[0] = {2.0F, 0.0F, 0.0F};
+    const auto whole = std::make_shared<const Scan>(scan);
+    EXPECT_EQ(drawablePoints(whole, MinRange, MaxRange).shades->data(), whole->shades.data());
+    Scan measured = keyScan(1'000);
+    measured.intensities.assign(1'000, 255.0F);
+    const ScanPoints made = drawablePoints(std::make_shared<const Scan>(measured), MinRange, MaxRange);
+    ASSERT_TRUE(made.shades);
+    EXPECT_EQ(made.shades->front(), 128);
+    EXPECT_FALSE(drawablePoints(std::make_shared<const Scan>(keyScan(10)), MinRange, MaxRange).shades);
+}
+
 TEST(ScanPoints, AScanWithoutLabelsIsDrawnUnlabelled) {
     Scan scan = keyScan(100);
     scan.labels.clear();

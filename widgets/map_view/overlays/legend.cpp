@@ -84,6 +84,22 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
         entries.push_back({mapColours(content.settings.theme).uncertain,
                            QCoreApplication::translate("leitstand::MapView", "uncertain ?")});
     }
+    if (content.settings.colouring == MapColouring::Robot) {
+        for (std::size_t i = 0; i < content.robots.size(); ++i) {
+            const SceneRobot& robot = content.robots[i];
+            const bool took = std::any_of(content.scans.begin(), content.scans.end(),
+                                          [&](const SceneScan& scan) { return scan.robotAt == i; });
+            const QString title = QString::fromStdString(robot.title);
+            if (took)
+                entries.push_back({robotColour(robot.place, content.settings.theme),
+                                   title.isEmpty()
+                                       ? QCoreApplication::translate("leitstand::MapView", "no robot named")
+                                       : title});
+        }
+    }
+    if (content.settings.colouring == MapColouring::Intensity && !content.ramp && !content.scans.empty())
+        entries.push_back({labelColour(Label::Unlabelled),
+                           QCoreApplication::translate("leitstand::MapView", "no intensities told")});
     if (content.settings.colouring != MapColouring::Scan) return entries;
     std::size_t more = 0;
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
@@ -100,6 +116,19 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
 
 std::optional<RampText> rampText(const SceneContent& content, const OverlayStyle& style) {
     if (!content.ramp) return std::nullopt;
+    if (content.settings.colouring == MapColouring::Intensity)
+        return RampText{QCoreApplication::translate("leitstand::MapView", "intensity"),
+                        QCoreApplication::translate("leitstand::MapView", "low"),
+                        QCoreApplication::translate("leitstand::MapView", "high")};
+    if (content.settings.colouring == MapColouring::Age) {
+        if (content.ages == SceneAges::Scans)
+            return RampText{QCoreApplication::translate("leitstand::MapView", "order"),
+                            QCoreApplication::translate("leitstand::MapView", "first"),
+                            QCoreApplication::translate("leitstand::MapView", "last")};
+        return RampText{QCoreApplication::translate("leitstand::MapView", "age"),
+                        QStringLiteral("%1 min").arg(numberText(content.ramp->high, 1, style.locale)),
+                        QCoreApplication::translate("leitstand::MapView", "new")};
+    }
     const bool height = content.settings.colouring == MapColouring::Height;
     const int decimals = height ? 1 : 0;
     return RampText{height ? QCoreApplication::translate("leitstand::MapView", "height")

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/theme.h"
+
 namespace leitstand {
 
 const MapColours& mapColours(Theme theme) {
@@ -48,6 +50,13 @@ Rgba labelColour(Label label) {
             break;
     }
     return rgba("#8A93A3");
+}
+
+Rgba robotColour(int place, Theme theme) {
+    if (place < 0) return labelColour(Label::Unlabelled);
+    const QColor& colour = coloursOf(theme).robot(place);
+    return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+            static_cast<std::uint8_t>(colour.blue()), 255};
 }
 
 Rgba scanColour(std::size_t scan) {

@@ -40,6 +40,9 @@ struct MapColours {
 /// The @p scan-th colour of Okabe and Ito's cycle, which colour-blind people can tell apart.
 [[nodiscard]] Rgba scanColour(std::size_t scan);
 
+/// Of the @p place -th robot of the team, as its pane and its mark have it; grey for negative ones.
+[[nodiscard]] Rgba robotColour(int place, Theme theme);
+
 /// The colour map viridis, without its darkest end that is not seen on a dark screen, at @p t, cut to 0..1.
 [[nodiscard]] Rgba viridis(double t);
 

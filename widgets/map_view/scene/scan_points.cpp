@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/scan/shades.h"
+
 namespace leitstand {
 namespace {
 
@@ -77,12 +79,27 @@ ScanPtr copyOf(const Scan& scan, const std::vector<std::int32_t>& kept, bool lab
     return copy;
 }
 
+/// Of the points @p kept of @p scan, of which @p owner has the points; null: nobody told them.
+std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan, const ScanPtr& owner,
+                                                             const std::vector<std::int32_t>& kept) {
+    const std::size_t count = scan->points.size();
+    const bool inBytes = scan->shades.size() == count;
+    if (count == 0 || (!inBytes && scan->intensities.size() != count)) return nullptr;
+    if (inBytes && owner == scan) return {scan, &scan->shades};
+    const std::vector<std::uint8_t> all = inBytes ? scan->shades : shadesOf(scan->intensities);
+    auto some = std::make_shared<std::vector<std::uint8_t>>();
+    some->reserve(kept.size());
+    for (const std::int32_t index : kept) some->push_back(all[static_cast<std::size_t>(index)]);
+    return some;
+}
+
 }  // namespace
 
 std::size_t ScanPoints::memory(const Scan& scan) const {
     std::size_t bytes = cells.capacity() * sizeof(PointCell) + runs.capacity() * sizeof(PointRun);
     if (order) bytes += order->capacity() * sizeof(std::int32_t);
     if (owner && owner.get() != &scan) bytes += points.size_bytes() + labels.size_bytes();
+    if (shades && shades.get() != &scan.shades) bytes += shades->size();
     return bytes;
 }
 
@@ -100,6 +117,7 @@ ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange)
     result.owner = labelled && drawn.size() == scan->points.size() ? scan : copyOf(*scan, drawn, labelled);
     result.points = result.owner->points;
     result.labels = result.owner->labels;
+    result.shades = drawnShades(scan, result.owner, drawn);
     for (const Label label : result.labels) ++result.labelCounts[static_cast<std::size_t>(label)];
     std::iota(drawn.begin(), drawn.end(), 0);
     drawn.shrink_to_fit();

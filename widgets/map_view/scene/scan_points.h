@@ -31,6 +31,8 @@ struct ScanPoints {
     std::shared_ptr<const Scan> owner;        ///< of the memory behind the next two
     std::span<const Eigen::Vector3f> points;  ///< in the scan's frame [m], all of them finite
     std::span<const Label> labels;            ///< one per point
+    /// One per point, of their intensities (shadesOf()); null: nobody told them.
+    std::shared_ptr<const std::vector<std::uint8_t>> shades;
     /// All points once, at random: every beginning of the list is a fair sample.
     std::shared_ptr<const std::vector<std::int32_t>> order;
     std::array<std::size_t, LabelCount> labelCounts{};
@@ -42,6 +44,9 @@ struct ScanPoints {
     /// The @p i-th point at random.
     [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[at(i)]; }
     [[nodiscard]] Label labelOfSample(std::size_t i) const { return labels[at(i)]; }
+    [[nodiscard]] std::uint8_t shadeOfSample(std::size_t i) const {
+        return shades ? (*shades)[at(i)] : std::uint8_t{0};
+    }
     /// Bytes that it takes beside the scan's own.
     [[nodiscard]] std::size_t memory(const Scan& scan) const;
 

@@ -31,11 +31,24 @@ std::shared_ptr<const Indices> shownPoints(const ScanPoints& points, bool withCe
     return std::make_shared<const Indices>(std::move(shown));
 }
 
+Rgba onRamp(double value, const ColourRamp& ramp) {
+    return viridis((value - ramp.low) / (ramp.high - ramp.low));
+}
+
+/// Of all points of @p scan, the @p index -th of @p content, where the scan decides their colour.
+Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
+    switch (content.settings.colouring) {
+        case MapColouring::Robot:
+            return robotColour(content.robots[scan.robotAt].place, content.settings.theme);
+        case MapColouring::Age:
+            return onRamp(scan.age, content.ramp.value_or(ColourRamp{}));
+        default:
+            return scanColour(index);
+    }
+}
+
 std::vector<Rgba> coloursOf(const ScanPoints& points, const MapViewSettings& settings, const Pose& poseInMap,
-                            const ColourRamp& ramp, std::size_t index) {
-    const auto onRamp = [&ramp](double value) {
-        return viridis((value - ramp.low) / (ramp.high - ramp.low));
-    };
+                            const ColourRamp& ramp, Rgba one) {
     const Eigen::RowVector3d heightAxis = poseInMap.linear().row(2);
     const double heightOffset = poseInMap.translation().z();
     const bool top = settings.look == MapLook::Top;
@@ -52,35 +65,73 @@ std::vector<Rgba> coloursOf(const ScanPoints& points, const MapViewSettings& set
                 colours[i] = labelColour(points.labels[i]);
                 break;
             case MapColouring::Scan:
-                colours[i] = scanColour(index);
+            case MapColouring::Robot:
+            case MapColouring::Age:
+                colours[i] = one;
                 break;
             case MapColouring::Height:
-                colours[i] = onRamp(heightAxis.dot(point.cast<double>()) + heightOffset);
+                colours[i] = onRamp(heightAxis.dot(point.cast<double>()) + heightOffset, ramp);
                 break;
             case MapColouring::Range:
-                colours[i] = onRamp(point.norm());
+                colours[i] = onRamp(point.norm(), ramp);
+                break;
+            case MapColouring::Intensity:
+                colours[i] =
+                    points.shades ? onRamp((*points.shades)[i], ramp) : labelColour(Label::Unlabelled);
                 break;
         }
     }
     return colours;
 }
 
+/// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
+Time timeOf(const MapScan& scan) {
+    return scan.entered != Time{} ? scan.entered : scan.scan->end;
+}
+
+void addAges(const Map& map, SceneContent& content) {
+    if (map.scans.empty()) return;
+    Time first = timeOf(map.scans.front());
+    bool timed = true;
+    for (const MapScan& scan : map.scans) {
+        timed = timed && timeOf(scan) != Time{};
+        first = std::min(first, timeOf(scan));
+    }
+    content.ages = timed ? SceneAges::Minutes : SceneAges::Scans;
+    for (std::size_t i = 0; i < map.scans.size(); ++i) {
+        const std::chrono::duration<double, std::ratio<60>> minutes = timeOf(map.scans[i]) - first;
+        content.scans[i].age = timed ? minutes.count() : static_cast<double>(i);
+    }
+}
+
+/// Where @p robot is in @p robots; added where it is not.
+std::size_t placeOf(const std::string& robot, std::vector<SceneRobot>& robots) {
+    const auto known = std::find_if(robots.begin(), robots.end(),
+                                    [&](const SceneRobot& one) { return one.name == robot; });
+    const auto at = static_cast<std::size_t>(known - robots.begin());
+    if (known == robots.end()) robots.push_back({robot, robot, -1});
+    return at;
+}
+
 SceneContent outline(const SceneOrder& order) {
     SceneContent content;
     content.order = order.number;
     content.settings = order.settings;
+    content.robots = order.robots;
     if (!order.map) return content;
     for (std::size_t i = 0; i < order.map->scans.size(); ++i) {
         const MapScan& scan = order.map->scans[i];
         SceneScan shown;
         shown.name = scan.scan->name;
         shown.robot = scan.scan->robot;
+        shown.robotAt = placeOf(shown.robot, content.robots);
         shown.id = scan.id;
         shown.uncertain = scan.uncertain;
         shown.poseInMap = order.settings.poses == MapPoses::Guess ? scan.guessInMap : scan.poseInMap;
         shown.visible = i >= order.scanIsVisible.size() || order.scanIsVisible[i];
         content.scans.push_back(std::move(shown));
     }
+    addAges(*order.map, content);
     return content;
 }
 
@@ -97,7 +148,9 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
         for (const SceneScan& scan : content.scans) {
             if (scan.visible && scan.points) content.places.emplace_back(scan.poseInMap.translation());
         }
-        content.ramp = rampOf(sample, order.settings.colouring);
+        content.ramp = order.settings.colouring == MapColouring::Age
+                           ? rampOfAges(content)
+                           : rampOf(sample, order.settings.colouring);
         for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
             addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content,
                     order.highlighted);
@@ -155,20 +208,21 @@ void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, c
     }
     const double tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
     const ColourRamp ramp = content.ramp.value_or(ColourRamp{});
+    const Rgba one = colourOf(scan, index, content);
     const bool same =
         ready.colours && ready.settings.colouring == settings.colouring &&
         ready.settings.look == settings.look && ready.tint == tint &&
         ready.settings.theme == settings.theme &&
-        (settings.colouring != MapColouring::Scan || ready.index == index) &&
+        ready.one == one &&
         (settings.colouring != MapColouring::Height || ready.poseInMap.isApprox(scan.poseInMap, 0.0)) &&
         (!content.ramp || ready.ramp == ramp);
     if (!same) {
         ready.settings = settings;
         ready.poseInMap = scan.poseInMap;
         ready.ramp = ramp;
-        ready.index = index;
+        ready.one = one;
         ready.tint = tint;
-        auto colours = coloursOf(*ready.points, settings, scan.poseInMap, ramp, index);
+        auto colours = coloursOf(*ready.points, settings, scan.poseInMap, ramp, one);
         const Rgba amber = mapColours(settings.theme).uncertain;
         if (tint > 0.0) {
             for (Rgba& colour : colours) colour = mixed(colour, amber, tint);
@@ -189,7 +243,9 @@ bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()
                        .uncertain = mapColours(content.settings.theme).uncertain};
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];
-        if (scan.visible) recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i, scan.uncertain});
+        if (!scan.visible) continue;
+        const Rgba colour = colourOf(scan, i, content);
+        recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i, colour, scan.uncertain});
     }
     if (!m_voxels || recipe != m_recipe) {
         auto mesh = buildVoxels(recipe, interrupted);

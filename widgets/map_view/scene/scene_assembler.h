@@ -16,6 +16,7 @@ struct SceneOrder {
     std::vector<bool> scanIsVisible;  ///< scans beyond the end are visible
     std::uint64_t highlighted = 0;    ///< MapScan::id of the scan that stands out; 0: none
     MapViewSettings settings;
+    std::vector<SceneRobot> robots;  ///< of the team
 };
 
 /// Makes what is drawn out of a map, and keeps what can be used again. One thread.
@@ -37,7 +38,7 @@ private:
         MapViewSettings settings;  ///< of the colours
         Pose poseInMap = Pose::Identity();
         ColourRamp ramp;
-        std::size_t index = 0;
+        Rgba one;  ///< colour of all points, where the scan decides it
         double tint = 0.0;
         std::shared_ptr<const std::vector<Rgba>> colours;
     };

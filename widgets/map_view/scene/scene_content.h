@@ -25,6 +25,8 @@ struct PointCloudLook {
 struct SceneScan {
     std::string name;
     std::string robot;     ///< that took it
+    std::size_t robotAt = 0;  ///< in SceneContent::robots
+    double age = 0.0;         ///< of its coming in, since the first scan's: SceneContent::ages says in what
     std::uint64_t id = 0;  ///< MapScan::id
     bool uncertain = false;
     Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
@@ -41,7 +43,21 @@ struct VoxelMesh {
     std::size_t voxels = 0;
 };
 
-/// The numbers at the ends of a colour ramp [m].
+/// A robot as a map's colours and legend have it.
+struct SceneRobot {
+    std::string name, title;
+    int place = -1;  ///< in the team: chooses its colour; negative: it is none of it
+
+    bool operator==(const SceneRobot&) const = default;
+};
+
+/// What SceneScan::age counts.
+enum class SceneAges : std::uint8_t {
+    Minutes,
+    Scans,  ///< in their order: nobody told times
+};
+
+/// The numbers at the ends of a colour ramp: [m] of height and range, shades of intensity, SceneAges.
 struct ColourRamp {
     double low = 0.0, high = 1.0;
 
@@ -55,7 +71,9 @@ struct SceneContent {
     MapViewSettings settings;
     std::vector<SceneScan> scans;             ///< as in Map::scans
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
-    std::optional<ColourRamp> ramp;           ///< when coloured by height or range
+    std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
+    SceneAges ages = SceneAges::Minutes;
+    std::optional<ColourRamp> ramp;           ///< when coloured by a number
     std::vector<Eigen::Vector3d> places;      ///< what a camera should frame, in the map's frame [m]
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;

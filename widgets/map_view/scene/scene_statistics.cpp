@@ -75,6 +75,7 @@ SceneSample sampleOf(const SceneContent& content) {
             if (!isShown(inMap.z(), scan.points->labelOfSample(i), content.settings)) continue;
             sample.points.push_back(inMap);
             sample.ranges.push_back(inScan.norm());
+            if (scan.points->shades) sample.shades.push_back(scan.points->shadeOfSample(i));
         }
     }
     return sample;
@@ -109,7 +110,18 @@ std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouri
         std::vector<double> ranges = sample.ranges;
         return rounded(0.0, quantile(ranges, 0.98), 1.0);
     }
+    if (colouring == MapColouring::Intensity && !sample.shades.empty()) {
+        std::vector<double> shades = sample.shades;
+        return rounded(quantile(shades, 0.02), quantile(shades, 0.98), 8.0);
+    }
     return std::nullopt;
+}
+
+std::optional<ColourRamp> rampOfAges(const SceneContent& content) {
+    if (content.scans.empty()) return std::nullopt;
+    double newest = 0.0;
+    for (const SceneScan& scan : content.scans) newest = std::max(newest, scan.age);
+    return rounded(0.0, newest, content.ages == SceneAges::Minutes ? 0.5 : 1.0);
 }
 
 }  // namespace leitstand

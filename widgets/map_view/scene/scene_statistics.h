@@ -10,6 +10,7 @@ namespace leitstand {
 struct SceneSample {
     std::vector<Eigen::Vector3d> points;  ///< in the map's frame [m]
     std::vector<double> ranges;           ///< from their scanners [m]
+    std::vector<double> shades;           ///< of those whose intensity was told
 };
 [[nodiscard]] SceneSample sampleOf(const SceneContent& content);
 
@@ -17,8 +18,11 @@ struct SceneSample {
 /// mirror, do not count, nor how dense the points are.
 [[nodiscard]] std::vector<Eigen::Vector3d> filledPlaces(const SceneSample& sample);
 
-/// Numbers between which the colours run, rounded; nothing unless coloured by height or range.
+/// Numbers between which the colours run, rounded; nothing unless coloured by height, range or intensity.
 [[nodiscard]] std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring);
+/// The same by age: from the first scan on, to the next half minute, so that few scans change their colour
+/// when one comes; nothing without scans.
+[[nodiscard]] std::optional<ColourRamp> rampOfAges(const SceneContent& content);
 
 /// Whether a point of the map at @p height [m] with @p label is shown under @p settings.
 [[nodiscard]] bool isShown(double height, Label label, const MapViewSettings& settings);

@@ -46,11 +46,14 @@ Rgba plainColourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe)
         case MapColouring::Label:
             return labelColour(voxel.majority());
         case MapColouring::Scan:
-            return scanColour(voxel.scan);
+        case MapColouring::Robot:
+        case MapColouring::Age:
+            return recipe.sources[voxel.scan].colour;
         case MapColouring::Height:
             return onRamp(height);
         case MapColouring::Range:
-            return onRamp(voxel.rangeSum / static_cast<float>(voxel.points));
+        case MapColouring::Intensity:
+            return onRamp(voxel.valueSum / static_cast<float>(voxel.points));
     }
     return {};
 }
@@ -61,7 +64,8 @@ Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
     return voxel.certain ? plain : mixed(plain, recipe.uncertain, Tint);
 }
 
-bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recipe,
+/// @p number: of the source in the recipe.
+bool fill(VoxelTable& table, const VoxelSource& source, std::uint32_t number, const VoxelRecipe& recipe,
           const std::function<bool()>& interrupted) {
     constexpr std::size_t PointsBetweenLooks = 1U << 16U;
     const Eigen::Matrix4f pose = source.poseInMap.cast<float>();
@@ -76,7 +80,9 @@ bool fill(VoxelTable& table, const VoxelSource& source, const VoxelRecipe& recip
         if (inMap.z() < low || inMap.z() > high) continue;
         const Label label = source.points->labelOfSample(i);
         if (!recipe.withCeiling && label == Label::Ceiling) continue;
-        table.add(inMap, label, inScan.norm(), static_cast<std::uint32_t>(source.scan), !source.uncertain);
+        const float value =
+            recipe.colouring == MapColouring::Intensity ? source.points->shadeOfSample(i) : inScan.norm();
+        table.add(inMap, label, value, number, !source.uncertain);
     }
     return true;
 }
@@ -131,8 +137,9 @@ private:
 
 std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe, const std::function<bool()>& interrupted) {
     VoxelTable table(recipe.size);
-    for (const VoxelSource& source : recipe.sources) {
-        if (!fill(table, source, recipe, interrupted)) return std::nullopt;
+    for (std::size_t i = 0; i < recipe.sources.size(); ++i) {
+        const auto number = static_cast<std::uint32_t>(i);
+        if (!fill(table, recipe.sources[i], number, recipe, interrupted)) return std::nullopt;
     }
     VoxelMesh mesh;
     MeshWriter writer(table, recipe.size, mesh);

@@ -14,6 +14,7 @@ struct VoxelSource {
     ScanPointsPtr points;
     Eigen::Matrix4d poseInMap;
     std::size_t scan = 0;  ///< position in the map
+    Rgba colour = {};      ///< where the scan decides that
     bool uncertain = false;
 
     bool operator==(const VoxelSource&) const = default;
@@ -33,7 +34,7 @@ struct VoxelRecipe {
 };
 
 /// Cubes around all points within the recipe's heights. A cube has the colour of most of its points (label,
-/// scan), of its height or of their mean range; its faces are shaded by their direction and darker in
+/// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their direction and darker in
 /// corners, so that they can be told apart. Nothing when @p interrupted said to stop.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);

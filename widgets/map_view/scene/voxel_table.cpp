@@ -19,7 +19,7 @@ Label Voxel::majority() const {
 
 VoxelTable::VoxelTable(double size) : m_cellsPerMetre(static_cast<float>(1.0 / size)), m_slots(1U << 14) {}
 
-void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float range, std::uint32_t scan,
+void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float value, std::uint32_t scan,
                      bool certain) {
     const Eigen::Array3i cell = (pointInMap.array() * m_cellsPerMetre).floor().cast<int>();
     const std::uint64_t key = keyOf(cell);
@@ -35,7 +35,7 @@ void VoxelTable::add(const Eigen::Vector3f& pointInMap, Label label, float range
     ++voxel->points;
     voxel->certain = voxel->certain || certain;
     ++voxel->labels[static_cast<std::size_t>(label)];
-    voxel->rangeSum += range;
+    voxel->valueSum += value;
     if (voxel->votes == 0) voxel->scan = scan;
     if (voxel->scan == scan) {
         ++voxel->votes;

@@ -15,10 +15,10 @@ namespace leitstand {
 struct Voxel {
     std::uint64_t key = 0;
     std::array<std::uint32_t, LabelCount> labels{};  ///< points per label
-    float rangeSum = 0.0F;                           ///< [m]
+    float valueSum = 0.0F;                           ///< of range [m] or shade
     std::uint32_t points = 0;                        ///< 0: a free slot of the table
     bool certain = false;                            ///< a scan that fits has a point in it
-    std::uint32_t scan = 0, votes = 0;               ///< which scan has most points (Boyer and Moore's vote)
+    std::uint32_t scan = 0, votes = 0;               ///< which source has most points (Boyer and Moore's vote)
 
     [[nodiscard]] Label majority() const;
 };
@@ -29,7 +29,7 @@ public:
     /// Cubes of edge @p size [m].
     explicit VoxelTable(double size);
 
-    void add(const Eigen::Vector3f& pointInMap, Label label, float range, std::uint32_t scan,
+    void add(const Eigen::Vector3f& pointInMap, Label label, float value, std::uint32_t scan,
              bool certain = true);
     [[nodiscard]] bool occupied(const Eigen::Array3i& cell) const;
     [[nodiscard]] std::size_t size() const { return m_used; }
