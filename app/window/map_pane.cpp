@@ -111,6 +111,7 @@ void MapPane::setSummary(const MapSummary& summary) {
     m_result->setText(summary.result);
     m_result->setToolTip(summary.result + QLatin1Char('\n') + summary.hint);
     setTone(*m_result, summary.tone);
+    m_view->setStale(summary.stale);
 }
 
 void MapPane::setHelpVisible(bool visible) {

@@ -19,6 +19,8 @@
 namespace leitstand {
 namespace {
 
+constexpr double StaleVeil = 0.5;  ///< of the background over a map to which nothing comes
+
 void paintFailure(QPainter& painter, const QRect& area, const QString& why, const OverlayStyle& style) {
     painter.setFont(style.font);
     painter.setPen(asColour(style.colours.text));
@@ -149,6 +151,11 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     painter.drawImage(rect(), scenery.picture().image);
+    if (m_state->stale) {
+        QColor veil = asColour(mapColours(scenery.settings().theme).background);
+        veil.setAlphaF(StaleVeil);
+        painter.fillRect(rect(), veil);
+    }
     m_state->paintOverlays(painter);
 }
 

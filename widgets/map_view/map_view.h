@@ -68,6 +68,8 @@ public:
     void showScan(std::uint64_t id);
     /// Moves the camera, which follows nothing any more, to @p place of the map [m].
     void showPlace(const Eigen::Vector3d& place);
+    /// Nothing came to the map lately: it is greyed, robots and finds on it are not.
+    void setStale(bool stale);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
     /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].

@@ -30,6 +30,10 @@ void MapView::setFinds(std::vector<VictimRow> finds, const std::optional<FindKey
     update();
 }
 
+void MapView::setStale(bool stale) {
+    if (std::exchange(m_state->stale, stale) != stale) update();
+}
+
 void MapView::setArea(std::vector<Eigen::Vector2d> area) {
     m_state->area = std::move(area);
     update();

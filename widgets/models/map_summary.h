@@ -13,6 +13,7 @@ struct MapSummary {
     QString result;  ///< "registered in 0.4 s · overlap 83 % · certain"; empty before the second scan
     Tone tone = Tone::Normal;  ///< of the result: Attention when a scan is not certain
     QString hint = {};         ///< what the result means
+    bool stale = false;        ///< nothing came to it lately: it is greyed
 };
 
 /// Sums @p map up; overlap is the lowest of all scans, time the sum.

@@ -169,6 +169,7 @@ void LiveMapping::registerDone(Time now) {
                 place(robot, scan, now);
                 const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now, bodiesIn(scan));
+                if (update.ready) robot.matched = now;
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
@@ -196,7 +197,10 @@ void LiveMapping::tellMap() {
 
 void LiveMapping::tellRobots() {
     auto places = std::make_shared<RobotsInMap>();
-    for (const auto& [name, robot] : m_robots) places->push_back(robot.tracker.now());
+    for (const auto& [name, robot] : m_robots) {
+        places->push_back(robot.tracker.now());
+        places->back().matched = robot.matched;
+    }
     const std::lock_guard lock(m_mutex);
     m_places = std::move(places);
 }

@@ -76,6 +76,7 @@ private:
         RobotTracker tracker;
         LaserRobot laser;                  ///< corrects the tracker while no 3D scan of its own does
         std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
+        std::optional<Time> matched;       ///< RobotInMap::matched
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;

@@ -86,7 +86,10 @@ void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
 }
 
 void LiveMapping::adopt(const KeyScanSample& keyScan) {
-    post([keyScan](LiveMapper& mapper) { mapper.adopt(keyScan); });
+    post([this, keyScan](LiveMapper& mapper) {
+        mapper.adopt(keyScan);
+        for (auto& [name, robot] : m_robots) robot.matched.reset();  // it is matched over there
+    });
 }
 
 void LiveMapping::follow(std::vector<ScanPose> poses) {

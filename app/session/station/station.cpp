@@ -123,6 +123,15 @@ void Station::answer(const std::string& robot, bool consent) {
     m_state->grants->answer(driveGrant(robot), consent);
 }
 
+GrantView Station::mapGrant() const {
+    return m_state->grants->view(MapGrant);
+}
+
+void Station::giveMap() {
+    m_state->grants->answer(MapGrant, true);
+    m_state->grants->ask(MapGrant);  // it goes on here when the other one ends
+}
+
 void Station::stopAll() {
     m_state->stops->stopAll();
 }

@@ -102,6 +102,9 @@ public:
     void giveUp(const std::string& robot);                ///< the grant
     void answer(const std::string& robot, bool consent);  ///< to who asks for a grant of ours
 
+    /// Who makes the map; who else would.
+    [[nodiscard]] GrantView mapGrant() const;
+    void giveMap();  ///< to the station that asked for it first; nothing while none did
     void stopAll();
     void stop(const std::string& robot);
     Result<void> release(const std::string& robot);  ///< as of StopSender

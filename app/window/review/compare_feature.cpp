@@ -66,7 +66,10 @@ void CompareFeature::showMap() {
     if (which == ComparedMap::Recorded) {
         m_bridge.showInstead(nullptr);
         m_map.describe([](const LiveMoment& moment) {
-            return liveSummaryOf(*moment.scans, {}, moment.now, comparedMapText(ComparedMap::Recorded));
+            return liveSummaryOf({.map = *moment.scans,
+                                  .robots = *moment.places,
+                                  .now = moment.now,
+                                  .kind = comparedMapText(ComparedMap::Recorded)});
         });
     } else {
         m_bridge.showInstead(which == ComparedMap::Again ? maps->again : maps->both);

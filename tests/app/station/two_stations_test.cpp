@@ -125,6 +125,26 @@ TEST_F(TwoStations, TheSecondGoesOnWithTheMapWhereTheFirstEndsAndTheFirstFollows
     EXPECT_THAT(m_first->mapping().reject(1).error().text, HasSubstr("another station"));
 }
 
+TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {
+    openFirst();
+    ASSERT_TRUE(holdsMap(*m_first)) << words();
+    openSecond();
+    hear();
+    scan();
+    ASSERT_TRUE(has(*m_second, 1)) << words();
+    ASSERT_TRUE(waitUntil([&] { return m_first->mapGrant().requestedByTitle == "Test desk"; }));
+    EXPECT_TRUE(m_first->mapGrant().mine);
+    m_second->giveMap();  // it has nothing to give
+    m_first->giveMap();
+    ASSERT_TRUE(holdsMap(*m_second)) << words();
+    EXPECT_FALSE(m_first->mapGrant().mine);
+    scan();
+    EXPECT_TRUE(waitUntil([&] { return ids(*m_first) == std::vector<std::uint64_t>{1, 1001}; }, 60s)) << words();
+    EXPECT_EQ(ids(*m_second), ids(*m_first));
+    m_second.reset();
+    EXPECT_TRUE(holdsMap(*m_first)) << "it goes on here when the other one ends";
+}
+
 TEST_F(TwoStations, FindsAndTheClockAreTheTeams) {
     openFirst();
     ASSERT_TRUE(holdsMap(*m_first)) << words();

@@ -9,6 +9,7 @@
 #include "tests/widgets/map_view/golden.h"
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
+#include "widgets/models/map/robot_mark.h"
 #include "widgets/theme.h"
 
 namespace leitstand::test {
@@ -109,6 +110,18 @@ TEST(MapLooks, VoxelTakesTheLabelOfMostOfItsPoints) {
     ShownView view(mapOf({mixed}), voxelsOf(0.5));
     const QRgb top = view->picture().pixel(view.at({4.25, 0.25, 0.5}).toPoint());
     EXPECT_GT(qBlue(top), 2 * qRed(top));
+}
+
+TEST(MapLooks, AMapToWhichNothingComesIsGreyed) {
+    ShownView view(mapOf({blob({4, 0, 0}, Label::Wall)}));
+    const QPointF wall = view.at({4, 0, 0});
+    const QRgb live = colourAt(view.onScreen(), wall, DarkBackground);
+    view->setStale(true);
+    const QImage stale = view.onScreen();
+    EXPECT_LT(qRed(colourAt(stale, wall, DarkBackground)), 0.7 * qRed(live));
+    EXPECT_EQ(stale.pixel(5, 5), DarkBackground);
+    view->setStale(false);
+    EXPECT_EQ(colourAt(view.onScreen(), wall, DarkBackground), live);
 }
 
 TEST(MapLooks, ColoursByScanDiffer) {

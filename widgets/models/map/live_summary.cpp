@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -18,6 +19,15 @@ struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::LiveSummary)
 };
 
+/// When a robot's scan was laid onto the map last.
+std::optional<Time> lastMatched(const RobotsInMap& robots) {
+    std::optional<Time> last;
+    for (const RobotInMap& robot : robots) {
+        if (robot.matched && (!last || *robot.matched > *last)) last = robot.matched;
+    }
+    return last;
+}
+
 QString agoText(double seconds) {
     if (seconds < 10.0) return Say::tr("last scan %1 s ago").arg(numberText(std::max(seconds, 0.0), 1));
     if (seconds < LongAgo) return Say::tr("last scan %1 s ago").arg(numberText(seconds, 0));
@@ -26,33 +36,43 @@ QString agoText(double seconds) {
 
 }  // namespace
 
-MapSummary liveSummaryOf(const LiveMap& map, const QString& followed, Time now, const QString& kind) {
+MapSummary liveSummaryOf(const LiveMapFacts& facts) {
     std::size_t scans = 0, points = 0;
-    for (const LiveKeyScan& scan : map.scans) {
+    for (const LiveKeyScan& scan : facts.map.scans) {
         if (scan.pose.trust == ScanTrust::SetAside) continue;
         ++scans;
         points += scan.scan->points.size();
     }
     MapSummary summary;
     QStringList title = {Say::tr("3D map")};
-    if (!kind.isEmpty()) title += kind;
+    if (!facts.kind.isEmpty()) title += facts.kind;
+    if (!facts.maker.isEmpty()) title += Say::tr("made by %1").arg(facts.maker);
     if (scans > 0) {
         title += scans == 1 ? Say::tr("1 key scan") : Say::tr("%1 key scans").arg(countText(scans));
         // A map that follows is a small one beside a picture.
-        if (followed.isEmpty()) title += Say::tr("%1 points").arg(shortCountText(points));
+        if (facts.followed.isEmpty()) title += Say::tr("%1 points").arg(shortCountText(points));
     }
-    if (!followed.isEmpty()) title += Say::tr("follows %1").arg(followed);
+    if (!facts.followed.isEmpty()) title += Say::tr("follows %1").arg(facts.followed);
     summary.title = title.join(QStringLiteral(" · "));
-    if (map.scans.empty()) return summary;
-    summary.hint =
-        Say::tr("The newest key scan: its age, how much of it meets the map, and whether it is certain");
-    const LiveKeyScan& newest = map.scans.back();
-    // The verdict first: where there is little room, the age is what is cut.
+    if (facts.map.scans.empty()) return summary;
+    summary.hint = Say::tr(
+        "The newest key scan: whether it is certain, and how much of it meets the map; and how long ago any "
+        "scan was laid onto the map");
+    const LiveKeyScan& newest = facts.map.scans.back();
+    const std::optional<Time> matched = lastMatched(facts.robots);
+    const double ago =
+        std::chrono::duration<double>(facts.now - std::max(matched.value_or(newest.entered), newest.entered))
+            .count();
+    summary.stale = matched && ago >= MapStaleAfter;
+    // The verdict first: where there is little room, the age is what is cut; but not where that matters.
     QStringList result = {trustText(newest.pose.trust)};
     if (newest.matched != 0) result += Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
-    result += agoText(std::chrono::duration<double>(now - newest.entered).count());
+    if (summary.stale)
+        result.prepend(agoText(ago));
+    else
+        result += agoText(ago);
     summary.result = result.join(QStringLiteral(" · "));
-    if (newest.pose.trust == ScanTrust::Uncertain) summary.tone = Tone::Attention;
+    if (newest.pose.trust == ScanTrust::Uncertain || summary.stale) summary.tone = Tone::Attention;
     return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QMainWindow>
 
+#include "app/session/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/view_commands.h"
 #include "app/window/live/map/map_gestures.h"
@@ -26,6 +27,11 @@ namespace {
 constexpr std::chrono::seconds Rest(5);  ///< of the pointer, after which its point is not read out any more
 
 }  // namespace
+
+QString othersTitle(const GrantView& grant) {
+    if (grant.mine || grant.holder.empty()) return {};
+    return QString::fromStdString(grant.holderTitle.empty() ? grant.holder : grant.holderTitle);
+}
 
 MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     : QObject(&context.window),
@@ -63,7 +69,10 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
 MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {
     if (m_describe) return m_describe(moment);
     const bool follows = m_view.settings().follow != MapFollow::Free;
-    return liveSummaryOf(*moment.scans, follows ? m_context.selection.face().letter : QString(), moment.now);
+    LiveMapFacts facts{*moment.scans, *moment.places, moment.now};
+    if (follows) facts.followed = m_context.selection.face().letter;
+    if (m_context.station != nullptr) facts.maker = othersTitle(m_context.station->mapGrant());
+    return liveSummaryOf(facts);
 }
 
 void MapFeature::showSummary(const LiveMoment& moment) {
@@ -78,7 +87,7 @@ void MapFeature::showPointed(const QString& point) {
 }
 
 void MapFeature::showSummaryNow() {
-    if (m_context.source.moment().scans) showSummary(m_context.source.moment());
+    if (m_context.source.moment().scans && m_context.source.moment().places) showSummary(m_context.source.moment());
 }
 
 void MapFeature::describe(std::function<MapSummary(const LiveMoment&)> how) {

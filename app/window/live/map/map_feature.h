@@ -17,7 +17,11 @@ class MapGestures;
 class MapPane;
 class MapView;
 class RobotsOnMap;
+struct GrantView;
 struct LiveMoment;
+
+/// The station that has the @p grant, where that is another one; else empty.
+[[nodiscard]] QString othersTitle(const GrantView& grant);
 
 /// The 3D map as it grows ("map"), and how it is looked at.
 class MapFeature final : public QObject {
