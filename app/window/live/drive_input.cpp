@@ -31,7 +31,34 @@ std::map<int, DriveKey> usualKeys() {
             {Qt::Key_Shift, DriveKey::Slow}, {Qt::Key_Control, DriveKey::Fast}};
 }
 
+/// Keys that the file of @p robot binds. Escape, Space and G stop, halt and lift the cap, whatever it says.
+std::map<int, DriveKey> ownKeys(const RobotDescription& robot) {
+    std::map<int, DriveKey> keys;
+    for (const auto& [action, name] : robot.bindings) {
+        const auto known = actions().find(action);
+        const QKeySequence sequence(QString::fromStdString(name));
+        if (known == actions().end() || sequence.count() != 1) continue;
+        const int key = sequence[0].key();
+        if (key != Qt::Key_Escape && key != Qt::Key_Space && key != OverrideKey) keys[key] = known->second;
+    }
+    return keys;
+}
+
 }  // namespace
+
+std::vector<Qt::Key> drivingKeys(const std::vector<RobotDescription>& robots) {
+    std::vector<Qt::Key> all = {Qt::Key_Escape, Qt::Key_Space, static_cast<Qt::Key>(OverrideKey)};
+    const auto add = [&all](const std::map<int, DriveKey>& keys) {
+        for (const auto& [key, meaning] : keys) {
+            // Those two come with others.
+            if (meaning != DriveKey::Slow && meaning != DriveKey::Fast)
+                all.push_back(static_cast<Qt::Key>(key));
+        }
+    };
+    add(usualKeys());
+    for (const RobotDescription& robot : robots) add(ownKeys(robot));
+    return all;
+}
 
 DriveInput::DriveInput(QWidget& window) : QObject(&window), m_window(window), m_bindings(usualKeys()) {
     m_rhythm.setInterval(Rhythm);
@@ -44,15 +71,7 @@ void DriveInput::setRobot(const RobotDescription& robot) {
     setFocus(false);
     m_limits = limitsOf(robot);
     m_bindings = usualKeys();
-    for (const auto& [action, name] : robot.bindings) {
-        const auto known = actions().find(action);
-        const QKeySequence sequence(QString::fromStdString(name));
-        if (known == actions().end() || sequence.count() != 1) continue;
-        const int key = sequence[0].key();
-        // These stop, halt and lift the cap, whatever a file says.
-        if (key == Qt::Key_Escape || key == Qt::Key_Space || key == OverrideKey) continue;
-        m_bindings[key] = known->second;
-    }
+    for (const auto& [key, meaning] : ownKeys(robot)) m_bindings[key] = meaning;
 }
 
 void DriveInput::take(bool keys, bool pad) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <QObject>
 #include <QTimer>
@@ -15,6 +16,9 @@ class QKeyEvent;
 class QWidget;
 
 namespace leitstand {
+
+/// Keys that drive or stop, whatever a layout says: the usual ones, and those that the files of @p robots bind.
+[[nodiscard]] std::vector<Qt::Key> drivingKeys(const std::vector<RobotDescription>& robots);
 
 /// Who has the sticks: the one place that decides between keys and gamepad. Keys drive in an explicit drive
 /// focus: forward, back, left, right as the robot's file binds them (W S A D) or by the arrows; Shift is

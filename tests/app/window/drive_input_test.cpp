@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QWidget>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/window/live/worked_in.h"
@@ -22,6 +23,16 @@ RobotDescription robot() {
     description.maxSpeed = 0.5;
     description.maxTurnRate = 1.0;
     return description;
+}
+
+TEST(DrivingKeys, AreTheUsualOnesAndThoseOfTheRobotsFiles) {
+    RobotDescription own = robot();
+    own.bindings = {{"forward", "I"}, {"back", "Esc"}, {"left", "nonsense, here"}, {"co2", "K"}};
+    const std::vector<Qt::Key> keys = drivingKeys({robot(), own});
+    EXPECT_THAT(keys, testing::IsSupersetOf({Qt::Key_W, Qt::Key_Up, Qt::Key_Space, Qt::Key_G, Qt::Key_Escape,
+                                             Qt::Key_I}));
+    EXPECT_THAT(keys, testing::Not(testing::Contains(Qt::Key_K)));
+    EXPECT_THAT(keys, testing::Not(testing::Contains(Qt::Key_Shift))) << "it comes with others";
 }
 
 class DriveInputTest : public testing::Test {

@@ -15,8 +15,10 @@
 #include <QToolButton>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/drive_input.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/pane_docks.h"
+#include "app/window/live/selection.h"
 
 namespace leitstand {
 namespace {
@@ -26,11 +28,6 @@ constexpr int FirstKey = Qt::Key_F5, Keys = 4;  // F9 is the preflight's
 QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);
 }
-
-/// Keys that drive or stop whatever a layout says.
-const std::vector<Qt::Key> OfDriving = {Qt::Key_W,     Qt::Key_S,    Qt::Key_A,     Qt::Key_D,
-                                        Qt::Key_Up,    Qt::Key_Down, Qt::Key_Left,  Qt::Key_Right,
-                                        Qt::Key_Space, Qt::Key_G,    Qt::Key_Escape};
 
 /// Titles of layouts that come with the program are in the window's language; those of people are theirs.
 QString shownTitle(const WindowLayout& layout) {
@@ -179,7 +176,8 @@ bool LayoutFeature::use(const QString& name) {
     std::map<QString, QString> keys;
     for (const auto& [command, text] : m_used.keys)
         keys[QString::fromStdString(command)] = QString::fromStdString(text);
-    const CommandTable::Refused refused = m_context.commands.bind(keys, OfDriving);
+    const CommandTable::Refused refused =
+        m_context.commands.bind(keys, drivingKeys(m_context.selection.robots()));
     if (!refused.unknown.isEmpty())
         emit told(tr("layout %1 binds keys to what is no command: %2")
                       .arg(name, refused.unknown.join(QStringLiteral(", "))));
