@@ -3104,8 +3104,12 @@ Apache License 2.0</translation>
         <translation>Überlappung %1</translation>
     </message>
     <message>
-        <source>The newest key scan: its age, how much of it meets the map, and whether it is certain</source>
-        <translation>Der neueste Schlüsselscan: sein Alter, wie viel von ihm die Karte trifft und ob er sicher ist</translation>
+        <source>made by %1</source>
+        <translation>gemacht von %1</translation>
+    </message>
+    <message>
+        <source>The newest key scan: whether it is certain, and how much of it meets the map; and how long ago any scan was laid onto the map</source>
+        <translation>Der neueste Schlüsselscan: ob er sicher ist und wie viel von ihm die Karte trifft; und vor wie langer Zeit irgendein Scan auf die Karte gelegt wurde</translation>
     </message>
 </context>
 <context>
@@ -3218,6 +3222,29 @@ Apache License 2.0</translation>
     <message>
         <source>no scan is registered and drawn</source>
         <translation>kein Scan ist registriert und gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapGrantFeature</name>
+    <message>
+        <source>Hand the map over</source>
+        <translation>Karte übergeben</translation>
+    </message>
+    <message>
+        <source>Another station registers the scans from now on, and decides on them; this one goes on showing its map</source>
+        <translation>Eine andere Station registriert von jetzt an die Scans und entscheidet über sie; diese zeigt weiter deren Karte</translation>
+    </message>
+    <message>
+        <source>Hand the map over to %1</source>
+        <translation>Karte an %1 übergeben</translation>
+    </message>
+    <message>
+        <source>%1 makes the map: it is shown here, and decided on there</source>
+        <translation>%1 macht die Karte: sie wird hier gezeigt, entschieden wird dort</translation>
+    </message>
+    <message>
+        <source>The map is made here</source>
+        <translation>Die Karte wird hier gemacht</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3399,46 @@ F1 listet alle Tasten</translation>
     <message>
         <source>missed by scanner</source>
         <translation>vom Scanner übersehen</translation>
+    </message>
+    <message>
+        <source>no robot named</source>
+        <translation>kein Roboter genannt</translation>
+    </message>
+    <message>
+        <source>no intensities told</source>
+        <translation>keine Intensitäten bekannt</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erster</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>letzter</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
     </message>
 </context>
 <context>
@@ -6078,6 +6145,10 @@ F1 listet alle Tasten</translation>
         <source>the robot was not in the map then: nothing was filed</source>
         <translation>der Roboter war da nicht in der Karte: nichts wurde erfasst</translation>
     </message>
+    <message>
+        <source>another station makes another map than this mission&apos;s (their scans {} differ): it is not shown here; begin a new mission to see it</source>
+        <translation>eine andere Station macht eine andere Karte als die dieses Einsatzes (ihre Scans {} sind verschieden): sie wird hier nicht gezeigt; ein neuer Einsatz zeigt sie</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -7242,6 +7313,30 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Click two points for their distance; the same key again ends it</source>
         <translation>Zwei Punkte anklicken für ihren Abstand; dieselbe Taste beendet es wieder</translation>
+    </message>
+    <message>
+        <source>Colour by r&amp;obot</source>
+        <translation>Farbe nach R&amp;oboter</translation>
+    </message>
+    <message>
+        <source>Which robot&apos;s scanner saw it</source>
+        <translation>Wessen Scanner es sah</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;intensity</source>
+        <translation>Farbe nach &amp;Intensität</translation>
+    </message>
+    <message>
+        <source>How strongly surfaces throw the laser back</source>
+        <translation>Wie stark Flächen den Laser zurückwerfen</translation>
+    </message>
+    <message>
+        <source>Colour by a&amp;ge</source>
+        <translation>Farbe nach A&amp;lter</translation>
+    </message>
+    <message>
+        <source>When it came into the map: what is bright is new</source>
+        <translation>Wann es in die Karte kam: was hell ist, ist neu</translation>
     </message>
 </context>
 <context>

@@ -3104,8 +3104,12 @@ Apache License 2.0</translation>
         <translation>重なり %1</translation>
     </message>
     <message>
-        <source>The newest key scan: its age, how much of it meets the map, and whether it is certain</source>
-        <translation>最新のキースキャン: 経過時間、地図との重なり、確実かどうか</translation>
+        <source>made by %1</source>
+        <translation>%1 が作成</translation>
+    </message>
+    <message>
+        <source>The newest key scan: whether it is certain, and how much of it meets the map; and how long ago any scan was laid onto the map</source>
+        <translation>最新のキースキャン:確実かどうか、地図とどれだけ重なるか。また、いずれかのスキャンが最後に地図に合わせられてからの時間</translation>
     </message>
 </context>
 <context>
@@ -3218,6 +3222,29 @@ Apache License 2.0</translation>
     <message>
         <source>no scan is registered and drawn</source>
         <translation>位置合わせ・描画されたスキャンなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MapGrantFeature</name>
+    <message>
+        <source>Hand the map over</source>
+        <translation>地図を引き渡す</translation>
+    </message>
+    <message>
+        <source>Another station registers the scans from now on, and decides on them; this one goes on showing its map</source>
+        <translation>これからは別のステーションがスキャンを位置合わせし、判断します。このステーションはその地図を表示し続けます</translation>
+    </message>
+    <message>
+        <source>Hand the map over to %1</source>
+        <translation>地図を %1 に引き渡す</translation>
+    </message>
+    <message>
+        <source>%1 makes the map: it is shown here, and decided on there</source>
+        <translation>%1 が地図を作成しています:ここでは表示だけで、判断はそちらで行います</translation>
+    </message>
+    <message>
+        <source>The map is made here</source>
+        <translation>地図はここで作成しています</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3399,46 @@ F1 でキー一覧</translation>
     <message>
         <source>missed by scanner</source>
         <translation>スキャナの見落とし</translation>
+    </message>
+    <message>
+        <source>no robot named</source>
+        <translation>ロボット名なし</translation>
+    </message>
+    <message>
+        <source>no intensities told</source>
+        <translation>反射強度の情報なし</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>反射強度</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>低</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>最初</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>最後</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>経過時間</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新</translation>
     </message>
 </context>
 <context>
@@ -6078,6 +6145,10 @@ F1 でキー一覧</translation>
         <source>the robot was not in the map then: nothing was filed</source>
         <translation>その時点でロボットは地図上になかったため、登録していない</translation>
     </message>
+    <message>
+        <source>another station makes another map than this mission&apos;s (their scans {} differ): it is not shown here; begin a new mission to see it</source>
+        <translation>別のステーションがこのミッションとは異なる地図を作成しています(スキャン {} が一致しません):ここには表示されません。見るには新しいミッションを開始してください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -7242,6 +7313,30 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Click two points for their distance; the same key again ends it</source>
         <translation>二点をクリックして距離を測る。同じキーで終える</translation>
+    </message>
+    <message>
+        <source>Colour by r&amp;obot</source>
+        <translation>ロボットで色分け(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Which robot&apos;s scanner saw it</source>
+        <translation>どのロボットのスキャナが見たか</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;intensity</source>
+        <translation>反射強度で色分け(&amp;I)</translation>
+    </message>
+    <message>
+        <source>How strongly surfaces throw the laser back</source>
+        <translation>面がレーザーをどれだけ強く反射するか</translation>
+    </message>
+    <message>
+        <source>Colour by a&amp;ge</source>
+        <translation>経過時間で色分け(&amp;G)</translation>
+    </message>
+    <message>
+        <source>When it came into the map: what is bright is new</source>
+        <translation>地図に入った時期:明るいほど新しい</translation>
     </message>
 </context>
 <context>
