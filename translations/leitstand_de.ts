@@ -7332,7 +7332,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     </message>
     <message>
         <source>Colour by a&amp;ge</source>
-        <translation>Farbe nach A&amp;lter</translation>
+        <translation>Farbe nach Al&amp;ter</translation>
     </message>
     <message>
         <source>When it came into the map: what is bright is new</source>
