@@ -35,9 +35,9 @@ void mergeStatus(std::vector<DiagnosticStatus>& statuses, const DiagnosticStatus
     statuses.push_back(status);
 }
 
-class FoldStep {
+class Step {
 public:
-    FoldStep(MissionState& state, const Event& event) : m_state(state), m_event(event) {}
+    Step(MissionState& state, const Event& event) : m_state(state), m_event(event) {}
 
     void take() {
         countStream();
@@ -250,7 +250,7 @@ MissionState fold(MissionState state, const Event& event) {
                            state.sequence));
         return state;
     }
-    FoldStep(state, event).take();
+    Step(state, event).take();
     if (state.events++ == 0) state.first = event.received;
     state.last = event.received;
     state.sequence = event.sequence;

@@ -29,7 +29,7 @@ private:
 };
 
 /// What a minimiser makes of the pairs: a motion to put before the pose, and what the pose cost per pair.
-struct Step {
+struct IcpStep {
     std::optional<Pose> motion;
     double cost = 0.0;
 };
@@ -51,7 +51,7 @@ bool usesNormals(Minimizer minimizer) {
     return minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp;
 }
 
-Step minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
+IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
     if (usesNormals(minimizer)) {
         const NormalEquations equations = minimizer == Minimizer::Plane
                                               ? planeEquations(pairing, pose, sums.sourceMean())
@@ -83,7 +83,7 @@ IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settin
         if (progress.cancelled()) return IcpStop::Cancelled;
         if (sums.count < 3) return IcpStop::Degenerate;
         const Stopwatch watch(result.times.minimising);
-        const Step step = minimise(pairing, sums, result.pose, settings.minimizer);
+        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer);
         if (!step.motion) return IcpStop::Degenerate;
         history.add(result.pose, step.cost);
         const Pose next = orthonormalised(*step.motion * result.pose);
