@@ -8,6 +8,8 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t SampleSize = 30'000;
+constexpr double LeastAgeStep = 0.1;   ///< of the end of a ramp of ages [min]
+constexpr double MostAgeSteps = 16.0;  ///< in a ramp: so much is newest as it looks
 
 /// The value below which a share of @p values lies; reorders them.
 double quantile(std::vector<double>& values, double share) {
@@ -121,7 +123,9 @@ std::optional<ColourRamp> rampOfAges(const SceneContent& content) {
     if (content.scans.empty()) return std::nullopt;
     double newest = 0.0;
     for (const SceneScan& scan : content.scans) newest = std::max(newest, scan.age);
-    return rounded(0.0, newest, content.ages == SceneAges::Minutes ? 0.5 : 1.0);
+    double step = content.ages == SceneAges::Minutes ? LeastAgeStep : 1.0;
+    while (MostAgeSteps * step < newest) step *= 2.0;
+    return rounded(0.0, newest, step);
 }
 
 }  // namespace leitstand

@@ -20,8 +20,8 @@ struct SceneSample {
 
 /// Numbers between which the colours run, rounded; nothing unless coloured by height, range or intensity.
 [[nodiscard]] std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring);
-/// The same by age: from the first scan on, to the next half minute, so that few scans change their colour
-/// when one comes; nothing without scans.
+/// The same by age: from the first scan on, to a little beyond the newest, so that few scans change their
+/// colour when one comes; nothing without scans.
 [[nodiscard]] std::optional<ColourRamp> rampOfAges(const SceneContent& content);
 
 /// Whether a point of the map at @p height [m] with @p label is shown under @p settings.
