@@ -23,6 +23,7 @@ struct ThemeColours {
     QColor stop;
     QColor wall;                                      ///< outer contour of the virtual scan
     QColor obstacle;                                  ///< its inner contour
+    QColor laser;                                     ///< what a plane laser measured
     QColor teleoperation, autonomous, stopped, lost;  ///< backgrounds of modes; of a stop it is stop
     std::array<QColor, 4> robots;                     ///< edges of panes, by the robot's place in the team
 

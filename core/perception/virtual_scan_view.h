@@ -44,6 +44,10 @@ struct VirtualScanView {
     Time at{};
     std::vector<VirtualSector> sectors;      ///< from -pi to pi in base_link, counter-clockwise, all alike
     std::vector<VirtualObstacle> obstacles;  ///< every inner point, not thinned to sectors
+    /// Where the rays of plane lasers ended in their newest turns, as measured, at whatever height; base_link
+    /// [m]. Empty for robots without one.
+    std::vector<Eigen::Vector2f> laser = {};
+    double laserAge = std::numeric_limits<double>::infinity();  ///< of the oldest of those turns [s]
 
     /// Sectors that nothing fell into, because the robot moved, get what those beside them have, where that
     /// is one surface; up to @p widest of them in a row.

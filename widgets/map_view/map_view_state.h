@@ -57,7 +57,7 @@ struct MapView::State {
     std::uint64_t highlighted = 0;
 
     bool measuring = false;
-    bool stale = false;  ///< the map is greyed
+    bool stale = false;                       ///< the map is greyed
     bool drawn = false;                       ///< a pose, since the button went down
     std::optional<Eigen::Vector3d> from, to;  ///< ends of the measurement, in the map's frame [m]
 };

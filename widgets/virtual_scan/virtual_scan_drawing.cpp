@@ -186,6 +186,19 @@ void VirtualScanDrawing::surroundings(const VirtualScanView& view) const {
     obstacles(view);
 }
 
+void VirtualScanDrawing::laser(const VirtualScanView& view) const {
+    constexpr double Dot = 2.0, Solid = 0.5, Gone = 2.0;  // [px], [s]
+    const double alpha = std::clamp(1.0 - (view.laserAge - Solid) / (Gone - Solid), 0.0, 1.0);
+    if (view.laser.empty() || alpha <= 0.0) return;
+    const QColor colour = ink(m_colours.laser, alpha);
+    const QRectF area = m_painter.clipBoundingRect();
+    for (const Eigen::Vector2f& point : view.laser) {
+        const QPointF at = pixelOf(point.cast<double>());
+        if (area.contains(at))
+            m_painter.fillRect(QRectF(at - QPointF(Dot / 2, Dot / 2), QSizeF(Dot, Dot)), colour);
+    }
+}
+
 void VirtualScanDrawing::path(const PredictedPath& path) const {
     if (path.isEmpty()) return;
     QPen pen(ink(m_colours.select), 1.5, Qt::CustomDashLine);

@@ -23,6 +23,7 @@ public:
     /// With their metres, but none in @p taken.
     void rings(const QRectF& area, double range, const QRectF& taken) const;
     void surroundings(const VirtualScanView& view) const;
+    void laser(const VirtualScanView& view) const;  ///< as measured
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
     void nearest(const Proximity& nearest, const QRectF& area) const;  ///< its distance in figures

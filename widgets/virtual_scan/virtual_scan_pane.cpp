@@ -84,6 +84,11 @@ Eigen::Vector2d VirtualScanPane::pointOf(const QPointF& pixel) const {
     return Eigen::Vector2d(away.y(), away.x()) / scale;
 }
 
+void VirtualScanPane::setLaserShown(bool shown) {
+    m_laser = shown;
+    update();
+}
+
 void VirtualScanPane::setPointing(bool pointing) {
     m_pointing = pointing;
     setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -107,6 +112,7 @@ void VirtualScanPane::paintEvent(QPaintEvent* /*event*/) {
     if (seen && freshness != Freshness::Lost) ring = proximityRing(*m_view, m_body, m_commanded);
     const Proximity* nearest = nearestOf(ring);
     if (seen) drawing.surroundings(*m_view);
+    if (seen && m_laser) drawing.laser(*m_view);
     drawing.rings(area, m_range, nearest != nullptr ? drawing.nearestBox(*nearest, area) : QRectF());
     if (seen && freshness == Freshness::Live)
         drawing.path(predictedPath(m_body, m_commanded, Lookahead, &*m_view));

@@ -30,6 +30,8 @@ public:
     /// From which age the scan is stale and lost.
     void setLimits(const FreshnessLimits& limits) { m_head.limits = limits; }
     void setRange(double metres);  ///< within the bounds
+    /// Whether what plane lasers measured is drawn over the contours; it is, at first.
+    void setLaserShown(bool shown);
 
     /// Where a point of base_link is painted [px].
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
@@ -61,6 +63,7 @@ private:
     DriveVelocity m_commanded;
     double m_range = UsualRange;
     bool m_pointing = false;
+    bool m_laser = true;
 };
 
 }  // namespace leitstand

@@ -29,8 +29,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> SharedTop
     {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
 }};
 
-constexpr int Kept = 32;         ///< samples a topic, for who was away for a moment
-constexpr int ScansAtOnce = 8;   ///< key scans that are on their way before the others wait for them
+constexpr int Kept = 32;        ///< samples a topic, for who was away for a moment
+constexpr int ScansAtOnce = 8;  ///< key scans that are on their way before the others wait for them
 constexpr std::chrono::seconds LongestOnTheirWay(2);
 
 bool isShared(std::string_view topic) {
@@ -133,8 +133,8 @@ void MissionSharing::take(const Event& event) {
     if (!isShared(event.topic)) return;
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
     const std::string* station = stationOf(event.sample);
-    const bool ours = scan != nullptr ? !m_setup.isAdopted(scan->id)
-                                      : station != nullptr && *station == m_setup.station;
+    const bool ours =
+        scan != nullptr ? !m_setup.isAdopted(scan->id) : station != nullptr && *station == m_setup.station;
     if (ours) submit(event.sample, event.topic);
 }
 
@@ -172,7 +172,8 @@ void MissionSharing::tellScans(const std::stop_token& stop) {
         if (stop.stop_requested()) return;
         write(scan->cdr, station_topic::KeyScans);
         if (++onTheirWay % ScansAtOnce == 0)
-            (void)publisher->second->waitForAcknowledgments(LongestOnTheirWay);  // who is gone is not waited for
+            (void)publisher->second->waitForAcknowledgments(
+                LongestOnTheirWay);  // who is gone is not waited for
     }
 }
 

@@ -86,10 +86,11 @@ bool SharedIntake::knows(const std::vector<std::uint64_t>& scans) const {
 
 void SharedIntake::tellOtherMap(std::uint64_t scan) const {
     if (!m_setup.tell) return;
-    m_setup.tell(fill(translate("leitstand::Station",
-                                "another station makes another map than this mission's (their scans {} differ): "
-                                "it is not shown here; begin a new mission to see it"),
-                      scan));
+    m_setup.tell(
+        fill(translate("leitstand::Station",
+                       "another station makes another map than this mission's (their scans {} differ): "
+                       "it is not shown here; begin a new mission to see it"),
+             scan));
 }
 
 bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {

@@ -7,6 +7,7 @@
 
 #include "app/session/log/sequencer.h"
 #include "core/mapping/live/motion_buffer.h"
+#include "core/perception/laser_points.h"
 #include "core/perception/robot_profile.h"
 
 namespace leitstand {
@@ -17,8 +18,9 @@ constexpr std::chrono::seconds Kept(90);
 constexpr double SmearedBy = 0.3;                                           ///< in a turn, driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
 constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);          ///< of a clock, backwards
-constexpr double Silence = 1.0;  ///< of odometry, in which a robot may have started again [s]
-constexpr double Zero = 0.05;    ///< a robot that has just started is no farther from it [m, rad]
+constexpr double Silence = 1.0;     ///< of odometry, in which a robot may have started again [s]
+constexpr double Zero = 0.05;       ///< a robot that has just started is no farther from it [m, rad]
+constexpr double LaserShown = 2.0;  ///< after its turn came [s]: nothing of it is kept
 constexpr double Elsewhere = 0.15;
 
 double secondsBetween(SteadyTime earlier, SteadyTime later) {
@@ -77,7 +79,10 @@ void RobotSight::take(const Event& event, SteadyTime now) {
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
         // The robot began anew, on a clock that jumped or on its own: what was around is not there any more.
-        if (m_newest && (stamp < *m_newest - Jump || hasLeapt(*odometry, stamp))) m_scan.clear();
+        if (m_newest && (stamp < *m_newest - Jump || hasLeapt(*odometry, stamp))) {
+            m_scan.clear();
+            m_lasers.clear();
+        }
         if (m_newest && stamp < *m_newest && stamp >= *m_newest - Jump) return;
         m_newest = stamp;
         m_arrived = now;
@@ -88,7 +93,9 @@ void RobotSight::take(const Event& event, SteadyTime now) {
         m_scan.add(*cloud, m_poses.inBase(event.sensor, cloud->header.frame), base);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
         m_scanned = now;
-        m_scan.add(*ranges, m_poses.inBase(event.sensor, ranges->header.frame), base);
+        const Pose laser = m_poses.inBase(event.sensor, ranges->header.frame);
+        m_scan.add(*ranges, laser, base);
+        m_lasers[event.topic] = {laserPoints(*ranges, laser, base), now};
     } else if (const auto* joints = std::get_if<JointSample>(&event.sample);
                joints != nullptr && event.role == StreamRole::Joints) {
         m_joints = *joints;
@@ -174,7 +181,22 @@ std::optional<VirtualScanView> RobotSight::view() const {
 
 std::optional<VirtualScanView> RobotSight::view(SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
-    return look(now);
+    auto view = look(now);
+    if (view) addLasers(*view, now);
+    return view;
+}
+
+void RobotSight::addLasers(VirtualScanView& view, SteadyTime now) const {
+    const Eigen::Isometry3f odomInBase = m_base.inverse().cast<float>();
+    double oldest = 0.0;
+    for (const auto& [topic, laser] : m_lasers) {
+        const double age = secondsBetween(laser.came, now);
+        if (age > LaserShown) continue;
+        oldest = std::max(oldest, age);
+        for (const Eigen::Vector3f& point : laser.inOdom)
+            view.laser.emplace_back((odomInBase * point).head<2>());
+    }
+    if (!view.laser.empty()) view.laserAge = oldest;
 }
 
 std::optional<VirtualScanView> RobotSight::look(SteadyTime now) const {

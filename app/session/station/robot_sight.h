@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session/scans/sensor_poses.h"
 #include "core/mission/event.h"
@@ -50,7 +51,8 @@ private:
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
     /// Whether the odometry began anew since the newest that came.
     [[nodiscard]] bool hasLeapt(const OdometrySample& odometry, Time stamp) const;
-    [[nodiscard]] const PictureWatch* driversPicture() const;  ///< likewise; null: none came
+    void addLasers(VirtualScanView& view, SteadyTime now) const;  ///< likewise
+    [[nodiscard]] const PictureWatch* driversPicture() const;     ///< likewise; null: none came
 
     const BodyBox m_body;
     mutable std::mutex m_mutex;
@@ -64,6 +66,12 @@ private:
     std::map<std::string, PictureWatch> m_cameras;  ///< by sensor
     std::map<std::string, PictureWatch> m_thermal;  ///< likewise
     std::optional<SteadyTime> m_scanned;            ///< when anything of a scan came
+    /// The newest turn of a plane laser.
+    struct Laser {
+        std::vector<Eigen::Vector3f> inOdom;  ///< [m]
+        SteadyTime came = {};
+    };
+    std::map<std::string, Laser> m_lasers;  ///< by topic
     std::optional<JointSample> m_joints;
     SteadyTime m_jointsCame = {};
 };

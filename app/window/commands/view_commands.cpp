@@ -88,8 +88,8 @@ void ViewCommands::addColourings() {
               {"colourRobot", tr("Colour by r&obot"), tr("Which robot's scanner saw it"),
                QKeySequence(Qt::CTRL | Qt::Key_5)});
     addChoice(*m_colourings, MapColouring::Intensity,
-              {"colourIntensity", tr("Colour by &intensity"), tr("How strongly surfaces throw the laser back"),
-               QKeySequence(Qt::CTRL | Qt::Key_6)});
+              {"colourIntensity", tr("Colour by &intensity"),
+               tr("How strongly surfaces throw the laser back"), QKeySequence(Qt::CTRL | Qt::Key_6)});
     addChoice(*m_colourings, MapColouring::Age,
               {"colourAge", tr("Colour by a&ge"), tr("When it came into the map: what is bright is new"),
                QKeySequence(Qt::CTRL | Qt::Key_7)});

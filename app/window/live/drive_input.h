@@ -17,7 +17,8 @@ class QWidget;
 
 namespace leitstand {
 
-/// Keys that drive or stop, whatever a layout says: the usual ones, and those that the files of @p robots bind.
+/// Keys that drive or stop, whatever a layout says: the usual ones, and those that the files of @p robots
+/// bind.
 [[nodiscard]] std::vector<Qt::Key> drivingKeys(const std::vector<RobotDescription>& robots);
 
 /// Who has the sticks: the one place that decides between keys and gamepad. Keys drive in an explicit drive

@@ -103,7 +103,8 @@ ScanPtr keptOf(const ScanPtr& scan) {
 std::size_t memoryOf(const LiveKeyScan& scan) {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list.front()); };
     std::size_t sum = sizeof(LiveKeyScan);
-    if (scan.scan) sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels) +
+    if (scan.scan)
+        sum += bytes(scan.scan->points) + bytes(scan.scan->intensities) + bytes(scan.scan->labels) +
                bytes(scan.scan->shades);
     if (scan.reduced) sum += scan.reduced->memory();
     return sum;

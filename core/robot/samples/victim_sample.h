@@ -21,10 +21,11 @@ struct VictimSign {
 
 /// A sample in the log that shows the victim.
 struct VictimEvidence {
-    std::string kind;            ///< "picture", "thermal", "gas", "scan", "odometry"
-    std::string topic;           ///< ROS name
-    std::uint64_t sequence = 0;  ///< of the event in the mission; 0: of another station's log, by topic and stamp
-    Time stamp{};                ///< sample's own
+    std::string kind;   ///< "picture", "thermal", "gas", "scan", "odometry"
+    std::string topic;  ///< ROS name
+    std::uint64_t sequence =
+        0;         ///< of the event in the mission; 0: of another station's log, by topic and stamp
+    Time stamp{};  ///< sample's own
 };
 
 /// A victim, or another thing that the judges want to know of, as filed or changed: always the whole form,

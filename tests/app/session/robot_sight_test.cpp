@@ -129,6 +129,30 @@ TEST(RobotSight, ARobotThatStartedAgainBringsNoObstaclesAlong) {
     EXPECT_NEAR(aheadAfter(2.0, Pose::Identity(), Pose::Identity()), BoardAt, 0.15) << "it stood";
 }
 
+TEST(RobotSight, HasWhatALaserMeasuredAsItCameAndNotForLong) {
+    const RobotDescription robot = robotOf(1.2);
+    RobotSight sight(robot);
+    const SteadyTime now = std::chrono::steady_clock::now();
+    OdometrySample odometry;
+    odometry.header = {Stamp, "odom"};
+    odometry.childFrame = "base_link";
+    sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
+    RangesSample turn;
+    turn.header = {Stamp, "laser"};
+    turn.angleStep = degrees(1);
+    turn.rangeMax = 8.0;
+    turn.ranges = {2.0F};
+    sight.take(eventOf(StreamRole::Ranges, "scanner", turn), now);
+    odometry.baseInOdom = poseFrom({0.5, 0, 0}, 0, 0, 0);
+    odometry.header.stamp += std::chrono::milliseconds(500);
+    sight.take(eventOf(StreamRole::Odometry, {}, odometry), now + std::chrono::milliseconds(500));
+    const auto view = sight.view(now + std::chrono::milliseconds(500));
+    ASSERT_EQ(view->laser.size(), 1u);
+    EXPECT_NEAR(view->laser.front().x(), 1.5F, 1e-4F) << "it drove on since";
+    EXPECT_NEAR(view->laserAge, 0.5, 1e-6);
+    EXPECT_TRUE(sight.view(now + std::chrono::seconds(3))->laser.empty());
+}
+
 /// A robot with a colour camera and an infrared one, and no scanner.
 struct TwoCameras : testing::Test {
     TwoCameras() {

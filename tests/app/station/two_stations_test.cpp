@@ -139,7 +139,12 @@ TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {
     ASSERT_TRUE(holdsMap(*m_second)) << words();
     EXPECT_FALSE(m_first->mapGrant().mine);
     scan();
-    EXPECT_TRUE(waitUntil([&] { return ids(*m_first) == std::vector<std::uint64_t>{1, 1001}; }, 60s)) << words();
+    EXPECT_TRUE(waitUntil(
+        [&] {
+            return ids(*m_first) == std::vector<std::uint64_t>{1, 1001};
+        },
+        60s))
+        << words();
     EXPECT_EQ(ids(*m_second), ids(*m_first));
     m_second.reset();
     EXPECT_TRUE(holdsMap(*m_first)) << "it goes on here when the other one ends";

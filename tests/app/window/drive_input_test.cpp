@@ -29,8 +29,8 @@ TEST(DrivingKeys, AreTheUsualOnesAndThoseOfTheRobotsFiles) {
     RobotDescription own = robot();
     own.bindings = {{"forward", "I"}, {"back", "Esc"}, {"left", "nonsense, here"}, {"co2", "K"}};
     const std::vector<Qt::Key> keys = drivingKeys({robot(), own});
-    EXPECT_THAT(keys, testing::IsSupersetOf({Qt::Key_W, Qt::Key_Up, Qt::Key_Space, Qt::Key_G, Qt::Key_Escape,
-                                             Qt::Key_I}));
+    EXPECT_THAT(keys, testing::IsSupersetOf(
+                          {Qt::Key_W, Qt::Key_Up, Qt::Key_Space, Qt::Key_G, Qt::Key_Escape, Qt::Key_I}));
     EXPECT_THAT(keys, testing::Not(testing::Contains(Qt::Key_K)));
     EXPECT_THAT(keys, testing::Not(testing::Contains(Qt::Key_Shift))) << "it comes with others";
 }

@@ -121,6 +121,19 @@ TEST_P(Panes, TheVirtualScanShowsWallsObstaclesAndItsAge) {
     EXPECT_THAT(wordsOf(pane), Contains("no data yet"));
 }
 
+TEST_P(Panes, WhatALaserMeasuredIsALayerOfItsOwn) {
+    VirtualScanPane pane;
+    pane.setRobot(robot.face, robot.description.footprint);
+    VirtualScanView view = *robot.view.around;
+    for (int i = 0; i < 80; ++i) view.laser.emplace_back(1.8F, -0.8F + 0.02F * static_cast<float>(i));
+    view.laserAge = 0.1;
+    pane.show(view, {}, 0.1);
+    const auto dots = [&] { return countOf(pictureOf(pane, {400, 400}, {}), colours().laser, 30); };
+    EXPECT_GT(dots(), 100);
+    pane.setLaserShown(false);
+    EXPECT_EQ(dots(), 0);
+}
+
 TEST_P(Panes, WallsAreNoObstaclesOfTheirOwnAsAScannerSeesThem) {
     VirtualWorld world;
     world.blocks = {{{6, -1, 0}, {6.1, 1, 2}},      {{-2.1, -1, 0}, {-2, 1, 2}},

@@ -106,8 +106,8 @@ void addAges(const Map& map, SceneContent& content) {
 
 /// Where @p robot is in @p robots; added where it is not.
 std::size_t placeOf(const std::string& robot, std::vector<SceneRobot>& robots) {
-    const auto known = std::find_if(robots.begin(), robots.end(),
-                                    [&](const SceneRobot& one) { return one.name == robot; });
+    const auto known =
+        std::find_if(robots.begin(), robots.end(), [&](const SceneRobot& one) { return one.name == robot; });
     const auto at = static_cast<std::size_t>(known - robots.begin());
     if (known == robots.end()) robots.push_back({robot, robot, -1});
     return at;
@@ -212,8 +212,7 @@ void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, c
     const bool same =
         ready.colours && ready.settings.colouring == settings.colouring &&
         ready.settings.look == settings.look && ready.tint == tint &&
-        ready.settings.theme == settings.theme &&
-        ready.one == one &&
+        ready.settings.theme == settings.theme && ready.one == one &&
         (settings.colouring != MapColouring::Height || ready.poseInMap.isApprox(scan.poseInMap, 0.0)) &&
         (!content.ramp || ready.ramp == ramp);
     if (!same) {

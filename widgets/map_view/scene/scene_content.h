@@ -24,10 +24,10 @@ struct PointCloudLook {
 /// A scan as it is drawn.
 struct SceneScan {
     std::string name;
-    std::string robot;     ///< that took it
+    std::string robot;        ///< that took it
     std::size_t robotAt = 0;  ///< in SceneContent::robots
     double age = 0.0;         ///< of its coming in, since the first scan's: SceneContent::ages says in what
-    std::uint64_t id = 0;  ///< MapScan::id
+    std::uint64_t id = 0;     ///< MapScan::id
     bool uncertain = false;
     Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
     bool visible = true;
@@ -73,8 +73,8 @@ struct SceneContent {
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
     SceneAges ages = SceneAges::Minutes;
-    std::optional<ColourRamp> ramp;           ///< when coloured by a number
-    std::vector<Eigen::Vector3d> places;      ///< what a camera should frame, in the map's frame [m]
+    std::optional<ColourRamp> ramp;       ///< when coloured by a number
+    std::vector<Eigen::Vector3d> places;  ///< what a camera should frame, in the map's frame [m]
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;
 

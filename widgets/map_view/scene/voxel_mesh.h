@@ -34,8 +34,8 @@ struct VoxelRecipe {
 };
 
 /// Cubes around all points within the recipe's heights. A cube has the colour of most of its points (label,
-/// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their direction and darker in
-/// corners, so that they can be told apart. Nothing when @p interrupted said to stop.
+/// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their
+/// direction and darker in corners, so that they can be told apart. Nothing when @p interrupted said to stop.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);
 

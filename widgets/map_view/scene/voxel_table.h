@@ -18,7 +18,7 @@ struct Voxel {
     float valueSum = 0.0F;                           ///< of range [m] or shade
     std::uint32_t points = 0;                        ///< 0: a free slot of the table
     bool certain = false;                            ///< a scan that fits has a point in it
-    std::uint32_t scan = 0, votes = 0;               ///< which source has most points (Boyer and Moore's vote)
+    std::uint32_t scan = 0, votes = 0;  ///< which source has most points (Boyer and Moore's vote)
 
     [[nodiscard]] Label majority() const;
 };

@@ -87,7 +87,8 @@ void MapFeature::showPointed(const QString& point) {
 }
 
 void MapFeature::showSummaryNow() {
-    if (m_context.source.moment().scans && m_context.source.moment().places) showSummary(m_context.source.moment());
+    if (m_context.source.moment().scans && m_context.source.moment().places)
+        showSummary(m_context.source.moment());
 }
 
 void MapFeature::describe(std::function<MapSummary(const LiveMoment&)> how) {

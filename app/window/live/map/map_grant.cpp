@@ -35,7 +35,7 @@ void MapGrantFeature::show() {
     const QString text =
         wanted ? tr("Hand the map over to %1")
                      .arg(QString::fromStdString(grant.requestedByTitle.empty() ? grant.requestedBy
-                                                                               : grant.requestedByTitle))
+                                                                                : grant.requestedByTitle))
                : tr("Hand the map over");
     if (m_give->text() != text) m_give->setText(text);
     const QString maker = othersTitle(grant);

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include <QAction>
 #include <QMainWindow>
 
+#include "app/window/commands/command_table.h"
 #include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
@@ -38,6 +40,15 @@ ScanFeature::ScanFeature(const ViewContext& context)
     };
     connect(&context.selection, &Selection::changed, this, setRobot);
     setRobot();
+    QAction& laser =
+        context.commands.add({.id = "scan.laser",
+                              .menu = CommandMenu::View,
+                              .text = tr("&Laser in the virtual scan"),
+                              .hint = tr("Draws what plane lasers measured, as it came, over the "
+                                         "contours of walls and obstacles"),
+                              .checkable = true});
+    laser.setChecked(true);
+    connect(&laser, &QAction::toggled, m_pane, &VirtualScanPane::setLaserShown);
     connect(&context.source, &MomentSource::ticked, this, &ScanFeature::show);
     connect(m_pane, &VirtualScanPane::pointedAt, this, &ScanFeature::pointed);
     connect(m_pane, &VirtualScanPane::pointingEnded, this, &ScanFeature::pointingEnded);
