@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace leitstand {
 namespace {
@@ -19,13 +20,26 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// The motion from @p a to @p b, @p share times (may be above 1).
-Pose continued(const Pose& a, const Pose& b, double share) {
+/// The motion from @p a to @p b, @p share times (may be above 1); @p turn: about its own upright axis instead
+/// of the one that share gives [rad].
+Pose continued(const Pose& a, const Pose& b, double share, const std::optional<double>& turn) {
     const Pose step = a.inverse() * b;
-    const Eigen::AngleAxisd turn(step.linear());
+    const Eigen::AngleAxisd turned(step.linear());
+    Eigen::Vector3d rotation = share * turned.angle() * turned.axis();
+    if (turn) rotation.z() = *turn;
     Eigen::Matrix<double, 6, 1> twist;
-    twist << share * step.translation(), share * turn.angle() * turn.axis();
+    twist << share * step.translation(), rotation;
     return b * poseFromTwist(twist);
+}
+
+double headingOf(const Pose& pose) {
+    const Eigen::Vector3d ahead = pose.linear().col(0);
+    return std::atan2(ahead.y(), ahead.x());
+}
+
+Pose turnedBy(Pose pose, double heading) {
+    pose.linear() = Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) * pose.linear();
+    return pose;
 }
 
 }  // namespace
@@ -69,6 +83,7 @@ void MotionBuffer::add(const OdometrySample& odometry) {
                 ++m_clockJumps;
                 m_entries.clear();
                 m_level.clear();
+                m_gyro.clear();
                 if (leaps(before, m_stray->baseInOdom, 1.0)) ++m_frame;
             }
             keep(m_stray->stamp, m_stray->baseInOdom);
@@ -77,6 +92,7 @@ void MotionBuffer::add(const OdometrySample& odometry) {
     }
     keep(stamp, odometry.baseInOdom);
     m_level.forgetBefore(m_entries.front().stamp);
+    m_gyro.forgetBefore(m_entries.front().stamp);
 }
 
 void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
@@ -89,9 +105,14 @@ void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
     }
     if (imu.angularVelocity) turning = inBase * *imu.angularVelocity;
     m_level.add(imu.header.stamp, up, turning);
+    if (turning)
+        m_gyro.add(imu.header.stamp,
+                   turning->dot(m_level.at(imu.header.stamp).value_or(Eigen::Vector3d::UnitZ())));
     // Where no odometry comes that would have it forget.
-    if (m_entries.empty() || imu.header.stamp - m_entries.back().stamp > Memory)
+    if (m_entries.empty() || imu.header.stamp - m_entries.back().stamp > Memory) {
         m_level.forgetBefore(imu.header.stamp - Memory);
+        m_gyro.forgetBefore(imu.header.stamp - Memory);
+    }
 }
 
 std::deque<MotionBuffer::Entry>::const_iterator MotionBuffer::after(Time stamp) const {
@@ -116,7 +137,8 @@ std::optional<Motion> MotionBuffer::beyond(Time stamp) const {
     const auto over = last.stamp - before->stamp;
     Motion motion{last.baseInOdom, MotionSource::Extrapolated};
     if (over >= SpeedOver && over <= LongestStep && before->frame == last.frame)
-        motion.baseInOdom = continued(before->baseInOdom, last.baseInOdom, seconds(ahead) / seconds(over));
+        motion.baseInOdom = continued(before->baseInOdom, last.baseInOdom, seconds(ahead) / seconds(over),
+                                      m_gyro.turned(last.stamp, stamp));
     motion.baseInOdom = levelled(motion.baseInOdom, stamp);
     return motion;
 }
@@ -141,7 +163,18 @@ std::optional<Motion> MotionBuffer::at(Time stamp) const {
     }
     const Pose pose =
         interpolated(before->baseInOdom, next->baseInOdom, seconds(stamp - before->stamp) / seconds(step));
-    return Motion{levelled(pose, stamp), step > LongestStep ? MotionSource::Bridged : MotionSource::Measured};
+    if (step <= LongestStep) return Motion{levelled(pose, stamp), MotionSource::Measured};
+    return Motion{levelled(turnedByGyro(pose, *before, *next, stamp), stamp), MotionSource::Bridged};
+}
+
+Pose MotionBuffer::turnedByGyro(const Pose& pose, const Entry& before, const Entry& after, Time stamp) const {
+    const auto soFar = m_gyro.turned(before.stamp, stamp), whole = m_gyro.turned(before.stamp, after.stamp);
+    if (!soFar || !whole) return pose;
+    // What gyros drift shows at the end, where odometry tells the heading.
+    const double begin = headingOf(before.baseInOdom);
+    const double drift = std::remainder(headingOf(after.baseInOdom) - begin - *whole, 2.0 * std::numbers::pi);
+    const double share = seconds(stamp - before.stamp) / seconds(after.stamp - before.stamp);
+    return turnedBy(pose, begin + *soFar + share * drift - headingOf(pose));
 }
 
 Travel MotionBuffer::travelled(Time from, Time to) const {

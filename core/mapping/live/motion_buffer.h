@@ -8,6 +8,7 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/mapping/live/level_filter.h"
+#include "core/mapping/live/turn_gyro.h"
 #include "core/robot/samples/motion_samples.h"
 
 namespace leitstand {
@@ -15,8 +16,8 @@ namespace leitstand {
 /// How a pose of MotionBuffer came about.
 enum class MotionSource : std::uint8_t {
     Measured,      ///< between two poses of the odometry
-    Bridged,       ///< between two that are far apart: nobody knows the way between
-    Extrapolated,  ///< beyond the newest, as it moved last
+    Bridged,       ///< between two that are far apart: nobody knows the way between, at most how it turned
+    Extrapolated,  ///< beyond the newest, as it moved last, and turned as its gyros say
 };
 
 /// Whether no robot moves from @p a to @p b, in its odometry's frame, in @p time [s]: that began anew.
@@ -34,7 +35,8 @@ struct Travel {
     double turn = 0.0;  ///< of its heading [rad]
 };
 
-/// How a robot moved in the last minutes: position and heading by its odometry, level by gyros and gravity.
+/// How a robot moved in the last minutes: position and heading by its odometry, level by gyros and gravity;
+/// heading by the gyros where odometry is missing.
 /// Stamps are the robot's clock, which may jump, and the odometry may begin anew. One thread at a time.
 class MotionBuffer {
 public:
@@ -70,10 +72,14 @@ private:
     [[nodiscard]] Pose levelled(Pose baseInOdom, Time stamp) const;
     [[nodiscard]] std::deque<Entry>::const_iterator after(Time stamp) const;
     [[nodiscard]] std::optional<Motion> beyond(Time stamp) const;
+    /// @p pose, which lies between the two on a straight way, with the heading that the gyros tell.
+    [[nodiscard]] Pose turnedByGyro(const Pose& pose, const Entry& before, const Entry& after,
+                                    Time stamp) const;
 
     std::deque<Entry> m_entries;   ///< by stamp
     std::optional<Entry> m_stray;  ///< its stamp does not fit the others: a jump, if the next one fits it
     LevelFilter m_level;
+    TurnGyro m_gyro;
     int m_clockJumps = 0;
     int m_frame = 0;
 };

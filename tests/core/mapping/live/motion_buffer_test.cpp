@@ -54,6 +54,54 @@ TEST(MotionBuffer, TellsMeasuredBridgedAndExtrapolated) {
     EXPECT_EQ(buffer.at(at(2000))->source, MotionSource::Bridged);
 }
 
+/// Says that the robot turns by @p rate [rad/s] from @p from to @p to [ms], by a unit that lies on its side.
+void turn(MotionBuffer& buffer, int from, int to, double rate) {
+    const Pose unitInBase = poseFrom({0.1, 0, 0.2}, degrees(90), 0, 0);
+    ImuSample imu;
+    imu.linearAcceleration = unitInBase.linear().transpose() * Eigen::Vector3d(0, 0, 9.81);
+    imu.angularVelocity = unitInBase.linear().transpose() * Eigen::Vector3d(0, 0, rate);
+    for (int ms = from; ms <= to; ms += 20) {
+        imu.header.stamp = at(ms);
+        buffer.add(imu, unitInBase);
+    }
+}
+
+double headingAt(const MotionBuffer& buffer, int ms) {
+    const Eigen::Vector3d ahead = buffer.at(at(ms))->baseInOdom.linear().col(0);
+    return inDegrees(std::atan2(ahead.y(), ahead.x()));
+}
+
+TEST(MotionBuffer, TheGyrosTellHowItTurnedBeyondItsOdometry) {
+    MotionBuffer buffer;
+    for (int ms = 0; ms <= 1000; ms += 20)
+        buffer.add(odometryAt(at(ms), poseFrom({0.5e-3 * ms, 0, 0}, 0, 0, 0)));
+    EXPECT_NEAR(headingAt(buffer, 1300), 0.0, 1e-6) << "as it moved last";
+    turn(buffer, 0, 1000, 0.0);
+    turn(buffer, 1020, 1300, degrees(60));  // it begins to turn as the odometry falls silent
+    EXPECT_NEAR(headingAt(buffer, 1300), 17.4, 0.5);
+    EXPECT_EQ(buffer.at(at(1300))->source, MotionSource::Extrapolated);
+    EXPECT_NEAR(buffer.at(at(1300))->baseInOdom.translation().head<2>().norm(), 0.65, 0.01)
+        << "and drives on";
+}
+
+TEST(MotionBuffer, TheGyrosTellHowItTurnedInAGapOfTheOdometry) {
+    MotionBuffer buffer;
+    const auto stand = [&](int from, int to, double heading) {
+        for (int ms = from; ms <= to; ms += 20)
+            buffer.add(odometryAt(at(ms), poseFrom({1, 2, 0}, 0, 0, degrees(heading))));
+    };
+    stand(0, 1000, 170);
+    turn(buffer, 0, 2000, degrees(1));  // so much they drift
+    turn(buffer, 2020, 3000, degrees(61));
+    turn(buffer, 3020, 5000, degrees(1));
+    stand(5000, 6000, 230);
+    EXPECT_EQ(buffer.at(at(2500))->source, MotionSource::Bridged);
+    EXPECT_NEAR(headingAt(buffer, 2000), 170.0, 1.0) << "it did not turn yet";
+    EXPECT_NEAR(headingAt(buffer, 2500), 200.0 - 360.0, 2.0);
+    EXPECT_NEAR(headingAt(buffer, 4000), 230.0 - 360.0, 1.0);
+    EXPECT_EQ(buffer.at(at(2500))->baseInOdom.translation(), Eigen::Vector3d(1, 2, 0));
+}
+
 TEST(MotionBuffer, StrayStampsAndPosesThatAreNoneAreLeftOut) {
     MotionBuffer buffer;
     for (int ms = 0; ms <= 1000; ms += 50) {
