@@ -5590,6 +5590,14 @@ F1 listet alle Tasten</translation>
         <source>Virtual scan</source>
         <translation>Virtueller Scan</translation>
     </message>
+    <message>
+        <source>&amp;Laser in the virtual scan</source>
+        <translation>&amp;Laser im virtuellen Scan</translation>
+    </message>
+    <message>
+        <source>Draws what plane lasers measured, as it came, over the contours of walls and obstacles</source>
+        <translation>Zeichnet, was ebene Laserscanner maßen, wie es kam, über die Umrisse von Wänden und Hindernissen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScanListModel</name>

@@ -5590,6 +5590,14 @@ F1 でキー一覧</translation>
         <source>Virtual scan</source>
         <translation>仮想スキャン</translation>
     </message>
+    <message>
+        <source>&amp;Laser in the virtual scan</source>
+        <translation>仮想スキャンにレーザーを表示(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draws what plane lasers measured, as it came, over the contours of walls and obstacles</source>
+        <translation>平面レーザーの測定値をそのまま、壁と障害物の輪郭に重ねて描きます</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScanListModel</name>

@@ -10,6 +10,7 @@
 #include "app/window/options.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_application.h"
+#include "app/window/scans_window.h"
 #include "app/window/screenshot.h"
 
 namespace leitstand {
@@ -51,18 +52,7 @@ int takeScreenshot(const Options& options) {
 int showWindow(const Options& options) {
     WindowState state = loadWindowState();
     applyChoices(options, state.view);
-    MainWindow window(state);
-    QObject::connect(&window, &MainWindow::closing, &window, [&window] {
-        // What only other windows know stays.
-        WindowState now = window.state();
-        const WindowState kept = loadWindowState();
-        now.language = kept.language;
-        now.liveGeometry = kept.liveGeometry;
-        now.liveLayout = kept.liveLayout;
-        saveWindowState(now);
-    });
-    window.show();
-    window.open(options.scans);
+    showScansWindow(options.scans, state);
     return QApplication::exec();
 }
 

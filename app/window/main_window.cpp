@@ -11,6 +11,7 @@
 #include "app/window/bottom_strip.h"
 #include "app/window/commands/file_commands.h"
 #include "app/window/commands/help_commands.h"
+#include "app/window/commands/language_commands.h"
 #include "app/window/commands/registration_commands.h"
 #include "app/window/commands/view_commands.h"
 #include "app/window/map_pane.h"
@@ -105,6 +106,7 @@ void MainWindow::addMenus() {
     for (QDockWidget* dock : {m_scansDock, m_settingsDock, m_messagesDock}) {
         view->addAction(dock->toggleViewAction());
     }
+    addLanguages(*view, [this](const QString& code) { emit languageWanted(code); });
     m_registration->fill(*menuBar()->addMenu(tr("&Registration")), m_viewCommands->before());
     (new HelpCommands(*this))->fill(*menuBar()->addMenu(tr("&Help")));
 }
@@ -145,9 +147,13 @@ void MainWindow::connectMap() {
 void MainWindow::connectCommands() {
     connect(m_files, &FileCommands::openRequested, this, [this](const Sources& sources) {
         m_pane->setHelpVisible(false);
+        m_sources.insert(m_sources.end(), sources.begin(), sources.end());
         m_session.open(sources, m_settings->settings());
     });
-    connect(m_files, &FileCommands::closeRequested, &m_session, &SessionBridge::clear);
+    connect(m_files, &FileCommands::closeRequested, this, [this] {
+        m_sources.clear();
+        m_session.clear();
+    });
     connect(m_files, &FileCommands::pictureSaved, m_strip,
             [this](const QString& file) { m_strip->setNote(tr("Saved %1").arg(file)); });
     connect(m_files, &FileCommands::failed, this,

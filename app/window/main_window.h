@@ -28,6 +28,8 @@ public:
 
     /// Reads and registers @p sources.
     void open(const Sources& sources);
+    /// All that was opened and not closed again.
+    [[nodiscard]] const Sources& sources() const { return m_sources; }
     /// What is to be remembered.
     [[nodiscard]] WindowState state() const;
     /// Whether nothing is being read or registered.
@@ -44,6 +46,7 @@ signals:
     void becameIdle();
     /// The window is about to close.
     void closing();
+    void languageWanted(const QString& code);  ///< for a window made anew
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -63,6 +66,7 @@ private:
     MessageListModel m_messages;
     ViewState m_view;
     SessionBridge m_session;
+    Sources m_sources;
     MapPane* m_pane;
     FileCommands* m_files;
     ViewCommands* m_viewCommands;

@@ -13,10 +13,10 @@
 #include "app/language/language.h"
 #include "app/session/review/review_log.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/main_window.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_window.h"
+#include "app/window/scans_window.h"
 
 namespace leitstand {
 namespace {
@@ -69,14 +69,6 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
     return 0;
 }
 
-/// Opens the mission's scans in a window of their own, which registers them with the settings of its panel.
-void registerAgain(const std::filesystem::path& mission) {
-    auto* window = new MainWindow(loadWindowState());
-    window->setAttribute(Qt::WA_DeleteOnClose);
-    window->show();
-    window->open({mission});
-}
-
 /// Shows a window on @p bridge until it is closed; @p language: in which it is wanted anew, else empty.
 int showWindow(ReviewBridge& bridge, const Options& options, QString& language) {
     const bool picture = !options.screenshot.empty();
@@ -90,7 +82,7 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
     if (options.look) window.setLook(*options.look);
     if (picture) return takePicture(bridge, window, options);
     QObject::connect(&window, &ReviewWindow::registerAgainWanted, &window,
-                     [&] { registerAgain(bridge.player().folder()); });
+                     [&] { showScansWindow({bridge.player().folder()}, loadWindowState()); });
     QObject::connect(&window, &ReviewWindow::languageWanted, &window, [&](const QString& code) {
         language = remembered.language = code;
         window.close();
