@@ -6157,6 +6157,10 @@ F1 listet alle Tasten</translation>
         <source>another station makes another map than this mission&apos;s (their scans {} differ): it is not shown here; begin a new mission to see it</source>
         <translation>eine andere Station macht eine andere Karte als die dieses Einsatzes (ihre Scans {} sind verschieden): sie wird hier nicht gezeigt; ein neuer Einsatz zeigt sie</translation>
     </message>
+    <message>
+        <source>{} of another station was found first: this station&apos;s {} is {} now</source>
+        <translation>{} einer anderen Station wurde zuerst gefunden: {} dieser Station ist jetzt {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

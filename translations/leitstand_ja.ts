@@ -6157,6 +6157,10 @@ F1 でキー一覧</translation>
         <source>another station makes another map than this mission&apos;s (their scans {} differ): it is not shown here; begin a new mission to see it</source>
         <translation>別のステーションがこのミッションとは異なる地図を作成しています(スキャン {} が一致しません):ここには表示されません。見るには新しいミッションを開始してください</translation>
     </message>
+    <message>
+        <source>{} of another station was found first: this station&apos;s {} is {} now</source>
+        <translation>別のステーションの {} が先に発見されました:このステーションの {} は {} になりました</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

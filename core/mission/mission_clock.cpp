@@ -29,6 +29,11 @@ MissionClock clockAt(const std::optional<ClockSample>& said, Time now) {
     return clock;
 }
 
+bool beganByItself(const ClockSample& clock) {
+    return clock.running && clock.elapsed == std::chrono::nanoseconds(0) &&
+           clock.limit == std::chrono::nanoseconds(0);
+}
+
 MissionClock withLength(MissionClock clock, double minutes) {
     if (clock.limit.count() > 0 || !(minutes > 0.0)) return clock;
     clock.limit = std::chrono::duration_cast<std::chrono::nanoseconds>(

@@ -21,6 +21,9 @@ struct MissionClock {
 /// any. It goes on while no station runs: the arena's clock does not wait for a restart.
 [[nodiscard]] MissionClock clockAt(const std::optional<ClockSample>& said, Time now);
 
+/// Whether a station let it go as its mission began, and nobody has touched it since.
+[[nodiscard]] bool beganByItself(const ClockSample& clock);
+
 /// @p clock with a length of @p minutes where nobody gave it one; as it is with 0 minutes.
 [[nodiscard]] MissionClock withLength(MissionClock clock, double minutes);
 

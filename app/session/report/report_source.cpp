@@ -205,18 +205,24 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
 Result<Event> ReportSource::event(const VictimEvidence& evidence, const VictimSample& find) {
     constexpr auto Around = std::chrono::minutes(1);
     if (evidence.sequence != 0) return event(evidence.sequence);
-    BagQuery query;
-    query.topics = {evidence.topic};
-    query.from = find.found - Around;
-    query.to = find.found + Around;
-    BagCursor cursor = m_bag->read(query);
     std::optional<Event> found;
-    while (!found) {
-        const auto raw = cursor.next();
-        if (!raw) break;
-        m_decoder->decode(*raw, [&](const Event& event) {
-            if (!found && evidenceOf("", event).stamp == evidence.stamp) found = event;
-        });
+    const auto look = [&](const Event& event) {
+        const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+        const Time stamp = scan != nullptr ? scan->stamp : evidenceOf("", event).stamp;
+        if (!found && stamp == evidence.stamp) found = event;
+    };
+    // By the robot's clock, where that agrees with the station's.
+    for (const Time about : {find.found, evidence.stamp}) {
+        BagQuery query;
+        query.topics = {evidence.topic};
+        query.from = about - Around;
+        query.to = about + Around;
+        BagCursor cursor = m_bag->read(query);
+        while (!found) {
+            const auto raw = cursor.next();
+            if (!raw) break;
+            m_decoder->decode(*raw, look);
+        }
     }
     if (!found) return Error{"another station has it in its log"};
     return std::move(*found);

@@ -29,9 +29,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> SharedTop
     {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
 }};
 
-constexpr int Kept = 32;        ///< samples a topic, for who was away for a moment
+constexpr int Kept = 64;        ///< samples a topic, for who was away for a moment
 constexpr int ScansAtOnce = 8;  ///< key scans that are on their way before the others wait for them
-constexpr std::chrono::seconds LongestOnTheirWay(2);
+/// Who has not taken them after so long is not waited for: a little, and as a link of 100 kB/s needs.
+constexpr double PatienceAByte = 1e-5, Patience = 2.0;  ///< [s]
+constexpr std::chrono::milliseconds Look(50);           ///< at a time: others have something to say
+constexpr std::chrono::seconds UntilMatched(5);         ///< a reader that was announced
 
 bool isShared(std::string_view topic) {
     return std::any_of(SharedTopics.begin(), SharedTopics.end(),
@@ -59,7 +62,20 @@ const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
     return meant;
 }
 
+double secondsSince(std::chrono::steady_clock::time_point moment) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
+}
+
 }  // namespace
+
+struct MissionSharing::Telling {
+    std::unique_ptr<BagReader> bag;
+    std::set<std::uint64_t> sequences;  ///< of the scans that count
+    std::optional<BagCursor> cursor;
+    std::size_t bytes = 0;  ///< on their way
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    bool begun = false;
+};
 
 MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup)
     : m_node(node), m_mission(mission), m_setup(std::move(setup)) {
@@ -96,18 +112,27 @@ bool MissionSharing::isHeard() const {
 }
 
 void MissionSharing::look() {
-    std::set<Guid> now;
+    std::set<Guid> now, scans;
     for (const RemoteEndpoint& one : m_node.endpoints()) {
-        if (one.kind == RemoteEndpoint::Kind::Reader && isShared(one.topic)) now.insert(one.participant);
+        if (one.kind != RemoteEndpoint::Kind::Reader || !isShared(one.topic)) continue;
+        now.insert(one.guid);
+        if (one.topic == station_topic::KeyScans) scans.insert(one.guid);
     }
     const bool holds = m_setup.holdsMap();
     const std::lock_guard lock(m_mutex);
-    const bool came = !std::includes(m_listeners.begin(), m_listeners.end(), now.begin(), now.end());
+    const bool came = !std::includes(m_scanReaders.begin(), m_scanReaders.end(), scans.begin(), scans.end());
     const bool took = holds && !m_heldMap;
     m_listeners = std::move(now);
+    m_scanReaders = std::move(scans);
     m_heldMap = holds;
     if (m_listeners.empty() || (!came && !took)) return;
     m_jobs.submit([this](const std::stop_token& stop) { tellAll(stop); });
+}
+
+void MissionSharing::tellFindsAgain() {
+    m_jobs.submit([this](const std::stop_token& stop) {
+        if (!stop.stop_requested()) tellFinds(*m_mission.state());
+    });
 }
 
 void MissionSharing::submit(const Sample& sample, std::string_view topic) {
@@ -135,7 +160,8 @@ void MissionSharing::take(const Event& event) {
     const std::string* station = stationOf(event.sample);
     const bool ours =
         scan != nullptr ? !m_setup.isAdopted(scan->id) : station != nullptr && *station == m_setup.station;
-    if (ours) submit(event.sample, event.topic);
+    const bool find = event.topic == station_topic::Victims || event.topic == station_topic::Candidates;
+    if (ours && (!find || m_setup.sharesMap())) submit(event.sample, event.topic);
 }
 
 void MissionSharing::write(const Sample& sample, std::string_view topic) {
@@ -151,30 +177,63 @@ void MissionSharing::write(const Payload& cdr, std::string_view topic) {
 }
 
 void MissionSharing::tellAll(const std::stop_token& stop) {
-    if (m_setup.holdsMap()) {
-        tellScans(stop);
-        if (stop.stop_requested()) return;
-        tellMap(*m_mission.state());
-    }
-    tellFinds(*m_mission.state());
+    tellFinds(*m_mission.state());  // the operator's work does not wait for scans
+    tellClock(*m_mission.state());
+    if (!m_setup.holdsMap()) return;
+    if (auto telling = scansToTell()) tellScans(std::move(telling), stop);
 }
 
-void MissionSharing::tellScans(const std::stop_token& stop) {
-    const auto publisher = m_publishers.find(station_topic::KeyScans);
-    if (publisher == m_publishers.end() || !m_mission.flush()) return;
-    const auto bag = BagReader::open(m_setup.folder);
-    if (!bag) return m_setup.tell(bag.error().text);
+std::shared_ptr<MissionSharing::Telling> MissionSharing::scansToTell() {
+    if (!m_mission.flush()) return nullptr;  // the log has told why
+    auto telling = std::make_shared<Telling>();
+    const MissionStatePtr mission = m_mission.state();
+    for (const auto& [id, scan] : *mission->keyScans) telling->sequences.insert(scan.sequence);
+    auto bag = BagReader::open(m_setup.folder);
+    if (!bag) {
+        m_setup.tell(bag.error().text);
+        return nullptr;
+    }
+    telling->bag = std::move(bag).value();
     BagQuery query;
     query.topics = {std::string(station_topic::KeyScans)};
-    BagCursor scans = (*bag)->read(query);
-    int onTheirWay = 0;
-    while (const auto scan = scans.next()) {
-        if (stop.stop_requested()) return;
-        write(scan->cdr, station_topic::KeyScans);
-        if (++onTheirWay % ScansAtOnce == 0)
-            (void)publisher->second->waitForAcknowledgments(
-                LongestOnTheirWay);  // who is gone is not waited for
+    telling->cursor.emplace(telling->bag->read(query));
+    return telling;
+}
+
+void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop) {
+    const auto publisher = m_publishers.find(station_topic::KeyScans);
+    if (publisher == m_publishers.end() || stop.stop_requested()) return;
+    const auto goOn = [&] {
+        m_jobs.submit([this, telling](const std::stop_token& stopped) { tellScans(telling, stopped); });
+    };
+    const double waited = secondsSince(telling->since);
+    if (!telling->begun) {
+        std::size_t announced = 0;
+        {
+            const std::lock_guard lock(m_mutex);
+            announced = m_scanReaders.size();
+        }
+        // This station's own log reads, too.
+        const bool all = publisher->second->matched() > static_cast<int>(announced);
+        if (!all && waited < std::chrono::duration<double>(UntilMatched).count()) {
+            std::this_thread::sleep_for(Look);
+            return goOn();
+        }
+        telling->begun = true;
+    } else if (!publisher->second->waitForAcknowledgments(Look)) {
+        if (waited < Patience + PatienceAByte * static_cast<double>(telling->bytes)) return goOn();
     }
+    telling->bytes = 0;
+    telling->since = std::chrono::steady_clock::now();
+    for (int i = 0; i < ScansAtOnce;) {
+        const auto scan = telling->cursor->next();
+        if (!scan) return tellMap(*m_mission.state());
+        if (!telling->sequences.contains(scan->sequence)) continue;  // another of its number counts
+        write(scan->cdr, station_topic::KeyScans);
+        telling->bytes += scan->cdr->size();
+        ++i;
+    }
+    goOn();
 }
 
 void MissionSharing::tellMap(const MissionState& mission) {
@@ -182,7 +241,11 @@ void MissionSharing::tellMap(const MissionState& mission) {
     if (!mission.keyScans->empty())
         write(ScanPosesSample{now, m_setup.station, ScanPosesSample::Cause::Registration, posesOf(mission)},
               station_topic::ScanPoses);
-    if (mission.crop) write(mission.crop->sample, station_topic::MapCrop);
+    if (mission.crop) {
+        MapCropSample crop = mission.crop->sample;
+        crop.station = m_setup.station;
+        write(crop, station_topic::MapCrop);
+    }
     const RobotsInMapPtr robots = m_setup.robots();
     for (const auto& [name, robot] : mission.robots) {
         if (!robot->place) continue;
@@ -196,18 +259,25 @@ void MissionSharing::tellMap(const MissionState& mission) {
         place.station = m_setup.station;
         write(place, station_topic::RobotPlaces);
     }
-    for (const auto& [id, candidate] : *mission.candidates)
-        write(candidate.candidate, station_topic::Candidates);
-    if (mission.clock) {
-        // By its stamp newer than the clock that a station began by itself when it came.
-        const MissionClock clock = clockAt(mission.clock->sample, now);
-        write(clockRun(clock, clock.running, now, m_setup.station), station_topic::Clock);
-    }
+}
+
+void MissionSharing::tellClock(const MissionState& mission) {
+    // One that a station let go by itself is the team's where that makes the map.
+    if (mission.clock && (m_setup.holdsMap() || !beganByItself(mission.clock->sample)))
+        write(mission.clock->sample, station_topic::Clock);
     if (mission.info) write(mission.info->sample, station_topic::Mission);
 }
 
 void MissionSharing::tellFinds(const MissionState& mission) {
-    for (const auto& [key, find] : *mission.victims) write(find.victim, station_topic::Victims);
+    if (!m_setup.sharesMap()) return;
+    for (const auto& [key, find] : *mission.victims) {
+        VictimSample told = find.victim;
+        told.station = m_setup.station;
+        write(told, station_topic::Victims);
+    }
+    if (!m_setup.holdsMap()) return;
+    for (const auto& [id, candidate] : *mission.candidates)
+        write(candidate.candidate, station_topic::Candidates);
 }
 
 void MissionSharing::tellUndone(const UndoSample& undo) {

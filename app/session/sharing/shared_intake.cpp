@@ -6,6 +6,7 @@
 
 #include "app/session/sharing/shared_evidence.h"
 #include "core/base/words.h"
+#include "core/mission/mission_clock.h"
 #include "core/mission/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -28,14 +29,9 @@ bool isPlacedInMap(const Sample& sample) {
 
 /// The stamp of what the mission has of the same thing as @p sample; empty: nothing, or stamps do not matter.
 std::optional<Time> knownStamp(const MissionState& mission, const Sample& sample) {
-    if (const auto* find = std::get_if<VictimSample>(&sample)) {
-        const auto known = mission.victims->find({find->kind, find->number});
-        if (known != mission.victims->end()) return known->second.victim.stamp;
-    } else if (const auto* candidate = std::get_if<CandidateSample>(&sample)) {
+    if (const auto* candidate = std::get_if<CandidateSample>(&sample)) {
         const auto known = mission.candidates->find(candidate->id);
         if (known != mission.candidates->end()) return known->second.candidate.stamp;
-    } else if (std::holds_alternative<ClockSample>(sample)) {
-        if (mission.clock) return mission.clock->sample.stamp;
     } else if (std::holds_alternative<MissionInfoSample>(sample)) {
         if (mission.info) return mission.info->sample.stamp;
     } else if (std::holds_alternative<MapCropSample>(sample)) {
@@ -64,8 +60,8 @@ std::vector<std::uint64_t> scansOf(const Sample& sample) {
 }  // namespace
 
 SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)) {
-    for (const auto& [id, scan] : *m_setup.mission()->keyScans)
-        m_scans[id] = {scan.entry.robot, scan.entry.stamp};
+    const MissionStatePtr mission = m_setup.mission();
+    for (const auto& [id, scan] : *mission->keyScans) m_scans[id] = {scan.entry.robot, scan.entry.stamp};
 }
 
 void SharedIntake::know(const Event& event) {
@@ -105,7 +101,7 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
         tellOtherMap(scan.id);
         return false;
     }
-    other.map = Map::Same;
+    if (std::exchange(other.map, Map::Same) != Map::Same && m_setup.onJoined) m_setup.onJoined();
     if (same) return false;
     m_scans[scan.id] = that;
     m_adopted.insert(scan.id);
@@ -117,8 +113,51 @@ bool SharedIntake::wants(const Event& event, Other& other) {
     if (isOfMap(sample) && m_setup.holdsMap()) return false;
     if (other.map == Map::Other && isPlacedInMap(sample)) return false;
     if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
+    if (const auto* find = std::get_if<VictimSample>(&sample)) return wants(*find);
+    if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
     const auto known = knownStamp(*m_setup.mission(), sample);
     return !known || *known < stampOf(sample);
+}
+
+bool SharedIntake::wants(const VictimSample& find) {
+    const MissionStatePtr mission = m_setup.mission();
+    const auto known = mission->victims->find({find.kind, find.number});
+    if (known == mission->victims->end()) return true;
+    const VictimSample& ours = known->second.victim;
+    if (ours.found == find.found) return ours.stamp < find.stamp;
+    if (ours.found < find.found) return false;  // who found it files it again, as below
+    if (ours.station == m_setup.station && m_setup.fileAgain) m_setup.fileAgain(ours);
+    return true;
+}
+
+bool SharedIntake::wants(const ClockSample& clock) const {
+    const MissionStatePtr mission = m_setup.mission();
+    if (!mission->clock) return true;
+    const ClockSample& ours = mission->clock->sample;
+    if (ours.station != m_setup.station || !beganByItself(ours)) return ours.stamp < clock.stamp;
+    return !beganByItself(clock) || clock.stamp < ours.stamp;
+}
+
+bool SharedIntake::sharesMap() const {
+    if (m_setup.holdsMap()) return true;
+    const std::lock_guard lock(m_mutex);
+    return m_scans.empty() || std::any_of(m_others.begin(), m_others.end(),
+                                          [](const auto& other) { return other.second.map == Map::Same; });
+}
+
+void SharedIntake::hearGrant(const RawEvent& event, const Sender& from) {
+    const auto decoded = decodeStationEvent(event);
+    const auto* grant = decoded ? std::get_if<GrantSample>(&decoded->sample) : nullptr;
+    if (grant == nullptr || grant->kind != GrantSample::Kind::Map) return;
+    if (grant->action == GrantSample::Action::Hold) m_maker = from;
+}
+
+bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
+    if (std::holds_alternative<KeyScanSample>(sample)) return false;
+    if (isOfMap(sample)) return true;  // also what need not, stays behind what was said before
+    // Finds of a map of which nobody knows yet whether it is this one.
+    return isPlacedInMap(sample) && other.map == Map::Unknown && m_maker == from && !m_scans.empty() &&
+           !m_setup.holdsMap();
 }
 
 void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
@@ -126,6 +165,7 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     if (ours && event.topic != station_topic::Grants) return;
     const std::lock_guard lock(m_mutex);
     if (event.topic == station_topic::Grants) {
+        if (!ours) hearGrant(event, from);
         m_setup.enter(std::move(event));
         return release(now);  // once a second
     }
@@ -134,16 +174,14 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     if (!decoded) return m_setup.enter(std::move(event));  // counted as broken there, and kept
     Other& other = m_others[from];
     const bool wanted = wants(*decoded, other);
-    const bool scan = std::holds_alternative<KeyScanSample>(decoded->sample);
-    if (wanted && isOfMap(decoded->sample) && !scan) {
-        // Also what need not wait stays behind what was said before.
+    Sample sample = decoded->sample;  // points are shared
+    if (wanted && takeOurSequences(sample, *m_setup.mission())) {
+        if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
+    }
+    if (wanted && waits(decoded->sample, from, other)) {
         other.waiting.push_back({std::move(event), now, scansOf(decoded->sample)});
         if (other.waiting.size() > MostWaiting) other.waiting.pop_front();
     } else if (wanted) {
-        Sample sample = decoded->sample;  // points are shared
-        if (takeOurSequences(sample, *m_setup.mission())) {
-            if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
-        }
         m_setup.enter(std::move(event));
     }
     release(now);
@@ -156,7 +194,8 @@ void SharedIntake::release(SteadyTime now) {
             const bool late = now - first.since >= LongestWait;
             if ((other.map == Map::Unknown || !knows(first.scans)) && !late) break;
             first.event.received = {};  // it enters now
-            if (other.map == Map::Same) m_setup.enter(std::move(first.event));
+            // Who makes the map by now has decided since.
+            if (other.map == Map::Same && !m_setup.holdsMap()) m_setup.enter(std::move(first.event));
             other.waiting.pop_front();
         }
     }

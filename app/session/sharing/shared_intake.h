@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,10 +22,15 @@ namespace leitstand {
 /// What a SharedIntake works with; may be called on any thread, with its lock held.
 struct SharedIntakeSetup {
     Sender me;                                          ///< this process: what it says itself is left out
+    std::string station;                                ///< persistent identity
     std::function<MissionStatePtr()> mission = {};      ///< never null
     std::function<bool()> holdsMap = {};                ///< whether this station makes the map
     std::function<void(RawEvent)> enter = {};           ///< into the log, in this order
     std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+    /// Another station turns out to make this mission's map.
+    std::function<void()> onJoined = {};
+    /// A find of this station gets a number of its own: another one had its number first.
+    std::function<void(const VictimSample&)> fileAgain = {};
 };
 
 /// What other stations say of the mission, on its way into this station's log (docs/stations.md). Samples of
@@ -33,7 +39,9 @@ struct SharedIntakeSetup {
 ///
 /// - a key scan that the map has already is left out; one that has another's number counts instead of it, as
 ///   its station lost that when it was killed; poses and places wait until all their scans are there;
-/// - of a find, a candidate, a clock and the mission's description the newest by its stamp counts;
+/// - of a find, a candidate, a clock and the mission's description the newest by its stamp counts; of two
+///   finds of one number the one that was found first keeps it; a clock that a station began by itself gives
+///   way;
 /// - the station that makes the map hears nobody else's;
 /// - a map that has no scan in common with this mission's, which is not empty, is another one: that is told
 ///   once, and nothing that lies in it is taken from that station. (Who meets a station tells it all scans
@@ -48,6 +56,8 @@ public:
     void take(RawEvent event, const Sender& from, SteadyTime now);
     /// An event of our log: key scans are known from then on.
     void know(const Event& event);
+    /// Whether this station's finds lie in the map that others know: it makes it, has none, or shares theirs.
+    [[nodiscard]] bool sharesMap() const;
     /// Whether key scan @p id came from another station in this session.
     [[nodiscard]] bool isAdopted(std::uint64_t id) const;
 
@@ -73,6 +83,10 @@ private:
     };
     [[nodiscard]] bool wants(const Event& event, Other& other);
     [[nodiscard]] bool wants(const KeyScanSample& scan, Other& other);
+    [[nodiscard]] bool wants(const VictimSample& find);
+    [[nodiscard]] bool wants(const ClockSample& clock) const;
+    [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;
+    void hearGrant(const RawEvent& event, const Sender& from);
     void tellOtherMap(std::uint64_t scan) const;
     [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;
     void release(SteadyTime now);
@@ -82,6 +96,7 @@ private:
     std::map<std::uint64_t, Known> m_scans;  ///< by id; under the mutex, as all that follows
     std::set<std::uint64_t> m_adopted;
     std::map<Sender, Other> m_others;
+    std::optional<Sender> m_maker;  ///< of the map, as it says itself
 };
 
 }  // namespace leitstand

@@ -10,6 +10,15 @@
 
 namespace leitstand {
 
+namespace {
+
+bool sameFix(const std::optional<RobotFix>& a, const RobotFix& b) {
+    return a && a->stamp == b.stamp && a->doubts == b.doubts && a->certainty == b.certainty &&
+           a->baseInMap.matrix() == b.baseInMap.matrix();
+}
+
+}  // namespace
+
 MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
     auto map = std::make_shared<Map>();
     map->scans.reserve(live.scans.size());
@@ -69,6 +78,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
     for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
     if (!earlier.scans.empty()) {
         m_mapper.follow(earlier.poses);
+        if (earlier.shared) m_mapper.beginBlock();
         for (auto& [name, robot] : m_robots) {
             const auto place = earlier.places.find(name);
             if (place != earlier.places.end()) robot.laser.restore(place->second);
@@ -183,7 +193,8 @@ void LiveMapping::registerDone(Time now) {
 void LiveMapping::followFixes() {
     for (auto& [name, robot] : m_robots) {
         const auto fix = m_mapper.fix(name);
-        if (!fix) continue;
+        if (!fix || sameFix(robot.followed, *fix)) continue;
+        robot.followed = fix;
         const bool certain = fix->doubts == 0;
         robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
                                certain ? "its scan fits the map" : inWords(fix->doubts)});

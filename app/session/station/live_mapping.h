@@ -37,6 +37,7 @@ struct EarlierMap {
     std::vector<KeyScanSample> scans;
     std::vector<ScanPose> poses;                     ///< where they are now
     std::map<std::string, RobotPlaceSample> places;  ///< of robots that do not make it, by name
+    bool shared = false;                             ///< another station had a part in it
 };
 
 /// @p settings as the files of @p robots want them.
@@ -77,6 +78,7 @@ private:
         LaserRobot laser;                  ///< corrects the tracker while no 3D scan of its own does
         std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
         std::optional<Time> matched;       ///< RobotInMap::matched
+        std::optional<RobotFix> followed;  ///< that the tracker was corrected by last
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;

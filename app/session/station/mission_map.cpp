@@ -1,5 +1,6 @@
 #include "app/session/station/mission_map.h"
 
+#include <map>
 #include <string>
 #include <system_error>
 #include <variant>
@@ -12,13 +13,21 @@ namespace leitstand {
 
 std::vector<KeyScanSample> keyScansOf(BagReader& bag) {
     std::vector<KeyScanSample> scans;
+    std::map<std::uint64_t, std::size_t> places;  // by id
     BagQuery query;
     query.topics = {std::string(station_topic::KeyScans)};
     BagCursor cursor = bag.read(query);
     while (const auto raw = cursor.next()) {
         const auto event = decodeStationEvent(*raw);
         if (!event) continue;
-        if (const auto* scan = std::get_if<KeyScanSample>(&event->sample)) scans.push_back(*scan);
+        const auto* scan = std::get_if<KeyScanSample>(&event->sample);
+        if (scan == nullptr) continue;
+        // The newest of a number counts, as in the fold.
+        const auto [at, fresh] = places.try_emplace(scan->id, scans.size());
+        if (fresh)
+            scans.push_back(*scan);
+        else
+            scans[at->second] = *scan;
     }
     return scans;
 }

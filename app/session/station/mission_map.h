@@ -12,7 +12,7 @@ namespace leitstand {
 
 class BagReader;
 
-/// Key scans that @p bag holds.
+/// Key scans that @p bag holds, the newest of each number.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);
 /// Key scans in the log of the mission @p folder; none where there is no mission yet.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder);

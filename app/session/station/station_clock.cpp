@@ -13,6 +13,7 @@ namespace leitstand {
 StationClock::StationClock(LiveMission& mission, std::string station, Changed changed)
     : m_mission(mission), m_station(std::move(station)) {
     if (!mission.state()->clock) (void)run(true);  // what can be wrong with the log, the log tells
+    m_said.reset();                                // what the team's clock says counts more
     m_changed = std::move(changed);                // that it began by itself is no news to others
 }
 

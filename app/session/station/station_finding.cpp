@@ -1,5 +1,7 @@
 // How a station searches for victims, what it searched, and how it files what is found.
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -7,9 +9,20 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/station_state.h"
+#include "core/base/words.h"
+#include "core/mission/finds/find_book.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
+void Station::State::fileAgain(VictimSample find) {
+    const std::string before = nameOf(find.kind, find.number);
+    find.number = nextNumber(*mission->state(), find.kind);
+    find.stamp = std::max(stationTime(), find.stamp + std::chrono::nanoseconds(1));
+    if (const auto kept = mission->say(find, station_topic::Victims); !kept) return say(kept.error().text);
+    say(leitstand::fill(
+        translate("leitstand::Station", "{} of another station was found first: this station's {} is {} now"),
+        before, before, nameOf(find.kind, find.number)));
+}
 
 void Station::State::file() {
     FindDeskSetup setup;

@@ -45,7 +45,7 @@ struct StationMapping::State {
     /// all of it.
     std::uint64_t said = 0, heard = 0;
     std::set<std::uint64_t> registered;  ///< key scans that we said and that did not come back yet
-    bool cropMoved = false;  ///< the mapping does not know the log's area yet; under the mutex
+    bool cropMoved = false;              ///< the mapping does not know the log's area yet; under the mutex
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::set<std::string> robots;                          ///< fixed
     std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
@@ -249,7 +249,13 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
-    EarlierMap earlier{std::move(setup.earlier), posesOf(*mission.state()), {}};
+    const MissionStatePtr before = mission.state();
+    EarlierMap earlier{std::move(setup.earlier), posesOf(*before), {}};
+    earlier.shared =
+        std::any_of(before->decisions->begin(), before->decisions->end(), [&](const Decision& one) {
+            const auto* poses = std::get_if<ScanPosesSample>(&one.content);
+            return poses != nullptr && poses->station != setup.station;
+        });
     for (const auto& [name, robot] : mission.state()->robots) {
         // One that was looked for in vain is nowhere: its place was a guess.
         const bool vain = robot->place && robot->place->sample.cause == RobotPlaceSample::Cause::Slot &&

@@ -144,6 +144,11 @@ void Station::State::share() {
     hearing.holdsMap = [this] { return grants->mayAct(MapGrant); };
     hearing.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
     hearing.tell = [this](const std::string& text) { say(text); };
+    hearing.station = memory->identity().id;
+    hearing.onJoined = [this] {
+        if (open) sharing->tellFindsAgain();
+    };
+    hearing.fileAgain = [this](const VictimSample& find) { fileAgain(find); };
     MissionSharingSetup telling;
     telling.station = memory->identity().id;
     telling.folder = settings.mission.folder;
@@ -151,6 +156,7 @@ void Station::State::share() {
     telling.tell = hearing.tell;
     telling.robots = [this] { return mapping->robots(); };
     intake = std::make_unique<SharedIntake>(std::move(hearing));
+    telling.sharesMap = [this] { return intake->sharesMap(); };
     telling.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
     sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(telling));
 }

@@ -70,6 +70,7 @@ struct Station::State {
     void watch();
     void file();
     void share();
+    void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
     void listen();
     [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all

@@ -93,6 +93,8 @@ public:
     /// of its number. Scans that this station enters later get numbers from the next thousand on: the other
     /// may go on, unheard, with those that follow its own.
     void adopt(const KeyScanSample& keyScan);
+    /// Numbers of scans that enter later begin with the next thousand: another station had a part in the map.
+    void beginBlock();
     /// Takes over where the mission has its key scans and how far they count, after an undo or from another
     /// station: all of them; those that are missing are set aside.
     void follow(std::span<const ScanPose> poses);

@@ -148,7 +148,8 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     state.map.scans.insert(place, std::move(key));
     state.nextId = std::max(state.nextId, sample.id + 1);
     state.localStale = true;
-    for (auto newer = std::next(state.map.scans.begin(), before + 1); newer != state.map.scans.end(); ++newer) {
+    for (auto newer = std::next(state.map.scans.begin(), before + 1); newer != state.map.scans.end();
+         ++newer) {
         if (newer->scan->robot == robot) return;  // the robot is where that one saw it
     }
     RobotTrack& track = state.robots[robot];
@@ -169,7 +170,13 @@ void LiveMapper::adopt(const KeyScanSample& sample) {
         m_state->cropped.forget(sample.id);
     }
     restore(sample);
-    m_state->nextId = std::max(m_state->nextId, (sample.id / IdBlock + 1) * IdBlock + 1);
+    beginBlock();
+}
+
+void LiveMapper::beginBlock() {
+    if (m_state->map.scans.empty()) return;
+    const std::uint64_t newest = m_state->map.scans.back().id;
+    m_state->nextId = std::max(m_state->nextId, (newest / IdBlock + 1) * IdBlock + 1);
 }
 
 void LiveMapper::follow(std::span<const ScanPose> poses) {

@@ -26,11 +26,16 @@ void sayPresent(VictimSign& sign, double value) {
 
 void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
     for (const VictimEvidence& one : from) {
-        const bool known =
-            std::any_of(to.evidence.begin(), to.evidence.end(), [&](const VictimEvidence& there) {
-                return there.sequence == one.sequence && there.topic == one.topic && there.stamp == one.stamp;
+        const auto known =
+            std::find_if(to.evidence.begin(), to.evidence.end(), [&](const VictimEvidence& there) {
+                const bool numbered = there.sequence != 0 && one.sequence != 0;
+                return there.topic == one.topic &&
+                       (numbered ? there.sequence == one.sequence : there.stamp == one.stamp);
             });
-        if (!known) to.evidence.push_back(one);
+        if (known == to.evidence.end())
+            to.evidence.push_back(one);
+        else if (known->sequence == 0)
+            known->sequence = one.sequence;  // another station's log did not tell
     }
 }
 
@@ -70,7 +75,8 @@ std::optional<VictimSample> changed(const MissionState& state, const FindKey& ke
     if (known == nullptr) return std::nullopt;
     VictimSample sample = *known;
     sample.station = station;
-    sample.stamp = now;
+    // Clocks of stations differ: what is said later has the later stamp all the same.
+    sample.stamp = std::max(now, known->stamp + std::chrono::nanoseconds(1));
     return sample;
 }
 
@@ -160,7 +166,7 @@ void addCues(FrozenEvidence& frozen, const CandidateSample& candidate) {
                            : cue.kind == "co2"      ? "gas"
                            : cue.kind == "sighting" ? "sighting"
                                                     : "picture";
-        if (cue.sequence != 0) frozen.evidence.push_back({kind, cue.topic, cue.sequence, cue.stamp});
+        if (!cue.topic.empty()) frozen.evidence.push_back({kind, cue.topic, cue.sequence, cue.stamp});
     }
 }
 
@@ -222,7 +228,7 @@ CandidateSample filedAs(CandidateSample candidate, std::uint32_t number, const s
                         Time now) {
     candidate.victim = number;
     candidate.station = station;
-    candidate.stamp = now;
+    candidate.stamp = std::max(now, candidate.stamp + std::chrono::nanoseconds(1));
     return candidate;
 }
 

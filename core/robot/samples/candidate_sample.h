@@ -18,7 +18,7 @@ struct Cue {
     std::string robot = {};
     std::string sensor = {};      ///< StreamDescription::sensor
     std::string topic = {};       ///< ROS name
-    std::uint64_t sequence = 0;   ///< of the sample in the mission; 0: it is not in the log
+    std::uint64_t sequence = 0;   ///< of the sample in the mission; 0: of another station's log, by topic and stamp
     Time stamp{};                 ///< sample's own
     double value = Unknown;       ///< heat [degrees C], co2 [ppm]
     double confidence = Unknown;  ///< 0 to 1

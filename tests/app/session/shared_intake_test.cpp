@@ -73,6 +73,9 @@ protected:
     void begin() {
         SharedIntakeSetup setup;
         setup.me = Me;
+        setup.station = "us";
+        setup.onJoined = [this] { ++m_joined; };
+        setup.fileAgain = [this](const VictimSample& find) { m_filedAgain.push_back(find); };
         setup.mission = [this] { return m_state; };
         setup.holdsMap = [this] { return m_holdsMap; };
         setup.enter = [this](RawEvent raw) {
@@ -130,6 +133,8 @@ protected:
 
     MissionStatePtr m_state = std::make_shared<const MissionState>();
     bool m_holdsMap = false;
+    int m_joined = 0;
+    std::vector<VictimSample> m_filedAgain;
     SteadyTime m_now{};
     std::string m_told;
     std::vector<std::string> m_entered;
@@ -277,6 +282,82 @@ TEST_F(SharedIntakeTest, AFindThatAnotherStationChangedKeepsWhereItsEvidenceStan
     EXPECT_EQ(kept.evidence[0].sequence, 512u);
     EXPECT_EQ(kept.evidence[1].sequence, 513u);
     EXPECT_EQ(kept.evidence[2].sequence, 0u) << "another log has it";
+}
+
+VictimSample victimFound(int found, int stamp, const std::string& station) {
+    VictimSample victim;
+    victim.number = 3;
+    victim.found = at(found);
+    victim.stamp = at(stamp);
+    victim.station = station;
+    return victim;
+}
+
+TEST_F(SharedIntakeTest, OfTwoFindsOfOneNumberTheFirstKeepsItAndTheOtherIsFiledAgain) {
+    begin();
+    const auto number3 = [&] { return m_state->victims->at({VictimSample::Kind::Victim, 3}).victim; };
+    hear(victimFound(50, 50, "us"), station_topic::Victims);  // as this station filed it, unheard
+    hear(victimFound(40, 40, "other"), station_topic::Victims);
+    EXPECT_EQ(number3().found, at(40));
+    ASSERT_EQ(m_filedAgain.size(), 1u);
+    EXPECT_EQ(m_filedAgain.front().found, at(50));
+    hear(victimFound(60, 90, "third"), station_topic::Victims, Third);  // who filed that does the same
+    EXPECT_EQ(number3().found, at(40));
+    hear(victimFound(40, 41, "third"), station_topic::Victims, Third);
+    EXPECT_EQ(number3().station, "third");
+    EXPECT_EQ(m_filedAgain.size(), 1u);
+}
+
+TEST_F(SharedIntakeTest, AClockThatBeganByItselfGivesWay) {
+    begin();
+    ClockSample ours;
+    ours.stamp = at(50);
+    ours.station = "us";
+    ours.running = true;
+    hear(ours, station_topic::Clock);
+    ClockSample set = ours;
+    set.station = "other";
+    set.stamp = at(10);  // long before this station came
+    set.limit = std::chrono::minutes(20);
+    hear(set, station_topic::Clock);
+    EXPECT_EQ(m_state->clock->sample.limit, std::chrono::minutes(20));
+    ClockSample began = ours;
+    began.station = "third";
+    began.stamp = at(9);
+    hear(began, station_topic::Clock, Third);
+    EXPECT_EQ(m_state->clock->sample.station, "other") << "an operator set that";
+}
+
+TEST_F(SharedIntakeTest, FindsOfAMapThatNobodyKnowsYetWaitUntilItIsKnown) {
+    begin();
+    hear(keyScan(1));
+    EXPECT_EQ(m_joined, 1);
+    EXPECT_TRUE(m_intake->sharesMap());
+    begin();  // after a restart
+    EXPECT_FALSE(m_intake->sharesMap()) << "nobody confirmed it yet";
+    (void)entered();
+    GrantSample grant;
+    grant.kind = GrantSample::Kind::Map;
+    grant.station = "third";
+    hear(grant, station_topic::Grants, Third);
+    hear(victimFound(40, 40, "third"), station_topic::Victims, Third);
+    EXPECT_THAT(entered(), IsEmpty());
+    hear(keyScan(1), Third);
+    EXPECT_THAT(entered(), ElementsAre("victim"));
+    EXPECT_TRUE(m_intake->sharesMap());
+    m_holdsMap = true;
+    hear(poses({1, 9}), Third);
+    heartbeat(61s);
+    EXPECT_THAT(entered(), IsEmpty());
+}
+
+TEST_F(SharedIntakeTest, WhatWaitedIsNotTakenByWhoMakesTheMapByThen) {
+    begin();
+    hear(keyScan(1));
+    hear(poses({1, 9}, 3.0));
+    m_holdsMap = true;
+    heartbeat(61s);
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
 }
 
 TEST_F(SharedIntakeTest, OwnWordsAreLeftOutAndNonsenseIsKeptForTheLog) {

@@ -7,10 +7,12 @@
 #include <gmock/gmock.h>
 
 #include "app/session/finds/find_desk.h"
+#include "app/session/log/live_mission.h"
 #include "app/session/station/mission_map.h"
 #include "app/session/station/station_clock.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/mission_state.h"
+#include "core/mission/station_topics.h"
 #include "tests/app/station/scanning_scene.h"
 
 namespace leitstand::test {
@@ -148,6 +150,40 @@ TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {
     EXPECT_EQ(ids(*m_second), ids(*m_first));
     m_second.reset();
     EXPECT_TRUE(holdsMap(*m_first)) << "it goes on here when the other one ends";
+}
+
+TEST_F(TwoStations, WhoComesLateGetsALongMapWhole) {
+    // As a log has it: a hundred scans of what a turn weighs, which no test would wait for.
+    constexpr std::size_t Many = 100;
+    {
+        LiveMissionSettings log = settingsFor({m_description}, "first").mission;
+        log.station = "first";
+        const auto mission = must(LiveMission::open(log));
+        auto points = std::make_shared<Scan>();
+        points->robot = m_description.name;
+        points->hasOdometry = true;
+        for (int i = 0; i < 15'000; ++i)
+            points->points.emplace_back(0.5F + 0.001F * static_cast<float>(i % 4'000),
+                                        0.02F * static_cast<float>(i % 97),
+                                        0.01F * static_cast<float>(i % 61));
+        points->labels.assign(points->points.size(), Label::Wall);
+        for (std::uint64_t id = 1; id <= Many; ++id) {
+            KeyScanSample scan;
+            scan.id = id;
+            scan.stamp = m_time + std::chrono::seconds(id);
+            scan.scan = points;
+            scan.scanInMap = poseFrom({0.3 * static_cast<double>(id), 0, 0}, 0, 0, 0);
+            ASSERT_TRUE(mission->say(scan, station_topic::KeyScans).ok());
+        }
+    }
+    openFirst();
+    ASSERT_TRUE(has(*m_first, Many)) << words();
+    ASSERT_TRUE(holdsMap(*m_first)) << words();
+    openSecond();
+    ASSERT_TRUE(waitUntil([&] { return m_second->mission()->keyScans->size() == Many; }, 120s))
+        << m_second->mission()->keyScans->size() << " came; " << words();
+    EXPECT_TRUE(has(*m_second, Many)) << words();
+    EXPECT_EQ(m_second->mission()->remarks->size(), 0u);
 }
 
 TEST_F(TwoStations, FindsAndTheClockAreTheTeams) {
