@@ -16,7 +16,10 @@
 namespace leitstand {
 void Station::State::fileAgain(VictimSample find) {
     const std::string before = nameOf(find.kind, find.number);
-    find.number = nextNumber(*mission->state(), find.kind);
+    // Several may be filed again before the mission has the first of them.
+    std::uint32_t& last = filedAgain[find.kind];
+    last = std::max(last + 1, nextNumber(*mission->state(), find.kind));
+    find.number = last;
     find.stamp = std::max(stationTime(), find.stamp + std::chrono::nanoseconds(1));
     if (const auto kept = mission->say(find, station_topic::Victims); !kept) return say(kept.error().text);
     say(leitstand::fill(

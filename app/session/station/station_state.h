@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,9 +54,10 @@ struct Station::State {
     std::unique_ptr<SharedIntake> intake;
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
-    std::mutex mutex;                ///< of the next two
-    std::atomic<bool> open = false;  ///< all is there; changed under the mutex
-    std::set<std::string> told;      ///< mismatches; under the mutex
+    std::mutex mutex;                                        ///< of the next two
+    std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
+    std::set<std::string> told;                              ///< mismatches; under the mutex
+    std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
     HeapKeeper heap;
 
     ~State();

@@ -152,6 +152,37 @@ TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {
     EXPECT_TRUE(holdsMap(*m_first)) << "it goes on here when the other one ends";
 }
 
+TEST_F(TwoStations, FindsThatWereFiledUnheardAreAllKeptWhenStationsMeet) {
+    // Each files two with nobody else there.
+    const auto file = [&](Station& station, double y) {
+        for (const double x : {1.0, 3.0}) {
+            const auto before = station.mission()->victims->size();
+            station.finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {x, y, -0.8});
+            ASSERT_TRUE(waitUntil([&] { return station.mission()->victims->size() > before; })) << words();
+        }
+    };
+    openFirst();
+    file(*m_first, 2.0);
+    m_first.reset();
+    openSecond();
+    file(*m_second, -2.0);
+    openFirst();
+    const auto places = [](Station& station) {
+        std::vector<std::pair<std::uint32_t, double>> all;
+        const MissionStatePtr mission = station.mission();
+        for (const auto& [key, find] : *mission->victims)
+            all.emplace_back(key.second, find.victim.positionInMap.y());
+        return all;
+    };
+    using testing::Pair;
+    const auto whole = ElementsAre(Pair(1, 2.0), Pair(2, 2.0), Pair(3, -2.0), Pair(4, -2.0));
+    for (Station* one : {m_first.get(), m_second.get()}) {
+        EXPECT_TRUE(waitUntil([&] { return testing::Value(places(*one), whole); }))
+            << testing::PrintToString(places(*one)) << words();
+    }
+    EXPECT_THAT(words(), HasSubstr("V1 is V3 now"));
+}
+
 TEST_F(TwoStations, WhoComesLateGetsALongMapWhole) {
     // As a log has it: a hundred scans of what a turn weighs, which no test would wait for.
     constexpr std::size_t Many = 100;
