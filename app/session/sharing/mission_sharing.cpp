@@ -14,6 +14,7 @@
 #include "core/mission/mission_clock.h"
 #include "core/mission/station_topics.h"
 #include "transport/convert/encode.h"
+#include "transport/link/grant_sender.h"
 
 namespace leitstand {
 namespace {
@@ -113,8 +114,10 @@ bool MissionSharing::isHeard() const {
 
 void MissionSharing::look() {
     std::set<Guid> now, scans;
+    const Sender me = senderOf(m_node.guid());
     for (const RemoteEndpoint& one : m_node.endpoints()) {
         if (one.kind != RemoteEndpoint::Kind::Reader || !isShared(one.topic)) continue;
+        if (senderOf(one.guid) == me) continue;  // this station's own log
         now.insert(one.guid);
         if (one.topic == station_topic::KeyScans) scans.insert(one.guid);
     }

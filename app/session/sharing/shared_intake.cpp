@@ -95,7 +95,7 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
     const auto known = m_scans.find(scan.id);
     const bool same = known != m_scans.end() && known->second == that;
     if (other.map == Map::Unknown && !m_scans.empty() && !same) {
-        if (known == m_scans.end()) return false;  // nobody can tell yet; it comes again after the first
+        if (known == m_scans.end()) return true;  // nobody can tell yet: it waits
         other.map = Map::Other;
         other.waiting.clear();
         tellOtherMap(scan.id);
@@ -153,7 +153,7 @@ void SharedIntake::hearGrant(const RawEvent& event, const Sender& from) {
 }
 
 bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
-    if (std::holds_alternative<KeyScanSample>(sample)) return false;
+    if (std::holds_alternative<KeyScanSample>(sample)) return other.map == Map::Unknown;
     if (isOfMap(sample)) return true;  // also what need not, stays behind what was said before
     // Finds of a map of which nobody knows yet whether it is this one.
     return isPlacedInMap(sample) && other.map == Map::Unknown && m_maker == from && !m_scans.empty() &&
@@ -179,8 +179,14 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
         if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
     }
     if (wanted && waits(decoded->sample, from, other)) {
-        other.waiting.push_back({std::move(event), now, scansOf(decoded->sample)});
-        if (other.waiting.size() > MostWaiting) other.waiting.pop_front();
+        Waiting one{std::move(event), now, scansOf(decoded->sample)};
+        if (const auto* scan = std::get_if<KeyScanSample>(&decoded->sample))
+            one.scan = {scan->id, Known{scan->scan->robot, scan->stamp}};
+        other.waiting.push_back(std::move(one));
+        const auto scans = std::count_if(other.waiting.begin(), other.waiting.end(),
+                                         [](const Waiting& each) { return each.scan.has_value(); });
+        if (other.waiting.size() > MostWaiting || scans > std::ptrdiff_t{MostWaitingScans})
+            other.waiting.pop_front();
     } else if (wanted) {
         m_setup.enter(std::move(event));
     }
@@ -195,7 +201,12 @@ void SharedIntake::release(SteadyTime now) {
             if ((other.map == Map::Unknown || !knows(first.scans)) && !late) break;
             first.event.received = {};  // it enters now
             // Who makes the map by now has decided since.
-            if (other.map == Map::Same && !m_setup.holdsMap()) m_setup.enter(std::move(first.event));
+            bool enters = other.map == Map::Same && !m_setup.holdsMap();
+            if (enters && first.scan) {
+                enters = m_scans.insert(*first.scan).second;
+                if (enters) m_adopted.insert(first.scan->first);
+            }
+            if (enters) m_setup.enter(std::move(first.event));
             other.waiting.pop_front();
         }
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
@@ -62,7 +63,8 @@ public:
     [[nodiscard]] bool isAdopted(std::uint64_t id) const;
 
     static constexpr std::chrono::seconds LongestWait{60};  ///< of poses for their scans
-    static constexpr std::size_t MostWaiting = 4096;        ///< of one station
+    static constexpr std::size_t MostWaiting = 4096;        ///< of one station ...
+    static constexpr std::size_t MostWaitingScans = 64;     ///< ... and with all their points
 
 private:
     /// What tells a key scan from another of its number.
@@ -74,7 +76,8 @@ private:
     struct Waiting {
         RawEvent event;
         SteadyTime since;
-        std::vector<std::uint64_t> scans;
+        std::vector<std::uint64_t> scans;                          ///< that it builds on
+        std::optional<std::pair<std::uint64_t, Known>> scan = {};  ///< that it is itself: id
     };
     enum class Map : std::uint8_t { Unknown, Same, Other };
     struct Other {

@@ -351,6 +351,21 @@ TEST_F(SharedIntakeTest, FindsOfAMapThatNobodyKnowsYetWaitUntilItIsKnown) {
     EXPECT_THAT(entered(), IsEmpty());
 }
 
+TEST_F(SharedIntakeTest, AScanThatComesBeforeAnyTellsWhoseMapItIsWaits) {
+    begin();
+    hear(keyScan(1));
+    begin();  // after a restart
+    (void)entered();
+    hear(keyScan(1001), Third);  // its newest overtakes what it tells of the rest
+    hear(poses({1001}, 4.0), Third);
+    EXPECT_THAT(entered(), IsEmpty());
+    hear(keyScan(1), Third);
+    EXPECT_THAT(entered(), ElementsAre("scan 1001", "poses of 1"));
+    EXPECT_TRUE(m_intake->isAdopted(1001));
+    hear(keyScan(1001), Third);
+    EXPECT_THAT(entered(), IsEmpty());
+}
+
 TEST_F(SharedIntakeTest, WhatWaitedIsNotTakenByWhoMakesTheMapByThen) {
     begin();
     hear(keyScan(1));
