@@ -183,7 +183,9 @@ TEST_F(TwoStations, FindsThatWereFiledUnheardAreAllKeptWhenStationsMeet) {
     EXPECT_THAT(words(), HasSubstr("V1 is V3 now"));
 }
 
-TEST_F(TwoStations, WhoComesLateGetsALongMapWhole) {
+using LongTwoStations = TwoStations;
+
+TEST_F(LongTwoStations, WhoComesLateGetsALongMapWhole) {
     // As a log has it: a hundred scans of what a turn weighs, which no test would wait for.
     constexpr std::size_t Many = 100;
     {
