@@ -16,10 +16,11 @@ namespace leitstand {
 struct Cue {
     std::string kind = {};  ///< "heat", "motion", "co2", "code", "hazard", "sighting"
     std::string robot = {};
-    std::string sensor = {};      ///< StreamDescription::sensor
-    std::string topic = {};       ///< ROS name
-    std::uint64_t sequence = 0;   ///< of the sample in the mission; 0: of another station's log, by topic and stamp
-    Time stamp{};                 ///< sample's own
+    std::string sensor = {};  ///< StreamDescription::sensor
+    std::string topic = {};   ///< ROS name
+    std::uint64_t sequence =
+        0;         ///< of the sample in the mission; 0: of another station's log, by topic and stamp
+    Time stamp{};  ///< sample's own
     double value = Unknown;       ///< heat [degrees C], co2 [ppm]
     double confidence = Unknown;  ///< 0 to 1
     std::string text = {};        ///< content of a code; kind of a hazard; may be empty
