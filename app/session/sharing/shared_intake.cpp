@@ -173,24 +173,47 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     const auto decoded = decodeStationEvent(event);
     if (!decoded) return m_setup.enter(std::move(event));  // counted as broken there, and kept
     Other& other = m_others[from];
-    const bool wanted = wants(*decoded, other);
-    Sample sample = decoded->sample;  // points are shared
-    if (wanted && takeOurSequences(sample, *m_setup.mission())) {
-        if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
-    }
-    if (wanted && waits(decoded->sample, from, other)) {
-        Waiting one{std::move(event), now, scansOf(decoded->sample)};
-        if (const auto* scan = std::get_if<KeyScanSample>(&decoded->sample))
+    const Sample& sample = decoded->sample;
+    if (!isOfMap(sample) && waits(sample, from, other)) {
+        wait({std::move(event), now, {}}, other);  // whether it is wanted depends on whose map it lies in
+    } else if (!wants(*decoded, other)) {
+        return release(now);
+    } else if (waits(sample, from, other)) {
+        Waiting one{std::move(event), now, scansOf(sample)};
+        if (const auto* scan = std::get_if<KeyScanSample>(&sample))
             one.scan = {scan->id, Known{scan->scan->robot, scan->stamp}};
-        other.waiting.push_back(std::move(one));
-        const auto scans = std::count_if(other.waiting.begin(), other.waiting.end(),
-                                         [](const Waiting& each) { return each.scan.has_value(); });
-        if (other.waiting.size() > MostWaiting || scans > std::ptrdiff_t{MostWaitingScans})
-            other.waiting.pop_front();
-    } else if (wanted) {
-        m_setup.enter(std::move(event));
+        wait(std::move(one), other);
+    } else {
+        enter(std::move(event), sample);
     }
     release(now);
+}
+
+void SharedIntake::wait(Waiting one, Other& other) {
+    other.waiting.push_back(std::move(one));
+    const auto scans = std::count_if(other.waiting.begin(), other.waiting.end(),
+                                     [](const Waiting& each) { return each.scan.has_value(); });
+    if (other.waiting.size() > MostWaiting || scans > std::ptrdiff_t{MostWaitingScans})
+        other.waiting.pop_front();
+}
+
+void SharedIntake::enter(RawEvent event, Sample sample) {
+    if (takeOurSequences(sample, *m_setup.mission())) {
+        if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
+    }
+    m_setup.enter(std::move(event));
+}
+
+void SharedIntake::enterLate(Waiting one, Other& other) {
+    // Who makes the map by now has decided since.
+    if (other.map != Map::Same || m_setup.holdsMap()) return;
+    if (one.scan) {
+        if (!m_scans.insert(*one.scan).second) return;
+        m_adopted.insert(one.scan->first);
+        return m_setup.enter(std::move(one.event));
+    }
+    const auto decoded = decodeStationEvent(one.event);
+    if (decoded && wants(*decoded, other)) enter(std::move(one.event), decoded->sample);
 }
 
 void SharedIntake::release(SteadyTime now) {
@@ -200,13 +223,7 @@ void SharedIntake::release(SteadyTime now) {
             const bool late = now - first.since >= LongestWait;
             if ((other.map == Map::Unknown || !knows(first.scans)) && !late) break;
             first.event.received = {};  // it enters now
-            // Who makes the map by now has decided since.
-            bool enters = other.map == Map::Same && !m_setup.holdsMap();
-            if (enters && first.scan) {
-                enters = m_scans.insert(*first.scan).second;
-                if (enters) m_adopted.insert(first.scan->first);
-            }
-            if (enters) m_setup.enter(std::move(first.event));
+            enterLate(std::move(first), other);
             other.waiting.pop_front();
         }
     }

@@ -92,6 +92,9 @@ private:
     void hearGrant(const RawEvent& event, const Sender& from);
     void tellOtherMap(std::uint64_t scan) const;
     [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;
+    static void wait(Waiting one, Other& other);
+    void enterLate(Waiting one, Other& other);  ///< where it is wanted by now
+    void enter(RawEvent event, Sample sample);
     void release(SteadyTime now);
 
     const SharedIntakeSetup m_setup;

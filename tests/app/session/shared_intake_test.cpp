@@ -344,6 +344,14 @@ TEST_F(SharedIntakeTest, FindsOfAMapThatNobodyKnowsYetWaitUntilItIsKnown) {
     EXPECT_THAT(entered(), IsEmpty());
     hear(keyScan(1), Third);
     EXPECT_THAT(entered(), ElementsAre("victim"));
+    begin();
+    hear(grant, station_topic::Grants, Third);
+    hear(victimFound(30, 30, "third"), station_topic::Victims, Third);
+    hear(keyScan(1, 77), Third);  // it is another map
+    EXPECT_THAT(entered(), IsEmpty());
+    EXPECT_THAT(m_filedAgain, IsEmpty()) << "what lies in another map takes no number";
+    begin();
+    hear(keyScan(1), Third);
     EXPECT_TRUE(m_intake->sharesMap());
     m_holdsMap = true;
     hear(poses({1, 9}), Third);
