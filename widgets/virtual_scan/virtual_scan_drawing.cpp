@@ -179,15 +179,16 @@ void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
     }
 }
 
-void VirtualScanDrawing::surroundings(const VirtualScanView& view) const {
+void VirtualScanDrawing::surroundings(const VirtualScanView& view, bool withLaser) const {
     if (view.sectors.empty()) return;
     freeSpace(view);
+    if (withLaser) laser(view);
     walls(view);
     obstacles(view);
 }
 
 void VirtualScanDrawing::laser(const VirtualScanView& view) const {
-    constexpr double Dot = 2.0, Solid = 0.5, Gone = 2.0;  // [px], [s]
+    constexpr double Dot = 3.0, Solid = 0.5, Gone = 2.0;  // [px], [s]
     const double alpha = std::clamp(1.0 - (view.laserAge - Solid) / (Gone - Solid), 0.0, 1.0);
     if (view.laser.empty() || alpha <= 0.0) return;
     const QColor colour = ink(m_colours.laser, alpha);

@@ -22,8 +22,8 @@ public:
 
     /// With their metres, but none in @p taken.
     void rings(const QRectF& area, double range, const QRectF& taken) const;
-    void surroundings(const VirtualScanView& view) const;
-    void laser(const VirtualScanView& view) const;  ///< as measured
+    /// @p withLaser: what plane lasers measured, too, below the contours, which are of it where it is all.
+    void surroundings(const VirtualScanView& view, bool withLaser) const;
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
     void nearest(const Proximity& nearest, const QRectF& area) const;  ///< its distance in figures
@@ -34,6 +34,7 @@ public:
 private:
     [[nodiscard]] QColor ink(QColor colour, double alpha = 1.0) const;
     void freeSpace(const VirtualScanView& view) const;
+    void laser(const VirtualScanView& view) const;
     void walls(const VirtualScanView& view) const;
     void obstacles(const VirtualScanView& view) const;
 

@@ -111,8 +111,7 @@ void VirtualScanPane::paintEvent(QPaintEvent* /*event*/) {
     std::vector<Proximity> ring;
     if (seen && freshness != Freshness::Lost) ring = proximityRing(*m_view, m_body, m_commanded);
     const Proximity* nearest = nearestOf(ring);
-    if (seen) drawing.surroundings(*m_view);
-    if (seen && m_laser) drawing.laser(*m_view);
+    if (seen) drawing.surroundings(*m_view, m_laser);
     drawing.rings(area, m_range, nearest != nullptr ? drawing.nearestBox(*nearest, area) : QRectF());
     if (seen && freshness == Freshness::Live)
         drawing.path(predictedPath(m_body, m_commanded, Lookahead, &*m_view));
