@@ -1,30 +1,13 @@
 #include "app/session/log/mission_feed.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
+#include "app/session/domain/station_types.h"
 #include "app/session/domain/topic_lane.h"
-#include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {
 namespace {
-
-/// What stations say that means something in every log.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> StationTopics = {{
-    {station_topic::Grants, "leitstand_msgs/msg/Grant"},
-    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
-    {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
-    {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
-    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
-    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
-    {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop"},
-    {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace"},
-    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
-    {station_topic::Notes, "leitstand_msgs/msg/Note"},
-    {station_topic::Alarms, "leitstand_msgs/msg/Alarm"},
-}};
 
 /// Deep enough that a burst is not lost between the network and the queue.
 Qos recording(Qos qos) {
@@ -76,8 +59,8 @@ std::vector<std::string> MissionFeed::listenTo(const RobotDescription& robot, Co
 std::vector<std::string> MissionFeed::listenToStations(const Gate& gate) {
     const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
     std::vector<std::string> problems;
-    for (const auto& [topic, type] : StationTopics) {
-        if (const auto heard = listen(std::string(topic), std::string(type), qos, gate); !heard)
+    for (const StationType& one : StationTypes) {
+        if (const auto heard = listen(std::string(one.topic), std::string(one.type), qos, gate); !heard)
             problems.push_back(heard.error().text);
     }
     return problems;

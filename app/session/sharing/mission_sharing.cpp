@@ -1,11 +1,11 @@
 #include "app/session/sharing/mission_sharing.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 #include <variant>
 
+#include "app/session/domain/station_types.h"
 #include "app/session/domain/topic_lane.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/sharing/shared_evidence.h"
@@ -19,17 +19,6 @@
 namespace leitstand {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> SharedTopics = {{
-    {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan"},
-    {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses"},
-    {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop"},
-    {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace"},
-    {station_topic::Victims, "leitstand_msgs/msg/Victim"},
-    {station_topic::Candidates, "leitstand_msgs/msg/Candidate"},
-    {station_topic::Clock, "leitstand_msgs/msg/MissionClock"},
-    {station_topic::Mission, "leitstand_msgs/msg/MissionInfo"},
-}};
-
 constexpr int Kept = 64;        ///< samples a topic, for who was away for a moment
 constexpr int ScansAtOnce = 8;  ///< key scans that are on their way before the others wait for them
 /// Who has not taken them after so long is not waited for: a little, and as a link of 100 kB/s needs.
@@ -38,8 +27,8 @@ constexpr std::chrono::milliseconds Look(50);           ///< at a time: others h
 constexpr std::chrono::seconds UntilMatched(5);         ///< a reader that was announced
 
 bool isShared(std::string_view topic) {
-    return std::any_of(SharedTopics.begin(), SharedTopics.end(),
-                       [&](const auto& shared) { return shared.first == topic; });
+    return std::any_of(StationTypes.begin(), StationTypes.end(),
+                       [&](const StationType& one) { return one.shared && one.topic == topic; });
 }
 
 /// The station that @p sample names; null where it names none.
@@ -80,7 +69,8 @@ struct MissionSharing::Telling {
 
 MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup)
     : m_node(node), m_mission(mission), m_setup(std::move(setup)) {
-    for (const auto& [topic, type] : SharedTopics) {
+    for (const auto& [topic, type, shared] : StationTypes) {
+        if (!shared) continue;
         WriterSettings writer;
         writer.topic = topic;
         writer.type = type;
