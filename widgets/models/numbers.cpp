@@ -21,6 +21,12 @@ QString numberText(double value, int decimals) {
     return QLocale().toString(shown, 'f', decimals).replace(QLatin1Char('-'), Minus);
 }
 
+QString figureText(double value, int decimals) {
+    double rounded = std::round(value * std::pow(10.0, decimals));
+    for (; decimals > 0 && std::fmod(rounded, 10.0) == 0.0; --decimals) rounded /= 10.0;
+    return numberText(value, decimals);
+}
+
 QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }

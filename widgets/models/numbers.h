@@ -11,6 +11,8 @@ namespace leitstand {
 
 /// @p value with @p decimals digits after the point.
 [[nodiscard]] QString numberText(double value, int decimals);
+/// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
+[[nodiscard]] QString figureText(double value, int decimals);
 /// A whole number, thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);
 /// A number of points in short: "812", "7.6 k", "0.24 M".

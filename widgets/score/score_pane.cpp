@@ -80,6 +80,12 @@ void ScorePane::fill(QFormLayout& list, const std::vector<ScoreLine>& lines) {
         what->setProperty("muted", line.tone == Tone::Muted);
         what->setProperty("attention", line.tone == Tone::Attention);
         list.addRow(what, points);
+        if (line.items.isEmpty()) continue;
+        auto* items = new QLabel(line.items);
+        items->setProperty("muted", true);
+        items->setWordWrap(true);
+        items->setIndent(12);
+        list.addRow(items);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/mission/score/score.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -70,6 +71,53 @@ TEST(ScoreFile, ShippedProfilesAreReadAndTellWhatIsUnconfirmed) {
     EXPECT_EQ(all.find("2013")->minutes, 20.0);
     EXPECT_EQ(all.find("2019")->minutes, 23.0);
     EXPECT_EQ(all.find("2019")->semiAutonomous, 1.5);
+}
+
+/// A victim that is told whole, one without signs of life, a robot's own find of which half is told, one that
+/// nobody confirmed.
+MissionState fourVictims() {
+    using Sign = VictimSign::State;
+    MissionState state;
+    std::vector<VictimSample> victims(4);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        victims[i].number = i + 1;
+        victims[i].status = VictimSample::Status::Confirmed;
+        victims[i].positionInMap = {1.0 + i, 2.0, 0.3};
+        victims[i].area = i == 1 ? "orange" : "yellow";
+        victims[i].situation = "void";
+    }
+    for (VictimSign* sign : {&victims[0].form, &victims[0].motion, &victims[0].heat, &victims[0].sound,
+                             &victims[0].co2, &victims[2].heat})
+        sign->state = Sign::Present;
+    victims[2].co2.state = Sign::Absent;
+    victims[0].tag = victims[2].tag = "R-17";
+    victims[2].autonomous = true;
+    victims[3].status = VictimSample::Status::Hypothesis;
+    for (const VictimSample& victim : victims)
+        state.victims.edit()[{victim.kind, victim.number}] = {victim.number, victim.number, victim};
+    return state;
+}
+
+TEST(ScoreFile, TheItemsOfAVictimMakeItsPointsByEveryShippedProfile) {
+    const auto all = scoreProfilesIn({std::filesystem::path(sourceFolder()) / "resources/scoring"});
+    for (const ScoreProfile& profile : all.profiles) {
+        const ScoreResult result = score(profile, fourVictims());
+        ASSERT_EQ(result.finds.size(), 4U) << profile.name;
+        for (const ScoredFind& find : result.finds) {
+            double sum = 0.0;
+            for (const ScoredItem& item : find.items) {
+                sum += item.points;
+                EXPECT_TRUE(item.points == 0.0 || item.points == item.possible)
+                    << profile.name << ", " << find.name << ": " << toString(item.item);
+            }
+            EXPECT_EQ(find.items.size(), profile.points.size()) << profile.name << ", " << find.name;
+            EXPECT_DOUBLE_EQ(sum, find.points) << profile.name << ", " << find.name;
+            EXPECT_DOUBLE_EQ(find.total, find.confirmed ? sum * find.weight * find.factor : 0.0)
+                << profile.name << ", " << find.name;
+        }
+        EXPECT_GT(result.finds[0].points, result.finds[2].points) << profile.name;
+        EXPECT_GT(result.finds[2].points, result.finds[1].points) << profile.name;
+    }
 }
 
 TEST(ScoreFile, TheUsersProfileReplacesTheShippedAndABrokenOneIsTold) {

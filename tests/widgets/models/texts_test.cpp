@@ -35,6 +35,16 @@ TEST_F(TextsTest, NumbersFollowTheLanguage) {
     EXPECT_EQ(countText(81'360).toStdString(), "81.360");
 }
 
+TEST_F(TextsTest, FiguresHaveNoMoreDigitsThanTheyNeed) {
+    EXPECT_EQ(figureText(10.0, 2).toStdString(), "10");
+    EXPECT_EQ(figureText(2.5, 2).toStdString(), "2.5");
+    EXPECT_EQ(figureText(-0.25, 2).toStdString(), "−0.25");
+    EXPECT_EQ(figureText(4.97, 1).toStdString(), "5") << "as it is rounded";
+    EXPECT_EQ(figureText(-0.004, 2).toStdString(), "0");
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    EXPECT_EQ(figureText(2.5, 2).toStdString(), "2,5");
+}
+
 TEST_F(TextsTest, LargeCountsAreShort) {
     EXPECT_EQ(shortCountText(812).toStdString(), "812");
     EXPECT_EQ(shortCountText(7'640).toStdString(), "7.6\u202fk");

@@ -1,6 +1,7 @@
 #include "widgets/score/score_pane.h"
 
 #include <gtest/gtest.h>
+#include <QCoreApplication>
 
 #include "tests/widgets/panes/shown.h"
 
@@ -43,6 +44,30 @@ TEST(ScorePane, TellsThatThereIsNothingToScoreYet) {
     pane.show(text);
     EXPECT_FALSE(says(pane, nothing));
     EXPECT_TRUE(says(pane, QStringLiteral("V1")));
+}
+
+TEST(ScorePane, TellsWhatAVictimsPointsAreMadeOfInANarrowPaneToo) {
+    const QStringList items{QStringLiteral("map\u00a020/20"), QStringLiteral("place\u00a010/10"),
+                            QStringLiteral("form\u00a02/2"),  QStringLiteral("motion\u00a00/2"),
+                            QStringLiteral("heat\u00a00/2"),  QStringLiteral("sound\u00a00/2"),
+                            QStringLiteral("CO₂\u00a02/2"),   QStringLiteral("situation\u00a00/5"),
+                            QStringLiteral("tag\u00a05/5")};
+    ScoreText text;
+    text.score = QStringLiteral("18.5 points");
+    text.finds = {{QStringLiteral("V1 · area × 0.50"), QStringLiteral("19.5"), Tone::Normal,
+                   items.join(QStringLiteral(", "))},
+                  {QStringLiteral("2 × touched the arena"), QStringLiteral("−1"), Tone::Attention}};
+    ScorePane pane;
+    pane.show(text);
+    pane.resize(300, 320);
+    pane.show();
+    QCoreApplication::processEvents();  // lines find their heights
+    (void)pictureOf(pane, pane.size(), QStringLiteral("score"));
+    EXPECT_EQ(textFaults(pane), QStringList());
+    QString painted;
+    for (const PaintedText& one : paintedTexts(pane)) painted += one.text;
+    for (const QString& item : items)
+        EXPECT_TRUE(painted.contains(item)) << item.toStdString() << " in " << painted.toStdString();
 }
 
 }  // namespace

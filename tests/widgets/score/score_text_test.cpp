@@ -42,7 +42,9 @@ TEST(ScoreText, SaysWhatEachBringsWhatItCostsAndByWhichRules) {
     ASSERT_THAT(text.finds, SizeIs(4));
     EXPECT_EQ(text.finds[0].what.toStdString(), "V1 · area × 0.50");
     EXPECT_EQ(text.finds[0].points.toStdString(), "5");
+    EXPECT_EQ(text.finds[0].items.toStdString(), "place\u00a010/10, heat\u00a00/2.5");
     EXPECT_EQ(text.finds[1].what.toStdString(), "V2, not confirmed");
+    EXPECT_TRUE(text.finds[1].items.isEmpty()) << "it brings nothing yet";
     EXPECT_EQ(text.finds[2].what.toStdString(), "2 × touched the arena");
     EXPECT_EQ(text.finds[2].points.toStdString(), "−10");
     EXPECT_EQ(text.finds[3].points.toStdString(), "÷ 2");

@@ -1,9 +1,7 @@
 #include "widgets/models/score/score_text.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "widgets/models/numbers.h"
 
@@ -17,7 +15,7 @@ struct Say {
 constexpr std::size_t MostAdvice = 5;
 
 QString points(double value) {
-    return numberText(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+    return figureText(value, 1);
 }
 
 QString itemText(ScoreItem item) {
@@ -44,12 +42,23 @@ QString itemText(ScoreItem item) {
     return {};
 }
 
+/// What each item brings of what it could; an item is not torn apart where lines end.
+QString itemsText(const std::vector<ScoredItem>& items) {
+    QStringList texts;
+    for (const ScoredItem& one : items) {
+        if (one.possible <= 0.0) continue;
+        texts += QStringLiteral("%1\u00a0%2/%3")
+                     .arg(itemText(one.item), figureText(one.points, 2), figureText(one.possible, 2));
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
 ScoreLine lineOf(const ScoredFind& find) {
     QString what = QString::fromStdString(find.name);
     if (!find.confirmed) return {Say::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
     if (find.weight != 1.0) what += Say::tr(" · area × %1").arg(numberText(find.weight, 2));
     if (find.factor != 1.0) what += Say::tr(" · autonomy × %1").arg(numberText(find.factor, 1));
-    return {what, points(find.total), Tone::Normal};
+    return {what, points(find.total), Tone::Normal, itemsText(find.items)};
 }
 
 }  // namespace

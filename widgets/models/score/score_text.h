@@ -15,6 +15,7 @@ struct ScoreLine {
     QString what;
     QString points;
     Tone tone = Tone::Normal;
+    QString items = {};  ///< of a confirmed victim, before any factor: "place 10/10, heat 0/2.5"
     friend bool operator==(const ScoreLine&, const ScoreLine&) = default;
 };
 
