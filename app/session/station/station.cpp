@@ -5,6 +5,7 @@
 #include "app/session/domain/seen_topics.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/station/station_state.h"
+#include "core/base/words.h"
 #include "core/mission/station_topics.h"
 
 namespace leitstand {
@@ -150,6 +151,16 @@ Result<void> Station::setMode(const std::string& robot, const std::string& mode)
 }
 
 Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
+    const StationBrakes& brakes = *m_state->brakes;
+    if (brakes.isRunning(robot))
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{} is sent nowhere during its brake test"), robot)};
+    if (brakes.refuses(robot))
+        return Error{leitstand::fill(
+            translate(
+                "leitstand::Station",
+                "{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless"),
+            robot)};
     PoseSample stamped = goal;
     stamped.header.stamp = stationTime();
     return m_state->wish(robot, StreamRole::GoalPose, stamped);

@@ -111,6 +111,7 @@ public:
 
     /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
     Result<void> setMode(const std::string& robot, const std::string& mode);
+    /// Errors also while drive commands are refused for its brakes.
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link

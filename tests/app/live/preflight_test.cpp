@@ -1,4 +1,5 @@
 // The preflight page on robots that are not as the shipped ones.
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QTimer>
@@ -18,6 +20,7 @@
 
 #include "app/session/station/station_brakes.h"
 #include "app/window/live/live_application.h"
+#include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/live/selection.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/station/careless_robot.h"
@@ -75,6 +78,62 @@ TEST_F(PreflightOfACarelessRobot, FailsItsBrakeTestAndABadgeTellsThatItIsDrivenN
     nevertheless->click();
     EXPECT_TRUE(soon([&] { return !badge->isVisible(); }));
     EXPECT_TRUE(brakes.refuses("rover"));
+}
+
+/// Robots that join from a file, while the station has one.
+class PreflightOfAFile : public LivePage {
+protected:
+    PreflightOfAFile() : LivePage(Robots::None, {shippedRobot("kurt3d")}) {
+        press(Qt::Key_F9);
+        EXPECT_TRUE(soon([&] { return page().isVisible(); }));
+    }
+    [[nodiscard]] PreflightPage& page() const { return *m_window->findChild<PreflightPage*>(); }
+    [[nodiscard]] std::string complaint() const {
+        return page().findChild<QLabel*>(QStringLiteral("complaint"))->text().toStdString();
+    }
+    /// As the dialog's list is used.
+    void choose(const std::string& file) {
+        page().findChild<QPushButton*>(QStringLiteral("fromFile"))->click();
+        auto* const dialog = page().window()->findChild<QFileDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        EXPECT_FALSE(dialog->isModal()) << "STOP works meanwhile";
+        emit dialog->fileSelected(QString::fromStdString(file));
+        delete dialog;
+    }
+    [[nodiscard]] std::string fileOf(const char* name, const std::string& text) const {
+        const std::string file = m_folder.filePath(QLatin1String(name)).toStdString();
+        writeText(file, text);
+        return file;
+    }
+};
+
+TEST_F(PreflightOfAFile, AGoodOneIsWantedAndADamagedOneNamesItsLineAndChangesNothing) {
+    QStringList wanted;
+    QObject::connect(&m_window->preflight(), &PreflightFeature::robotWanted,
+                     [&](const QString& file) { wanted += file; });
+    const auto team = [&] { return m_window->selection().robots().size(); };
+    const std::string good = sourceFolder() + "/resources/robots/crawler.yaml";
+
+    std::string text = readText(good);
+    const std::string height = "height: 0.35";
+    ASSERT_NE(text.find(height), std::string::npos);
+    const auto line = std::count(text.begin(), text.begin() + text.find(height), '\n') + 1;
+    const std::string damaged =
+        fileOf("damaged.yaml", text.replace(text.find(height), height.size(), "height: tall"));
+    choose(damaged);
+    EXPECT_THAT(complaint(),
+                testing::StartsWith(damaged + ":" + std::to_string(line) + ": height: expected a number"));
+    EXPECT_THAT(complaint(), testing::HasSubstr("found \"tall\""));
+    choose(fileOf("torn.yaml", readText(good).substr(0, 700)));
+    EXPECT_THAT(complaint(), testing::HasSubstr("torn.yaml:"));
+    choose(sourceFolder() + "/resources/robots/kurt3d.yaml");
+    EXPECT_THAT(complaint(), testing::HasSubstr("two robots are named kurt3d"));
+    EXPECT_TRUE(wanted.isEmpty());
+    EXPECT_EQ(team(), 1u);
+    EXPECT_TRUE(m_window->isVisible());
+
+    choose(good);
+    EXPECT_EQ(wanted, QStringList(QString::fromStdString(good)));
 }
 
 /// An operator who adds the robot that is heard, and closes the window once it is connected.

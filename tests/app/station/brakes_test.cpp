@@ -1,12 +1,22 @@
 #include "app/session/station/station_brakes.h"
 
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <variant>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/robot/brake_file.h"
 #include "core/mission/mission_state.h"
+#include "core/robot/stream_defaults.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/places.h"
+#include "transport/convert/decode.h"
 
 namespace leitstand::test {
 namespace {
@@ -110,6 +120,69 @@ TEST_F(StationBrakesTest, LettingTheKeyGoEndsTheTest) {
     EXPECT_EQ(station->brakes().result("rover").verdict, Verdict::Inconclusive);
     EXPECT_FALSE(station->brakes().refuses("rover")) << "nothing is known against it";
     EXPECT_EQ(robot.speed(), 0.0);
+}
+
+/// A robot that failed earlier, and which of the goals for it came over the wire.
+class SentRobot : public StationBrakesTest {
+protected:
+    SentRobot() {
+        m_rover.streams.push_back(defaultStream(StreamRole::GoalPose, "rover", {}));
+        const StreamDescription goals = *m_rover.stream(StreamRole::GoalPose);
+        m_listening = must(m_node->subscribe({goals.topic, goals.type, goals.qos, Lane::Small},
+                                             [this, goals](const ReceivedSample& sample) {
+                                                 const auto goal = decode(sample.event, goals);
+                                                 if (!goal) return;
+                                                 const Pose at = std::get<PoseSample>(*goal).poseInFrame;
+                                                 const std::scoped_lock lock(m_guard);
+                                                 m_heard.insert(std::lround(at.translation().x()));
+                                             }));
+        std::map<std::string, BrakeResult> earlier;
+        earlier["rover"] = {.verdict = Verdict::Failed, .seconds = 1.5, .metres = 0.3};
+        EXPECT_TRUE(writeBrakes(m_folder / "brakes.yaml", earlier).ok());
+    }
+    [[nodiscard]] static Result<void> send(Station& station, int metres) {
+        PoseSample goal;
+        goal.header.frame = "odom";
+        goal.poseInFrame.translation().x() = metres;
+        return station.goTo("rover", goal);
+    }
+    [[nodiscard]] bool hears(int metres) const {
+        const std::scoped_lock lock(m_guard);
+        return m_heard.contains(metres);
+    }
+    /// Readers and writers meet one after the other: a goal is said again until it comes.
+    [[nodiscard]] bool arrives(Station& station, int metres) const {
+        return waitUntil([&] { return send(station, metres).ok() && hears(metres); }, 60s);
+    }
+
+    RobotDescription m_rover = carelessRobot();
+
+private:
+    mutable std::mutex m_guard;
+    std::set<long> m_heard;  ///< x of goals [m]
+    const std::unique_ptr<Node> m_node = nodeIn(m_domain);
+    std::unique_ptr<Subscription> m_listening;
+};
+
+TEST_F(SentRobot, TakesNoGoalsAndIsSentNowhere) {
+    const auto station = stationFor({m_rover});
+    ASSERT_TRUE(station->brakes().refuses("rover"));
+    const auto refused = send(*station, 1);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_THAT(refused.error().text, testing::HasSubstr("rover failed its brake test"));
+
+    station->brakes().setOverridden("rover", true);
+    EXPECT_TRUE(arrives(*station, 2)) << words();
+    station->brakes().setOverridden("rover", false);
+    EXPECT_FALSE(send(*station, 3).ok());
+    station->brakes().setOverridden("rover", true);
+    EXPECT_TRUE(arrives(*station, 4)) << words();
+    EXPECT_FALSE(hears(1));
+    EXPECT_FALSE(hears(3)) << "what is said later came";
+
+    station->brakes().begin("rover");
+    EXPECT_FALSE(send(*station, 5).ok()) << "a test drives it";
+    station->brakes().end("rover");
 }
 
 }  // namespace
