@@ -179,7 +179,7 @@ void LiveMapping::registerDone(Time now) {
                 place(robot, scan, now);
                 const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now, bodiesIn(scan));
-                if (update.ready) robot.matched = now;
+                if (update.ready) matched(name, now);
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
@@ -213,6 +213,10 @@ void LiveMapping::tellRobots() {
         places->back().matched = robot.matched;
     }
     const std::lock_guard lock(m_mutex);
+    for (RobotInMap& place : *places) {
+        const auto heard = m_heard.find(place.robot);
+        if (heard != m_heard.end()) place.matched = heard->second;
+    }
     m_places = std::move(places);
 }
 

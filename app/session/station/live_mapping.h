@@ -64,6 +64,8 @@ public:
     void adopt(const KeyScanSample& keyScan);
     void follow(std::vector<ScanPose> poses);
     void follow(const RobotPlaceSample& place);
+    /// A 3D scan of @p robot came in, which another station lays onto the map.
+    void heard(const std::string& robot, Time received);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
     /// Where the robots are; never null.
@@ -86,8 +88,9 @@ private:
     void work(const Event& event);
     void work(const Task& task);
     void registerDone(Time now);
-    void followFixes();          ///< robots stand where the mapper says
-    void layTrails();            ///< where decisions moved the scans
+    void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
+    void followFixes();                               ///< robots stand where the mapper says
+    void layTrails();                                 ///< where decisions moved the scans
     void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
     void placeBeside(const std::string& name, Robot& robot, Time now);
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
@@ -109,9 +112,10 @@ private:
     std::map<std::string, Robot> m_robots;  ///< fixed
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    std::deque<Work> m_waiting;  ///< under the mutex
-    RobotsInMapPtr m_places;     ///< likewise
-    std::jthread m_thread;       ///< last: joined first
+    std::deque<Work> m_waiting;           ///< under the mutex
+    RobotsInMapPtr m_places;              ///< likewise
+    std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
+    std::jthread m_thread;                ///< last: joined first
 };
 
 /// Whether scans of @p before, which may be null, stand elsewhere in @p after, or are set aside there or no

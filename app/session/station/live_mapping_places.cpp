@@ -92,6 +92,17 @@ void LiveMapping::adopt(const KeyScanSample& keyScan) {
     });
 }
 
+void LiveMapping::heard(const std::string& robot, Time received) {
+    const std::lock_guard lock(m_mutex);
+    m_heard[robot] = received;
+}
+
+void LiveMapping::matched(const std::string& name, Time now) {
+    m_robots.at(name).matched = now;
+    const std::lock_guard lock(m_mutex);
+    m_heard.erase(name);
+}
+
 void LiveMapping::follow(std::vector<ScanPose> poses) {
     post([poses = std::move(poses)](LiveMapper& mapper) { mapper.follow(poses); });
 }

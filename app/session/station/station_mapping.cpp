@@ -286,6 +286,7 @@ void StationMapping::take(const Event& event) {
         for (const Event& one : std::exchange(waiting, {})) state.mapping->take(one);
         return state.mapping->take(event);
     }
+    state.mapping->heard(event.robot, event.received);
     waiting.push_back(event);
     while (event.received - waiting.front().received > HeldBack) waiting.pop_front();
 }

@@ -21,8 +21,8 @@ struct RobotInMap {
     Time stamp{};                       ///< of its newest odometry, robot's clock
     /// Where its odometry's poses lie in the map: of the moment of baseInMap too; empty while nobody knows.
     std::optional<Pose> odomInMap = {};
-    /// When a 3D scan of its own was laid onto the map last, station's clock; empty: none was yet, or another
-    /// station makes the map.
+    /// When a 3D scan of its own was laid onto the map last, station's clock; where another station makes the
+    /// map, when one came in that is laid onto it there; empty: none was yet.
     std::optional<Time> matched = {};
     double certainty = 0.0;  ///< 0 to 1
     bool certain = false;    ///< its newest scan fits; else its odometry alone carries it on

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 #include "widgets/map_view/scene/scene_statistics.h"
@@ -42,8 +43,10 @@ Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& cont
             return robotColour(content.robots[scan.robotAt].place, content.settings.theme);
         case MapColouring::Age:
             return onRamp(scan.age, content.ramp.value_or(ColourRamp{}));
-        default:
+        case MapColouring::Scan:
             return scanColour(index);
+        default:
+            return {};
     }
 }
 
@@ -173,17 +176,13 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
 }
 
 void SceneAssembler::forgetAllBut(const Map& map) {
-    std::erase_if(m_ready, [&map](const Ready& ready) {
-        return std::none_of(map.scans.begin(), map.scans.end(),
-                            [&ready](const MapScan& scan) { return scan.scan == ready.scan; });
-    });
+    std::unordered_set<const Scan*> kept;
+    for (const MapScan& scan : map.scans) kept.insert(scan.scan.get());
+    std::erase_if(m_ready, [&kept](const auto& ready) { return !kept.contains(ready.first); });
 }
 
 SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapViewSettings& settings) {
-    auto known = std::find_if(m_ready.begin(), m_ready.end(),
-                              [&scan](const Ready& ready) { return ready.scan == scan; });
-    if (known == m_ready.end()) known = m_ready.insert(known, Ready());
-    Ready& ready = *known;
+    Ready& ready = m_ready[scan.get()];
     if (!ready.points || ready.minRange != settings.minRange || ready.maxRange != settings.maxRange) {
         ready = Ready();
         ready.scan = scan;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/mapping/map.h"
@@ -49,7 +50,7 @@ private:
                  std::uint64_t highlighted);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
-    std::vector<Ready> m_ready;
+    std::unordered_map<const Scan*, Ready> m_ready;  ///< which hold the scans
     VoxelRecipe m_recipe;
     std::shared_ptr<const VoxelMesh> m_voxels;
 };
