@@ -86,9 +86,8 @@ TEST_F(TwoStations, TheSecondShowsTheMapThatTheFirstMakesAndWhatIsDecidedOfIt) {
     const Pose apart = robot(m_first->mapping().robots()).baseInMap.inverse() *
                        robot(m_second->mapping().robots()).baseInMap;
     EXPECT_LT(apart.translation().norm(), 0.02) << "the robot, too";
-    const auto matched = [](Station& station) { return robot(station.mapping().robots()).matched; };
-    ASSERT_TRUE(matched(*m_second)) << "what comes in is laid onto the map over there";
-    EXPECT_LT(*matched(*m_second) - *matched(*m_first), 5s);
+    EXPECT_TRUE(waitUntil([&] { return robot(m_second->mapping().robots()).matched == m_time; }))
+        << "what comes in is laid onto the map over there: it is not stale";
 
     EXPECT_THAT(m_second->mapping().reject(2).error().text, HasSubstr("another station"));
     ASSERT_TRUE(m_first->mapping().reject(2).ok());
