@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <variant>
 
-#include <fmt/format.h>
-
 namespace leitstand {
 namespace {
 
@@ -33,21 +31,28 @@ std::optional<MapDecision> onMap(const Decision& decision, const std::string& st
     return told;
 }
 
-std::string inWords(const MapDecision& decision) {
-    if (decision.kind == Kind::Crop) return "what belongs into the map";
-    const auto scans = decision.scans.size() == 1 ? fmt::format("scan {}", decision.scans.front())
-                                                  : fmt::format("{} scans", decision.scans.size());
-    switch (decision.kind) {
-        case Kind::SetAside:
-            return scans + " set aside";
-        case Kind::Taken:
-            return scans + " taken";
-        default:
-            return scans + " tried";
-    }
-}
-
 }  // namespace
+
+UndoneThing undoneThing(const MapDecision& decision) {
+    UndoneThing thing;
+    thing.scans = decision.scans.size();
+    if (thing.scans == 1) thing.scan = decision.scans.front();
+    switch (decision.kind) {
+        case Kind::Taken:
+            thing.kind = UndoneThing::Kind::Taken;
+            break;
+        case Kind::SetAside:
+            thing.kind = UndoneThing::Kind::SetAside;
+            break;
+        case Kind::Tried:
+            thing.kind = UndoneThing::Kind::Tried;
+            break;
+        case Kind::Crop:
+            thing.kind = UndoneThing::Kind::Crop;
+            break;
+    }
+    return thing;
+}
 
 std::optional<MapDecision> undoable(const MissionState& state, const std::string& station) {
     const auto& all = *state.decisions;
@@ -78,13 +83,15 @@ std::optional<MapDecision> redoable(const MissionState& state, const std::string
 std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station, Time now) {
     const auto decision = undoable(state, station);
     if (!decision) return std::nullopt;
-    return UndoSample{now, station, decision->event, "undo: " + inWords(*decision)};
+    return UndoSample{now, station, decision->event, undoText(undoneThing(*decision))};
 }
 
 std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station, Time now) {
     const auto decision = redoable(state, station);
     if (!decision) return std::nullopt;
-    return UndoSample{now, station, decision->event, "redo: " + inWords(*decision)};
+    UndoneThing thing = undoneThing(*decision);
+    thing.again = true;
+    return UndoSample{now, station, decision->event, undoText(thing)};
 }
 
 }  // namespace leitstand

@@ -7,6 +7,7 @@
 
 #include "core/base/time.h"
 #include "core/mission/mission_state.h"
+#include "core/mission/undo_says.h"
 #include "core/robot/samples/station_samples.h"
 
 namespace leitstand {
@@ -23,6 +24,8 @@ struct MapDecision {
     std::vector<std::uint64_t> scans;  ///< by id
     std::uint64_t event = 0;           ///< sequence that the UndoSample has to name
 };
+/// What an undo of @p decision takes back.
+[[nodiscard]] UndoneThing undoneThing(const MapDecision& decision);
 
 /// The newest of the operator's decisions on the map that @p station made and that is not taken back yet;
 /// empty: there is none.

@@ -9,6 +9,7 @@
 
 #include "core/base/words.h"
 #include "core/mission/decisions.h"
+#include "core/mission/undo_says.h"
 #include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
@@ -327,8 +328,9 @@ Result<void> FindDesk::undo() {
         return m_setup.sayCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
     if (decision != all.rend()) {
         const auto& sample = std::get<VictimSample>(decision->content);
-        return m_setup.undo({m_setup.now(), m_setup.station, decision->sequence,
-                             "undo: " + nameOf(sample.kind, sample.number)});
+        return m_setup.undo(
+            {m_setup.now(), m_setup.station, decision->sequence,
+             undoText({.kind = UndoneThing::Kind::Find, .find = nameOf(sample.kind, sample.number)})});
     }
     return Error{translate("leitstand::Station", "there is nothing on finds to take back")};
 }

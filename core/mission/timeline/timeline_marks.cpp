@@ -119,9 +119,8 @@ void TimelineCollector::addMoves(const Event& event) {
         put(event, {.kind = TimelineMark::Kind::Moved,
                     .key = wordOf(move.cause),
                     .name = nameOf(move.find.first, move.find.second),
-                    .text = fmt::format("{:.2f} {:.2f} {:.2f} → {:.2f} {:.2f} {:.2f}", move.from.x(),
-                                        move.from.y(), move.from.z(), move.to.x(), move.to.y(), move.to.z()),
-                    .metres = move.metres()});
+                    .from = move.from,
+                    .to = move.to});
     }
 }
 
@@ -156,7 +155,9 @@ void TimelineCollector::add(const Event& event) {
         if (poses->cause == ScanPosesSample::Cause::Operator)
             put(event, {.kind = Kind::Decision, .key = "poses"});
     } else if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
-        put(event, {.kind = Kind::Decision, .key = "undo", .text = undo->text});
+        const bool again = m_undos.contains(undo->event);
+        if (!again) m_undos.insert(event.sequence);
+        put(event, {.kind = Kind::Decision, .key = again ? "redo" : "undo", .text = undo->text});
     } else if (const auto* session = std::get_if<SessionSample>(&event.sample)) {
         put(event, {.kind = Kind::Session, .key = session->start ? "start" : "end", .text = session->title});
     } else if (const auto* mode = std::get_if<ModeSample>(&event.sample)) {
@@ -176,6 +177,14 @@ std::vector<TimelineMark> TimelineCollector::marks() const {
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const TimelineMark& a, const TimelineMark& b) { return a.at < b.at; });
     return sorted;
+}
+
+void dropUndone(std::vector<TimelineMark>& marks, const MissionState& mission) {
+    std::erase_if(marks, [&mission](const TimelineMark& mark) {
+        if (mark.kind != TimelineMark::Kind::Note) return false;
+        const Decision* const note = decisionAt(mission, mark.sequence);
+        return note != nullptr && note->undone;
+    });
 }
 
 const TimelineMark* markAfter(const std::vector<TimelineMark>& marks, Time at) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/base/time.h"
 #include "core/mission/event.h"
 #include "core/mission/finds/find_moves.h"
@@ -22,25 +24,27 @@ struct TimelineMark {
                     ///< "hazard", "code", "object", text: kinds of its cues ("heat, motion") or what it says
         Alarm,      ///< raised; key: AlarmSample::key, text: as logged
         Note,       ///< text: what was written
-        Decision,   ///< of the operator on scans, or an undo; key: "poses", "undo"; text: what is undone
+        Decision,   ///< of the operator on scans, or an undo; key: "poses", "undo", "redo" (an undo of an
+                    ///< undo); text: UndoSample::text
         Mode,       ///< of a robot; key: ModeSample::mode
         Bump,       ///< key: the bumper
         Moved,      ///< a find moved with its scan; name: "V1", key: "registration", "loop closure",
-                    ///< "operator", "undo", text: from where to where in the map [m]
+                    ///< "operator", "undo"; from, to
         Sighting,   ///< a robot's own; key: Sighting::kind, text: of a code
         Session,    ///< a station began or ended to write; key: "start", "end"; text: its title
     };
     Kind kind = Kind::Note;
-    Time at{};                    ///< station's clock
-    std::uint64_t sequence = 0;   ///< of the event
-    std::string robot = {};       ///< may be empty
-    std::string key = {};         ///< as the kind says
-    std::string name = {};        ///< likewise
-    std::string text = {};        ///< likewise
-    bool act = false;             ///< an alarm that says "act", a bump
-    std::uint32_t candidate = 0;  ///< CandidateSample::id of one; 0: none
-    double confidence = Unknown;  ///< of a candidate when it was told, 0 to 1
-    double metres = Unknown;      ///< how far a find moved [m]
+    Time at{};                                       ///< station's clock
+    std::uint64_t sequence = 0;                      ///< of the event
+    std::string robot = {};                          ///< may be empty
+    std::string key = {};                            ///< as the kind says
+    std::string name = {};                           ///< likewise
+    std::string text = {};                           ///< likewise
+    bool act = false;                                ///< an alarm that says "act", a bump
+    std::uint32_t candidate = 0;                     ///< CandidateSample::id of one; 0: none
+    double confidence = Unknown;                     ///< of a candidate when it was told, 0 to 1
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where a find was that moved, in the map [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where it is since
 };
 
 /// Finds the marks in a mission's events, which come in their order. Pure.
@@ -64,8 +68,12 @@ private:
     std::map<std::string, VictimSample::Status> m_victims;                ///< newest, by name
     MissionState m_mission;                                               ///< finds and scans
     FindMoves m_moves;
+    std::set<std::uint64_t> m_undos;             ///< sequences of undos that are no redos
     std::map<std::uint32_t, bool> m_candidates;  ///< told; whether dismissed
 };
+
+/// Leaves out of @p marks the notes that @p mission has taken back.
+void dropUndone(std::vector<TimelineMark>& marks, const MissionState& mission);
 
 /// A stretch of time in which something was recorded.
 struct TimelineStretch {

@@ -1,9 +1,12 @@
 #include "core/mission/timeline/timeline_marks.h"
 
 #include <chrono>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/mission/fold.h"
 
 namespace leitstand {
 namespace {
@@ -12,12 +15,18 @@ using namespace std::chrono_literals;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-Event said(std::uint64_t sequence, const CandidateSample& candidate) {
+Event said(std::uint64_t sequence, Sample sample) {
     Event event;
     event.sequence = sequence;
     event.received = Time(1'750'000'000s) + std::chrono::seconds(sequence);
-    event.sample = candidate;
+    event.sample = std::move(sample);
     return event;
+}
+
+NoteSample note(const std::string& text) {
+    NoteSample one;
+    one.text = text;
+    return one;
 }
 
 CandidateSample candidate(std::uint32_t id, double confidence) {
@@ -92,13 +101,47 @@ TEST(TimelineCollector, AFindThatMovesWithItsScanIsMarkedWithWhyAndHowFar) {
     EXPECT_EQ(marks[1].kind, TimelineMark::Kind::Moved);
     EXPECT_EQ(marks[1].key, "loop closure");
     EXPECT_EQ(marks[1].name, "V1");
-    EXPECT_EQ(marks[1].text, "1.00 0.00 0.00 → 1.00 0.30 0.00");
-    EXPECT_NEAR(marks[1].metres, 0.3, 1e-9);
+    EXPECT_TRUE(marks[1].from.isApprox(Eigen::Vector3d(1.0, 0.0, 0.0)));
+    EXPECT_TRUE(marks[1].to.isApprox(Eigen::Vector3d(1.0, 0.3, 0.0)));
     EXPECT_EQ(marks[1].sequence, 3U);
     const auto& back = marks[2].kind == TimelineMark::Kind::Moved ? marks[2] : marks[3];
     EXPECT_EQ(back.kind, TimelineMark::Kind::Moved);
     EXPECT_EQ(back.key, "undo");
     EXPECT_EQ(back.sequence, 4U);
+}
+
+TEST(TimelineCollector, AnUndoOfAnUndoDoesAgain) {
+    TimelineCollector collector;
+    const auto undo = [&](std::uint64_t sequence, std::uint64_t event, const char* text) {
+        collector.add(said(sequence, UndoSample{Time{}, "s", event, text}));
+        return collector.marks().back();
+    };
+    collector.add(said(1, note("door")));
+    EXPECT_EQ(undo(2, 1, "undo: V1").key, "undo");
+    const TimelineMark again = undo(3, 2, "redo: V1");
+    EXPECT_EQ(again.key, "redo");
+    EXPECT_EQ(again.text, "redo: V1");
+    EXPECT_EQ(undo(4, 3, "").key, "undo") << "of what was done again";
+    EXPECT_EQ(undo(5, 4, "").key, "redo");
+    EXPECT_EQ(undo(6, 6, "").key, "undo") << "of itself: no more than that";
+}
+
+TEST(TimelineCollector, ANoteThatWasTakenBackIsNoMark) {
+    TimelineCollector collector;
+    MissionState mission;
+    for (const Event& event :
+         {said(1, note("door")), said(2, note("window")), said(3, UndoSample{Time{}, "s", 1, ""})}) {
+        collector.add(event);
+        mission = fold(std::move(mission), event);
+    }
+    auto marks = collector.marks();
+    dropUndone(marks, mission);
+    ASSERT_THAT(marks, SizeIs(2));
+    EXPECT_EQ(marks[0].text, "window");
+    EXPECT_EQ(marks[1].key, "undo");
+    const auto kept = marks;
+    dropUndone(marks, MissionState());
+    EXPECT_THAT(marks, SizeIs(kept.size())) << "of a mission that knows nothing of them";
 }
 
 TEST(TimelineCollector, ACodeSaysWhatIsWrittenOnIt) {

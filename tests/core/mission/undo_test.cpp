@@ -53,6 +53,7 @@ TEST_F(UndoOnMap, NamesWhatItTakesBack) {
     EXPECT_EQ(undoable(state(), "us")->scans.size(), 2U);
     EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo: 2 scans set aside");
     ASSERT_TRUE(takeBack());
+    EXPECT_EQ(redoOnMap(state(), "us", at(0))->text, "redo: 2 scans set aside");
     EXPECT_EQ(undoable(state(), "us")->kind, Kind::Taken);
     EXPECT_THAT(undoable(state(), "us")->scans, testing::ElementsAre(2));
     EXPECT_EQ(redoable(state(), "us")->kind, Kind::SetAside);

@@ -104,8 +104,8 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
          .at = at(9),
          .key = "loop closure",
          .name = "V1",
-         .text = "1.00 0.00 0.00 → 1.00 0.30 0.00",
-         .metres = 0.3},
+         .from = {1.0, 0.0, 0.0},
+         .to = {1.0, 0.3, 0.0}},
     };
     const TimelineAxis axis({TimelineStretch{at(0), at(10)}});
     const auto glyphs = glyphsOf(marks, axis, faces);
@@ -127,7 +127,7 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
     EXPECT_EQ(markText(marks[8], faces).toStdString(), "K · candidate: a victim, 72\u202f% (heat, motion)");
     EXPECT_EQ(glyphs[8].letter, "?");
     EXPECT_EQ(markText(marks[9], faces).toStdString(),
-              "V1 moved 0.30 m, since a loop was closed (1.00 0.00 0.00 → 1.00 0.30 0.00)");
+              "V1 moved 0.30 m, since a loop was closed (1.00  0.00  0.00 → 1.00  0.30  0.00)");
     EXPECT_EQ(glyphs[9].tone, Tone::Muted) << "nobody did it";
     TimelineMark dismissed = marks[8];
     dismissed.key = "dismissed";
@@ -136,6 +136,40 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
     TimelineMark code = marks[8];
     code.name = "code", code.text = "A, B";
     EXPECT_EQ(markText(code, faces).toStdString(), "K · candidate: a code, 72\u202f% (A, B)");
+}
+
+TEST(TimelineWords, WhatWasUndoneIsToldByItsKind) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    const auto text = [](const char* key, const char* logged) {
+        return markText({.kind = TimelineMark::Kind::Decision, .key = key, .text = logged}, {}).toStdString();
+    };
+    EXPECT_EQ(text("undo", "undo: scan 1234 taken"), "undone: scan 1234 accepted");
+    EXPECT_EQ(text("undo", "undo: 1234 scans set aside"), "undone: 1,234 scans set aside");
+    EXPECT_EQ(text("redo", "redo: 3 scans tried"), "done again: 3 scans tried again");
+    EXPECT_EQ(text("redo", "redo: what belongs into the map"), "done again: what belongs into the map");
+    EXPECT_EQ(text("undo", "undo: V1"), "undone: V1");
+    EXPECT_EQ(text("undo", "H2 as corrected in a review"), "undone: H2 as corrected in a review");
+    EXPECT_EQ(text("undo", "a note of a review"), "undone: a note of a review");
+    EXPECT_EQ(text("undo", ""), "undone");
+    EXPECT_EQ(text("redo", ""), "done again");
+    EXPECT_EQ(text("undo", "undo: scan %1 taken"), "undone: undo: scan %1 taken") << "as it was logged";
+    EXPECT_EQ(text("redo", "the door"), "done again: the door");
+    EXPECT_EQ(text("poses", ""), "decision on scans");
+}
+
+TEST(TimelineWords, FiguresAreOfTheLanguage) {
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    const TimelineMark moved = {.kind = TimelineMark::Kind::Moved,
+                                .key = "undo",
+                                .name = "V1",
+                                .from = {1.0, -0.5, 0.0},
+                                .to = {1.0, -0.25, 0.0}};
+    EXPECT_EQ(markText(moved, {}).toStdString(),
+              "V1 moved 0,25 m, since a decision was taken back (1,00  −0,50  0,00 → 1,00  −0,25  0,00)");
+    const TimelineMark undone = {
+        .kind = TimelineMark::Kind::Decision, .key = "undo", .text = "undo: 1234 scans taken"};
+    EXPECT_EQ(markText(undone, {}).toStdString(), "undone: 1.234 scans accepted");
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
 }
 
 TEST(TimelineWords, RatesGoThroughTheirStepsInBothDirections) {

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/models/numbers.h"
+
 namespace leitstand {
 namespace {
 
@@ -12,11 +14,14 @@ struct Say {
 }  // namespace
 
 QString decisionText(const MapDecision& decision) {
-    using Kind = MapDecision::Kind;
-    const auto count = static_cast<qulonglong>(decision.scans.size());
-    const bool one = count == 1;
-    const auto number = one ? static_cast<qulonglong>(decision.scans.front()) : count;
-    switch (decision.kind) {
+    return undoneText(undoneThing(decision));
+}
+
+QString undoneText(const UndoneThing& thing) {
+    using Kind = UndoneThing::Kind;
+    const bool one = thing.scans == 1;
+    const QString number = one ? QString::number(thing.scan) : countText(thing.scans);
+    switch (thing.kind) {
         case Kind::Taken:
             return (one ? Say::tr("scan %1 accepted") : Say::tr("%1 scans accepted")).arg(number);
         case Kind::SetAside:
@@ -24,9 +29,15 @@ QString decisionText(const MapDecision& decision) {
         case Kind::Tried:
             return (one ? Say::tr("scan %1 tried again") : Say::tr("%1 scans tried again")).arg(number);
         case Kind::Crop:
+            return Say::tr("what belongs into the map");
+        case Kind::ReviewedFind:
+            return Say::tr("%1 as corrected in a review", "V1").arg(QString::fromStdString(thing.find));
+        case Kind::ReviewNote:
+            return Say::tr("a note of a review");
+        case Kind::Find:
             break;
     }
-    return Say::tr("what belongs into the map");
+    return QString::fromStdString(thing.find);
 }
 
 }  // namespace leitstand

@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "widgets/models/live/mode_label.h"
+#include "widgets/models/map/decision_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/times.h"
 #include "widgets/models/victims/move_words.h"
@@ -73,8 +74,17 @@ QString findMovedText(const TimelineMark& mark) {
                         : mark.key == "operator"     ? Cause::Operator
                                                      : Cause::Undo;
     return TimelineTexts::tr("%1 moved %2 m, since %3 (%4)")
-        .arg(QString::fromStdString(mark.name), numberText(mark.metres, 2), causeText(cause),
-             QString::fromStdString(mark.text));
+        .arg(QString::fromStdString(mark.name), numberText((mark.to - mark.from).norm(), 2), causeText(cause),
+             positionText(mark.from) + QStringLiteral(" → ") + positionText(mark.to));
+}
+
+QString undoMarkText(const TimelineMark& mark) {
+    const auto thing = undoneThing(mark.text);
+    const QString what = thing ? undoneText(*thing) : QString::fromStdString(mark.text);
+    if (mark.key == "redo")
+        return what.isEmpty() ? TimelineTexts::tr("done again")
+                              : TimelineTexts::tr("done again: %1").arg(what);
+    return what.isEmpty() ? TimelineTexts::tr("undone") : TimelineTexts::tr("undone: %1").arg(what);
 }
 
 QString contentOf(const TimelineMark& mark) {
@@ -89,10 +99,7 @@ QString contentOf(const TimelineMark& mark) {
         case Kind::Note:
             return TimelineTexts::tr("note: %1").arg(text);
         case Kind::Decision:
-            if (mark.key == "undo")
-                return text.isEmpty() ? TimelineTexts::tr("undone")
-                                      : TimelineTexts::tr("undone: %1").arg(text);
-            return TimelineTexts::tr("decision on scans");
+            return mark.key == "poses" ? TimelineTexts::tr("decision on scans") : undoMarkText(mark);
         case Kind::Mode:
             return text.isEmpty()
                        ? TimelineTexts::tr("mode: %1").arg(modeName(mark.key))
