@@ -86,11 +86,7 @@ ReviewIndexPtr indexOf(ReviewLog& log, const Progress& progress) {
     if (work.index.stretches.empty()) work.index.stretches.push_back({log.first(), log.last()});
     work.index.marks = work.marks.marks();
     work.index.finished = std::make_shared<const MissionState>(log.stateAt(log.last()));
-    std::erase_if(work.index.marks, [&](const TimelineMark& mark) {
-        if (mark.kind != TimelineMark::Kind::Note) return false;
-        const Decision* const kept = decisionAt(*work.index.finished, mark.sequence);
-        return kept != nullptr && kept->undone;
-    });
+    dropUndone(work.index.marks, *work.index.finished);
     return std::make_shared<const ReviewIndex>(std::move(work.index));
 }
 

@@ -1,36 +1,27 @@
 #include "app/session/review/review_pen.h"
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "app/session/log/live_mission.h"
 #include "app/session/log/sequencer.h"
+#include "app/session/review/newest_writing.h"
 #include "app/session/review/review_log.h"
 #include "core/base/words.h"
 #include "core/mission/station_topics.h"
+#include "core/mission/undo_says.h"
 #include "core/mission/victims/dismissal.h"
 
 namespace leitstand {
 namespace {
 
-/// The newest decision after @p sequence that is an undo of nothing and not undone; null: there is none.
-const Decision* newestAfter(const MissionState& state, std::uint64_t sequence) {
-    const std::vector<Decision>& all = *state.decisions;
-    for (auto one = all.rbegin(); one != all.rend() && one->sequence > sequence; ++one) {
-        if (!one->undone && !std::holds_alternative<UndoSample>(one->content)) return &*one;
-    }
-    return nullptr;
-}
-
 std::string textOf(const Decision& decision) {
+    using Kind = UndoneThing::Kind;
     if (const auto* victim = std::get_if<VictimSample>(&decision.content))
-        return fmt::format("{} as corrected in a review", nameOf(victim->kind, victim->number));
-    return "a note of a review";
+        return undoText({.kind = Kind::ReviewedFind, .find = nameOf(victim->kind, victim->number)});
+    return undoText({.kind = Kind::ReviewNote});
 }
 
 }  // namespace
@@ -57,7 +48,7 @@ Result<void> ReviewPen::open() {
     settings.folder = m_folder;
     settings.robots = m_robots;
     settings.station = m_station;
-    settings.title = "Review";
+    settings.title = ReviewTitle;
     settings.version = m_version;
     auto opened = LiveMission::open(settings);
     if (!opened) return opened.error();
@@ -136,7 +127,10 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
     const auto known = candidate(id);
-    return known ? sayCandidate(judged(*known, true, m_station, stationTime())) : known.error();
+    if (!known) return known.error();
+    // It stays with whoever dismissed it first: an undo would take back what the mission recorded.
+    if (isDismissal(*known)) return {};
+    return sayCandidate(judged(*known, true, m_station, stationTime()));
 }
 
 Result<CandidateSample> ReviewPen::candidate(std::uint32_t id) {
@@ -164,25 +158,39 @@ Error ReviewPen::unknown(const FindKey& find) const {
                                  m_folder.string(), nameOf(find.first, find.second))};
 }
 
+void ReviewPen::know(MissionStatePtr finished) {
+    const std::lock_guard lock(m_mutex);
+    m_read = std::move(finished);
+}
+
+MissionStatePtr ReviewPen::newest() const {
+    const auto written = mission();
+    if (written) return written->state();
+    const std::lock_guard lock(m_mutex);
+    return m_read;
+}
+
 bool ReviewPen::canUndo() const {
-    const MissionStatePtr now = state();
-    return now &&
-           (newestAfter(*now, m_before) != nullptr || newestDismissal(*now, m_station, m_before) != nullptr);
+    const MissionStatePtr now = newest();
+    return now && newestWriting(*now);
 }
 
 Result<void> ReviewPen::undo() {
-    const MissionStatePtr now = state();
-    const Decision* const newest = now ? newestAfter(*now, m_before) : nullptr;
-    const std::uint64_t last = newest == nullptr ? m_before.load() : newest->sequence;
-    if (const auto* dismissed = now ? newestDismissal(*now, m_station, last) : nullptr)
-        return sayCandidate(judged(*dismissed, false, m_station, stationTime()));
-    if (newest == nullptr)
+    if (canUndo()) {
+        if (auto opened = open(); !opened) return opened;
+    }
+    const MissionStatePtr now = newest();
+    const ReviewWriting last = now ? newestWriting(*now) : ReviewWriting{};
+    if (last.dismissal != nullptr)
+        return sayCandidate(judged(*last.dismissal, false, m_station, stationTime()));
+    if (last.decision == nullptr)
         return Error{
-            translate("leitstand::Station", "nothing was written in this review that could be taken back")};
-    return say(
-        UndoSample{
-            .stamp = stationTime(), .station = m_station, .event = newest->sequence, .text = textOf(*newest)},
-        station_topic::Undo);
+            translate("leitstand::Station", "nothing was written in reviews that could be taken back")};
+    return say(UndoSample{.stamp = stationTime(),
+                          .station = m_station,
+                          .event = last.decision->sequence,
+                          .text = textOf(*last.decision)},
+               station_topic::Undo);
 }
 
 Result<void> ReviewPen::flush() {

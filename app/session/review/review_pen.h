@@ -26,7 +26,7 @@ class LiveMission;
 /// as it is. One thread writes, and waits for the disk; any may ask what was written.
 class ReviewPen {
 public:
-    /// @p station: who writes.
+    /// @p station: who writes; its name begins with @ref ReviewStation.
     ReviewPen(std::filesystem::path mission, std::vector<RobotDescription> robots, std::string station,
               std::string version);
     ~ReviewPen();  ///< the mission is self-contained afterwards
@@ -48,7 +48,9 @@ public:
     Result<void> merge(const FindKey& find, std::uint32_t into);
     /// @p find is where the floor is at @p floorInMap [m].
     Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
-    /// Takes back the newest that this pen wrote and that is not taken back.
+    /// The mission as it was read, with what earlier reviews wrote: from now on undo() reaches that, too.
+    void know(MissionStatePtr finished);
+    /// Takes back the newest that was written in reviews and that is not taken back.
     Result<void> undo();
     [[nodiscard]] bool canUndo() const;
     /// Waits until others who read the mission find in it what was written.
@@ -61,6 +63,7 @@ public:
 
 private:
     Result<void> open();
+    [[nodiscard]] MissionStatePtr newest() const;  ///< state(), or what is known; null: nothing is
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
     /// The candidate of that id as it is by now.
@@ -75,6 +78,7 @@ private:
     const std::string m_station, m_version;
     mutable std::mutex m_mutex;
     std::shared_ptr<LiveMission> m_mission;   ///< under the mutex
+    MissionStatePtr m_read;                   ///< likewise; null: not yet
     std::atomic<std::uint64_t> m_before = 0;  ///< last sequence before this pen's
 };
 

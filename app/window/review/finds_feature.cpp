@@ -90,7 +90,7 @@ void FindsFeature::addCommands() {
                         tr("About the moment that is shown"), QKeySequence(Qt::CTRL | Qt::Key_N));
     connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
-                  tr("Takes back what was written last in this review"), QKeySequence::Undo);
+                  tr("Takes back what was written last in reviews"), QKeySequence::Undo);
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
     m_panel->addCommands({m_confirm, m_discard});
     m_panel->addCommands(m_ofChosen);

@@ -7,6 +7,7 @@
 
 #include <QSysInfo>
 
+#include "app/session/review/newest_writing.h"
 #include "app/session/review/reviewed_robot.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_report.h"
@@ -47,6 +48,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
         raw->hop([raw, index] {
             raw->m_index = index;
             raw->m_comparison->recall(index);
+            raw->m_pen->know(index->finished);
             emit raw->opened(index);
         });
     };
@@ -56,9 +58,9 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     bridge->m_player = std::move(player).value();
     bridge->m_comparison = std::make_unique<ReviewComparison>(bridge->m_player->folder());
     bridge->m_report = std::make_unique<ReviewReport>(bridge->m_player->folder());
-    bridge->m_pen =
-        std::make_unique<ReviewPen>(bridge->m_player->folder(), bridge->robots(),
-                                    "review-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
+    bridge->m_pen = std::make_unique<ReviewPen>(
+        bridge->m_player->folder(), bridge->robots(),
+        std::string(ReviewStation) + "-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
     bridge->m_pictures = std::make_unique<PictureFeed>(
         bridge->robots(), PictureFeed::Listener{[raw](const ShownPicturePtr& one) {
                                                     raw->hop([raw, one] {

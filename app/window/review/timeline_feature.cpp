@@ -172,6 +172,8 @@ void TimelineFeature::showMission() {
     if (!m_bridge.index()) return;
     m_axis = TimelineAxis(m_bridge.index()->stretches);
     m_marks = m_bridge.index()->marks;
+    // Notes of earlier reviews that were taken back in this one.
+    if (const MissionStatePtr written = m_bridge.pen().state()) dropUndone(m_marks, *written);
     m_marks.insert(m_marks.end(), m_own.begin(), m_own.end());
     std::stable_sort(m_marks.begin(), m_marks.end(),
                      [](const TimelineMark& a, const TimelineMark& b) { return a.at < b.at; });

@@ -16,6 +16,7 @@ namespace leitstand::test {
 namespace {
 
 using Mission = WrittenMission;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -150,6 +151,88 @@ TEST_F(ReviewPenTest, WhatNobodyFiledIsFiledWithThePicturesOfItsMoment) {
     EXPECT_TRUE(writes->state()->victims->contains(hazard));
 }
 
+TEST_F(ReviewPenTest, WhatAnEarlierReviewWroteIsTakenBack) {
+    const auto read = [this] { return indexOf(*ReviewLog::open(m_mission).value()); };
+    const auto notes = [](const std::vector<TimelineMark>& marks) {
+        std::vector<std::string> texts;
+        for (const TimelineMark& mark : marks) {
+            if (mark.kind == TimelineMark::Kind::Note) texts.push_back(mark.text);
+        }
+        return texts;
+    };
+    const ReviewIndexPtr recorded = read();
+    {
+        const auto writes = pen();
+        writes->know(recorded->finished);
+        EXPECT_FALSE(writes->canUndo()) << "no review wrote anything";
+        ASSERT_TRUE(writes->note(Mission::at(33.0), "kurt3d", "a lamp").ok());
+        VictimSample victim = recorded->finished->victims->begin()->second.victim;
+        victim.status = VictimSample::Status::Discarded;
+        ASSERT_TRUE(writes->correct(victim).ok());
+    }
+    const ReviewIndexPtr reviewed = read();
+    EXPECT_NE(reviewed->finished->sessions->back().ended, 0U) << "the review says when it was over";
+    EXPECT_THAT(notes(reviewed->marks), ElementsAre("a lamp", "door on the left"));
+    {
+        const auto writes = pen();
+        EXPECT_FALSE(writes->canUndo()) << "the mission is still read";
+        writes->know(reviewed->finished);
+        ASSERT_TRUE(writes->canUndo());
+        EXPECT_EQ(writes->state(), nullptr) << "nothing is written by that";
+        ASSERT_TRUE(writes->undo().ok());
+        const auto now = [&] { return writes->state()->victims->begin()->second.victim.status; };
+        EXPECT_EQ(now(), VictimSample::Status::Confirmed);
+        EXPECT_THAT(*writes->state()->notes, SizeIs(2)) << "one at a time";
+        ASSERT_TRUE(writes->undo().ok());
+        auto marks = reviewed->marks;
+        dropUndone(marks, *writes->state());
+        EXPECT_THAT(notes(marks), ElementsAre("door on the left"));
+        EXPECT_FALSE(writes->canUndo()) << "the rest was recorded";
+        EXPECT_FALSE(writes->undo().ok());
+        EXPECT_EQ(now(), VictimSample::Status::Confirmed);
+    }
+    const ReviewIndexPtr after = read();
+    EXPECT_THAT(notes(after->marks), ElementsAre("door on the left"));
+    EXPECT_EQ(after->finished->notes->size(), recorded->finished->notes->size());
+    const auto again = pen();
+    again->know(after->finished);
+    EXPECT_FALSE(again->canUndo());
+    EXPECT_FALSE(again->undo().ok());
+    EXPECT_EQ(again->state(), nullptr) << "no session for nothing";
+}
+
+TEST_F(ReviewPenTest, AMissionThatWentOnAfterAReviewIsNoPartOfIt) {
+    const auto folder = m_folder / "resumed";
+    WrittenMission mission(folder);
+    writeMinute(mission);
+    mission.close();
+    const auto session = [&](double seconds, const std::string& station) {
+        SessionSample start;
+        start.stamp = Mission::at(seconds);
+        start.station = station;
+        start.title = "Review";
+        mission.say(seconds, std::string(station_topic::Sessions), start);
+    };
+    const auto note = [&](double seconds, const std::string& text) {
+        mission.say(seconds, std::string(station_topic::Notes),
+                    NoteSample{.stamp = Mission::at(seconds), .station = "x", .robot = {}, .text = text});
+    };
+    session(100.0, "review-elsewhere");
+    note(101.0, "of the review");
+    mission.close();  // cut off: no end is said
+    session(200.0, "test");
+    note(201.0, "of a station that is called like one");
+    mission.close();
+    ReviewPen writes(folder, {Mission::robot()}, "reviewer", "test");
+    writes.know(indexOf(*ReviewLog::open(folder).value())->finished);
+    ASSERT_TRUE(writes.undo().ok());
+    std::vector<std::string> texts;
+    const MissionStatePtr now = writes.state();
+    for (const auto& one : *now->notes) texts.push_back(one.sample.text);
+    EXPECT_THAT(texts, ElementsAre("door on the left", "of a station that is called like one"));
+    EXPECT_FALSE(writes.canUndo());
+}
+
 /// A minute in which the station believed in somebody whom nobody filed.
 class ReviewPenAndCandidateTest : public ReviewPenTest {
 protected:
@@ -206,7 +289,28 @@ TEST_F(ReviewPenAndCandidateTest, ItIsDismissedAndThatIsTakenBack) {
         ASSERT_TRUE(writes->dismiss(7).ok());
     }
     const auto log = ReviewLog::open(m_mission).value();
-    EXPECT_TRUE(dismissed(indexOf(*log)->finished)) << "as whoever opens the mission next has it";
+    const MissionStatePtr finished = indexOf(*log)->finished;
+    EXPECT_TRUE(dismissed(finished)) << "as whoever opens the mission next has it";
+    const auto writes = pen();
+    writes->know(finished);
+    ASSERT_TRUE(writes->undo().ok());
+    EXPECT_FALSE(dismissed(writes->state())) << "also by whoever opens it next";
+    EXPECT_FALSE(writes->canUndo());
+}
+
+TEST_F(ReviewPenAndCandidateTest, WhatWasDismissedWhileItWasRecordedStaysSo) {
+    {
+        WrittenMission mission(m_folder / "dismissed");
+        writeMinute(mission);
+        m_candidate.dismissed = true;
+        mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
+        mission.close();
+    }
+    ReviewPen writes(m_folder / "dismissed", {Mission::robot()}, "reviewer", "test");
+    ASSERT_TRUE(writes.dismiss(m_candidate.id).ok());
+    EXPECT_FALSE(writes.canUndo());
+    EXPECT_FALSE(writes.undo().ok());
+    EXPECT_TRUE(writes.state()->candidates->at(m_candidate.id).candidate.dismissed);
 }
 
 TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {

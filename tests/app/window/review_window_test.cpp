@@ -157,6 +157,26 @@ TEST_F(ReviewWindowTest, ANoteIsWrittenWhereTheReviewStands) {
     }));
 }
 
+TEST_F(ReviewWindowTest, ANoteOfAnEarlierReviewIsTakenBack) {
+    TearDown();
+    {
+        ReviewPen earlier(m_mission, {Mission::robot()}, "review-elsewhere", "test");
+        ASSERT_TRUE(earlier.note(Mission::at(33.0), "", "rubble behind the door").ok());
+    }
+    m_bridge = ReviewBridge::open(m_mission).value();
+    openWindow();
+    const auto next = [this] {
+        const TimelineMark* const mark = markAfter(m_window->timeline().marks(), Mission::at(32.0));
+        return mark == nullptr ? Time{} : mark->at;
+    };
+    ASSERT_TRUE(soon([&] { return next() == Mission::at(33.0); }));
+    auto& undo = find<QToolButton>("review.undo");
+    ASSERT_TRUE(soon([&] { return undo.isEnabled(); }));
+    undo.click();
+    EXPECT_TRUE(soon([&] { return next() == Mission::at(40.0); }));
+    EXPECT_TRUE(soon([&] { return !undo.isEnabled(); })) << "the rest was recorded";
+}
+
 TEST_F(ReviewWindowTest, WhatWasToldIsListedAndReachedByKeys) {
     goTo(33.0);
     m_window->tell(QStringLiteral("the first"));
