@@ -27,6 +27,14 @@ QString figureText(double value, int decimals) {
     return numberText(value, decimals);
 }
 
+QString saidFigureText(const std::string& said) {
+    const QString text = QString::fromStdString(said);
+    bool isNumber = false;
+    const double number = text.toDouble(&isNumber);
+    const auto point = text.indexOf(QLatin1Char('.'));
+    return isNumber ? numberText(number, point < 0 ? 0 : static_cast<int>(text.size() - point) - 1) : text;
+}
+
 QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }

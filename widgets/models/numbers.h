@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include <Eigen/Core>
 #include <QString>
@@ -13,6 +14,8 @@ namespace leitstand {
 [[nodiscard]] QString numberText(double value, int decimals);
 /// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
 [[nodiscard]] QString figureText(double value, int decimals);
+/// What was said as a number, "0.40", with as many digits; anything else as it was said.
+[[nodiscard]] QString saidFigureText(const std::string& said);
 /// A whole number, thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);
 /// A number of points in short: "812", "7.6 k", "0.24 M".

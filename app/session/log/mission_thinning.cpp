@@ -1,10 +1,15 @@
 #include "app/session/log/mission_thinning.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
+#include <stop_token>
+#include <tuple>
 #include <utility>
 
+#include "app/session/finds/told_evidence.h"
+#include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
@@ -18,17 +23,34 @@ namespace {
 
 constexpr std::uint64_t EventsAFlush = 200;
 
-/// Sequences of all evidence of @p bag's finds.
-std::set<std::uint64_t> evidenceOf(BagReader& bag) {
-    std::set<std::uint64_t> all;
+/// All forms of @p bag's finds.
+std::vector<VictimSample> formsOf(BagReader& bag) {
+    std::vector<VictimSample> forms;
     BagQuery finds;
     finds.topics = {std::string(station_topic::Victims)};
     BagCursor cursor = bag.read(finds);
     while (const auto event = cursor.next()) {
         const auto sample = decodeStationEvent(*event);
-        const VictimSample* find = sample ? std::get_if<VictimSample>(&sample->sample) : nullptr;
-        if (find == nullptr) continue;
-        for (const VictimEvidence& one : find->evidence) all.insert(one.sequence);
+        const VictimSample* form = sample ? std::get_if<VictimSample>(&sample->sample) : nullptr;
+        if (form != nullptr) forms.push_back(*form);
+    }
+    return forms;
+}
+
+/// Sequences of all evidence of @p bag's finds, also of those that other stations told.
+std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescription>& robots,
+                                   const std::stop_token& stop) {
+    std::set<std::uint64_t> all;
+    std::set<std::tuple<std::string, Time, Time>> told;  // topic, stamp, find: each form says it again
+    EventDecoder decoder(robots);
+    for (const VictimSample& form : formsOf(bag)) {
+        for (const VictimEvidence& one : form.evidence) {
+            if (stop.stop_requested()) return all;
+            const bool stays = one.topic.starts_with(station_topic::Prefix);
+            if (one.sequence == 0 && (stays || !told.emplace(one.topic, one.stamp, form.found).second))
+                continue;
+            all.insert(sequenceInLog(bag, decoder, one, form));
+        }
     }
     return all;
 }
@@ -103,7 +125,7 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
     BagReader& from = **bag;
     ThinOutcome outcome;
     const auto robots = robotsOf(mission, from, outcome.problems);
-    Sieve sieve(robots, evidenceOf(from), settings);
+    Sieve sieve(robots, evidenceOf(from, robots, progress.stop), settings);
     auto writer = BagWriter::open(out);
     if (!writer) return writer.error();
     if (auto kept = keepRobots(out, robots); !kept) return kept.error();

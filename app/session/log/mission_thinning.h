@@ -27,9 +27,9 @@ struct ThinOutcome {
 };
 
 /// Writes a small copy of @p mission into the folder @p out, which must not exist: everything that stations
-/// said but for checkpoints, what robots say on change, all evidence of finds, and of the rest so much as
-/// @p settings say. Sequences stay, so that evidence is found. An error when the mission cannot be read or
-/// @p out not be written; cancelled: what was written so far.
+/// said but for checkpoints, what robots say on change, all evidence of finds, also of those that other
+/// stations told, and of the rest so much as @p settings say. Sequences stay, so that evidence is found. An
+/// error when the mission cannot be read or @p out not be written; cancelled: what was written so far.
 [[nodiscard]] Result<ThinOutcome> thinMission(const std::filesystem::path& mission,
                                               const std::filesystem::path& out, const ThinSettings& settings,
                                               const Progress& progress = {});

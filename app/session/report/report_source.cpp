@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/session/coverage/logged_views.h"
-#include "app/session/finds/freezing.h"
+#include "app/session/finds/told_evidence.h"
 #include "app/session/log/bag_history.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
@@ -203,29 +203,9 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
 }
 
 Result<Event> ReportSource::event(const VictimEvidence& evidence, const VictimSample& find) {
-    constexpr auto Around = std::chrono::minutes(1);
-    if (evidence.sequence != 0) return event(evidence.sequence);
-    std::optional<Event> found;
-    const auto look = [&](const Event& event) {
-        const auto* scan = std::get_if<KeyScanSample>(&event.sample);
-        const Time stamp = scan != nullptr ? scan->stamp : evidenceOf("", event).stamp;
-        if (!found && stamp == evidence.stamp) found = event;
-    };
-    // By the robot's clock, where that agrees with the station's.
-    for (const Time about : {find.found, evidence.stamp}) {
-        BagQuery query;
-        query.topics = {evidence.topic};
-        query.from = about - Around;
-        query.to = about + Around;
-        BagCursor cursor = m_bag->read(query);
-        while (!found) {
-            const auto raw = cursor.next();
-            if (!raw) break;
-            m_decoder->decode(*raw, look);
-        }
-    }
-    if (!found) return Error{"another station has it in its log"};
-    return std::move(*found);
+    const std::uint64_t sequence = sequenceInLog(*m_bag, *m_decoder, evidence, find);
+    if (sequence == 0) return Error{"another station has it in its log"};
+    return event(sequence);
 }
 
 std::optional<Pose> ReportSource::sensorInBase(const Event& event) {

@@ -37,8 +37,7 @@ public:
 
     /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
-    /// The event that @p evidence of @p find names; that of another station's log is looked for in this one,
-    /// by topic and stamp, about the time of the find.
+    /// The event that is @p evidence of @p find, by sequenceInLog().
     [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const VictimSample& find);
     /// Pose of the sensor that took the cloud or the ranges @p event in its robot's base then: by the
     /// transforms that came about that time, else by the robot's file. Empty for other events.

@@ -70,6 +70,37 @@ TEST_F(ThinningTest, TheStateAtTheEndIsTheSameButForWhatWasCounted) {
     EXPECT_EQ(thin.decisions->size(), whole.decisions->size());
 }
 
+TEST_F(ThinningTest, KeepsTheEvidenceOfFindsThatAnotherStationTold) {
+    const auto stream = [](StreamRole role) { return WrittenMission::robot().stream(role)->topic; };
+    const std::string pictures = stream(StreamRole::Picture), clouds = stream(StreamRole::Points);
+    std::uint64_t picture = 0, cloud = 0;
+    {
+        WrittenMission mission(m_folder / "shared");
+        for (int i = 0; i <= 20; ++i) {
+            mission.sayPlace(0.1 * i, 0.01 * i);
+            if (i == 15) cloud = mission.sequence();
+            mission.sayPicture(0.1 * i, 20 + i);
+            if (i == 15) picture = mission.sequence();
+        }
+        VictimSample find;
+        find.stamp = find.found = WrittenMission::at(2.0);
+        find.station = "other";
+        find.number = 1;
+        find.robot = "kurt3d";
+        // Its numbers are of the other log, and are not told.
+        find.evidence = {{"picture", pictures, 0, WrittenMission::at(1.5)},
+                         {"scan", clouds, 0, WrittenMission::at(1.5)},
+                         {"picture", "/crawler/left", 0, WrittenMission::at(1.5)}};
+        mission.say(2.5, "/leitstand/victims", find);
+    }
+    ASSERT_TRUE(thinMission(m_folder / "shared", m_folder / "thin", {}));
+    const auto thin = eventsOf(m_folder / "thin");
+    EXPECT_TRUE(thin.contains(picture));
+    EXPECT_TRUE(thin.contains(cloud));
+    EXPECT_EQ(countOf(thin, pictures), 4U) << "and one a second";
+    EXPECT_EQ(countOf(thin, clouds), 1U) << "and no other";
+}
+
 TEST_F(ThinningTest, OnlyTheBeginningWhereThatIsWished) {
     ASSERT_TRUE(thinMission(m_folder / "whole", m_folder / "thin", {.seconds = 15.0}));
     const auto whole = eventsOf(m_folder / "whole"), thin = eventsOf(m_folder / "thin");
