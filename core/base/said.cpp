@@ -1,13 +1,18 @@
 #include "core/base/said.h"
 
 #include <algorithm>
-#include <optional>
+#include <charconv>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace leitstand {
 namespace {
 
 constexpr std::string_view Gap = "{}";
+constexpr std::string_view Speaks = ": ";
+constexpr std::size_t LongestSaid = 4'096;  // characters
 
 /// What stands at the gaps of @p words in @p said; empty when it is not of that form.
 std::optional<std::vector<std::string>> valuesIn(std::string_view said, std::string_view words) {
@@ -41,6 +46,27 @@ SaidSentence knownSentence(std::string_view said, std::span<const char* const> k
         if (auto values = valuesIn(said, words)) return {words, std::move(*values)};
     }
     return {};
+}
+
+SaidSentence knownEnding(std::string_view said, std::span<const char* const> known) {
+    if (said.size() > LongestSaid) return {};
+    for (auto at = said.rfind(Speaks); at != std::string_view::npos; at = said.rfind(Speaks, at - 1)) {
+        SaidSentence found = knownSentence(said.substr(at + Speaks.size()), known);
+        if (found.words != nullptr) return found;
+        if (at == 0) break;
+    }
+    return knownSentence(said, known);
+}
+
+std::optional<double> figureIn(std::string_view said) {
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(said.data(), said.data() + said.size(), value);
+    const bool whole = problem == std::errc() && end == said.data() + said.size();
+    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string saidFigure(double value, int decimals) {
+    return fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string withValues(std::string words, const std::vector<std::string>& values) {

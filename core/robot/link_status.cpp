@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -68,11 +67,6 @@ bool readStream(std::string_view said, LinkReason& reason) {
     return false;
 }
 
-bool readFigure(std::string_view said, double& value) {
-    const auto [end, problem] = std::from_chars(said.data(), said.data() + said.size(), value);
-    return problem == std::errc() && end == said.data() + said.size() && std::isfinite(value);
-}
-
 }  // namespace
 
 std::optional<LinkReason> linkReasonFrom(std::string_view said) {
@@ -90,7 +84,9 @@ std::optional<LinkReason> linkReasonFrom(std::string_view said) {
             stream = figure.substr(0, gap);
             figure.remove_prefix(gap + 1);
         }
-        if (!readFigure(figure, reason.value)) continue;
+        const auto value = figureIn(figure);
+        if (!value) continue;
+        reason.value = *value;
         if (kind == LinkReason::Kind::Loss) reason.value /= 100.0;
         if (kind == LinkReason::Kind::Slow) reason.value /= 1e3;
         if ((before || kind == LinkReason::Kind::Loss) && !readStream(stream, reason)) continue;

@@ -14,6 +14,7 @@
 #include "core/io/bag/bag_writer.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
+#include "core/robot/alarms/logged_alarm.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/message_catalog.h"
 
@@ -35,15 +36,15 @@ std::string nameOf(const std::filesystem::path& folder) {
 std::string keyOf(BagAlarm::Kind kind) {
     switch (kind) {
         case BagAlarm::Kind::DiskFilling:
-            return "disk_filling";
+            return log_key::DiskFilling;
         case BagAlarm::Kind::DiskSlow:
-            return "disk_slow";
+            return log_key::DiskSlow;
         case BagAlarm::Kind::DiskFull:
-            return "disk_full";
+            return log_key::DiskFull;
         case BagAlarm::Kind::EventsLost:
-            return "events_lost";
+            return log_key::EventsLost;
         case BagAlarm::Kind::Failed:
-            return "log_failed";
+            return log_key::Failed;
     }
     return {};
 }

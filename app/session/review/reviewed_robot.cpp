@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/robot/alarms/logged_alarm.h"
+
 namespace leitstand {
 namespace {
 
@@ -63,12 +65,7 @@ std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now) {
     for (const auto& [key, kept] : *state.alarms) {
         const AlarmSample& said = kept.alarm;
         Alarm alarm;
-        const auto slash = said.key.find('/');
-        alarm.cause.id = {said.robot, said.key.substr(0, slash),
-                          slash == std::string::npos ? std::string() : said.key.substr(slash + 1)};
-        alarm.cause.severity =
-            said.severity == AlarmSample::Severity::Critical ? AlarmSeverity::Act : AlarmSeverity::Attention;
-        alarm.cause.text = said.text;
+        alarm.cause = loggedCause(said);
         alarm.number = kept.raised;
         alarm.since = said.stamp;
         alarm.acknowledged = said.state == AlarmSample::State::Acknowledged;

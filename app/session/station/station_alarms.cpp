@@ -1,7 +1,6 @@
 #include "app/session/station/station_alarms.h"
 
 #include <algorithm>
-#include <array>
 #include <condition_variable>
 #include <optional>
 #include <utility>
@@ -10,17 +9,13 @@
 #include <pthread.h>
 
 #include "app/session/log/sequencer.h"
+#include "core/robot/alarms/alarm_says.h"
+#include "core/robot/alarms/logged_alarm.h"
 
 namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Rhythm(200);
-/// Keys that LiveMission raises in the log by itself.
-constexpr std::array LogKeys = {"disk_filling", "disk_slow", "disk_full", "events_lost", "log_failed"};
-
-bool isOfLog(const std::string& key) {
-    return std::find(LogKeys.begin(), LogKeys.end(), key) != LogKeys.end();
-}
 
 std::size_t uncertain(const LiveMap& map) {
     return static_cast<std::size_t>(
@@ -86,20 +81,17 @@ void StationAlarms::addOfStation(const MissionState& mission, std::vector<AlarmC
     const std::uint64_t session = mission.sessions->empty() ? 0 : mission.sessions->back().started;
     for (const auto& [id, state] : *mission.alarms) {
         const AlarmSample& alarm = state.alarm;
-        if (std::get<0>(id) != m_setup.station || state.raised < session || !isOfLog(alarm.key)) continue;
+        if (std::get<0>(id) != m_setup.station || state.raised < session || !isAlarmOfLog(alarm.key))
+            continue;
         if (alarm.state == AlarmSample::State::Cleared) continue;
-        const bool act = alarm.severity == AlarmSample::Severity::Critical;
-        causes.push_back({.id = {{}, alarm_key::Log, alarm.key},
-                          .severity = act ? AlarmSeverity::Act : AlarmSeverity::Attention,
-                          .text = alarm.text,
-                          .note = alarm.text});
+        causes.push_back(loggedCause(alarm));
     }
     if (const std::size_t scans = m_setup.scans ? uncertain(*m_setup.scans()) : 0; scans > 0) {
-        causes.push_back(
-            {.id = {{}, alarm_key::UncertainScan, {}},
-             .severity = AlarmSeverity::Attention,
-             .text = fmt::format("{} uncertain scan{} to be decided on", scans, scans == 1 ? "" : "s"),
-             .value = static_cast<double>(scans)});
+        causes.push_back({.id = {{}, alarm_key::UncertainScan, {}},
+                          .severity = AlarmSeverity::Attention,
+                          .text = scans == 1 ? fmt::format(alarm_says::UncertainScan, scans)
+                                             : fmt::format(alarm_says::UncertainScans, scans),
+                          .value = static_cast<double>(scans)});
     }
 }
 

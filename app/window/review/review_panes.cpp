@@ -81,11 +81,7 @@ void ReviewPanes::show(const LiveMoment& moment) {
     std::vector<RobotFace> faces;
     for (const RobotDescription& robot : m_context.selection.robots())
         faces.push_back(m_context.selection.faceOfRobot(robot));
-    std::vector<AlarmLine> lines = alarmLinesOf(m_bridge.reviewed()->alarms, faces, moment.now);
-    // The log has what they said, with its numbers.
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        lines[i].text = QString::fromStdString(m_bridge.reviewed()->alarms[i].cause.text);
-    m_alarms->show(lines, {});
+    m_alarms->show(alarmLinesOf(m_bridge.reviewed()->alarms, faces, moment.now), {});
 }
 
 }  // namespace leitstand

@@ -42,7 +42,7 @@ inline constexpr const char* FrozenPicture = "frozen_picture";    ///< detail: c
 inline constexpr const char* GrantLost = "grant_lost";            ///< note: who has it now
 inline constexpr const char* ClockOffset = "clock_offset";        ///< value: robot's minus station's [s]
 inline constexpr const char* UncertainScan = "uncertain_scan";    ///< value: how many
-inline constexpr const char* Log = "log";  ///< detail: as LiveMission's alarms are called
+inline constexpr const char* Log = "log";  ///< detail: one of log_key; note: what it says
 
 }  // namespace alarm_key
 

@@ -6,14 +6,23 @@
 
 #include <fmt/format.h>
 
+#include "core/base/said.h"
+#include "core/robot/alarms/alarm_says.h"
 #include "core/robot/robot_figures.h"
 
 namespace leitstand {
 namespace {
 
 /// Rounded, and never "-0".
-double wholeDegrees(double radians) {
-    return std::round(inDegrees(radians)) + 0.0;
+std::string wholeDegrees(double radians) {
+    return saidFigure(std::round(inDegrees(radians)) + 0.0);
+}
+
+std::string batteryText(double share, double minutes) {
+    const std::string percent = saidFigure(100.0 * share), left = saidFigure(minutes);
+    if (!std::isfinite(minutes)) return fmt::format(alarm_says::BatteryShare, percent);
+    return std::isfinite(share) ? fmt::format(alarm_says::BatteryBoth, percent, left)
+                                : fmt::format(alarm_says::BatteryMinutes, left);
 }
 
 /// Puts together the causes of one robot.
@@ -70,10 +79,11 @@ private:
         const LinkStatus& link = m_robot.view.link;
         if (link.state == LinkState::Lost) {
             add(idOf(alarm_key::LinkLost), Severity::Act,
-                fmt::format("link lost, silent for {:.0f} s", link.silence), link.silence);
+                fmt::format(alarm_says::LinkLost, saidFigure(link.silence)), link.silence);
         } else if (link.state == LinkState::Degraded) {
             const std::string why = link.reasons.empty() ? "degraded" : toString(link.reasons.front());
-            add(idOf(alarm_key::LinkDegraded), Severity::Attention, "link: " + why, Unknown, why);
+            add(idOf(alarm_key::LinkDegraded), Severity::Attention,
+                fmt::format(alarm_says::LinkDegraded, why), Unknown, why);
         }
     }
 
@@ -84,15 +94,15 @@ private:
         const double tilt = std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
         if (const AlarmId id = idOf(alarm_key::RollOver);
             above(id, tilt, m_limits.rolledOver, m_limits.rolledOver)) {
-            return add(id, Severity::Act,
-                       fmt::format("rolled over, tilted by {:.0f} degrees", inDegrees(tilt)), tilt);
+            return add(id, Severity::Act, fmt::format(alarm_says::RolledOver, saidFigure(inDegrees(tilt))),
+                       tilt);
         }
         const AlarmId id = idOf(alarm_key::Attitude);
         const double share = shareOfLimits(m_robot.description, roll, pitch);
         if (const auto loud = above(id, share, m_limits.attitude, m_limits.attitudeAct)) {
             add(id, *loud,
-                fmt::format("roll {:.0f}, pitch {:.0f} degrees: {:.0f} % of where it tips over",
-                            wholeDegrees(roll), wholeDegrees(pitch), 100.0 * share),
+                fmt::format(alarm_says::Tilted, wholeDegrees(roll), wholeDegrees(pitch),
+                            saidFigure(100.0 * share)),
                 share);
         }
     }
@@ -113,11 +123,9 @@ private:
         if (!byTime && !byShare) return;
         const Severity loud =
             std::max(byTime.value_or(Severity::Attention), byShare.value_or(Severity::Attention));
-        std::string text = "battery";
-        if (std::isfinite(battery.fraction)) text += fmt::format(" {:.0f} %", 100.0 * battery.fraction);
-        if (std::isfinite(minutes)) text += fmt::format(", {:.0f} min left", minutes);
         const bool timed = std::isfinite(minutes);
-        add(id, loud, text, timed ? minutes : battery.fraction, timed ? "minutes" : "share");
+        add(id, loud, batteryText(battery.fraction, minutes), timed ? minutes : battery.fraction,
+            timed ? "minutes" : "share");
     }
 
     void gas() {
@@ -125,13 +133,13 @@ private:
         const double ppm = m_robot.said.gas->sample.ppm;
         const AlarmId id = idOf(alarm_key::Gas);
         if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
-            add(id, Severity::Attention, fmt::format("CO2 {:.0f} ppm", ppm), ppm);
+            add(id, Severity::Attention, fmt::format(alarm_says::Gas, saidFigure(ppm)), ppm);
     }
 
     void bump() {
         if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped) {
-            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention, "bumped: " + m_robot.bumper,
-                *m_robot.bumpAge);
+            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention,
+                fmt::format(alarm_says::Bumped, m_robot.bumper));
         }
     }
 
@@ -140,7 +148,7 @@ private:
         for (const DiagnosticStatus& part : m_robot.said.diagnostics->sample.statuses) {
             if (part.level != DiagnosticStatus::Level::Error) continue;
             add(idOf(alarm_key::Diagnostics, part.name), Severity::Act,
-                fmt::format("{}: {}", part.name, part.message), Unknown, part.message);
+                fmt::format(alarm_says::Part, part.name, part.message), Unknown, part.message);
         }
     }
 
@@ -148,7 +156,7 @@ private:
         for (const CameraView& camera : m_robot.view.cameras) {
             if (!camera.age.isFrozen(m_limits.frozen)) continue;
             add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention,
-                fmt::format("camera {} repeats one picture for {:.0f} s", camera.sensor, camera.age.content),
+                fmt::format(alarm_says::Frozen, camera.sensor, saidFigure(camera.age.content)),
                 camera.age.content);
         }
     }
@@ -159,9 +167,9 @@ private:
         const double ahead = std::chrono::duration<double>(clock.ahead).count();
         const AlarmId id = idOf(alarm_key::ClockOffset);
         if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
+        const std::string by = saidFigure(std::abs(ahead), 1);
         add(id, Severity::Attention,
-            fmt::format("its clock is {:.1f} s {} the station's", std::abs(ahead),
-                        ahead > 0.0 ? "ahead of" : "behind"),
+            ahead > 0.0 ? fmt::format(alarm_says::ClockAhead, by) : fmt::format(alarm_says::ClockBehind, by),
             ahead);
     }
 
@@ -170,14 +178,14 @@ private:
         const double waits = std::chrono::duration<double>(stop.unanswered).count();
         if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
         add(idOf(alarm_key::StopUnanswered), Severity::Act,
-            fmt::format("does not answer the stop for {:.0f} s", waits), waits);
+            fmt::format(alarm_says::StopUnanswered, saidFigure(waits)), waits);
     }
 
     void grant() {
         const GrantView& grant = m_robot.view.grant;
         if (grant.lostTo.empty() || grant.mine) return;
         const std::string who = grant.holderTitle.empty() ? grant.lostTo : grant.holderTitle;
-        add(idOf(alarm_key::GrantLost), Severity::Attention, "the grant to drive was lost to " + who, Unknown,
+        add(idOf(alarm_key::GrantLost), Severity::Attention, fmt::format(alarm_says::GrantLost, who), Unknown,
             who);
     }
 

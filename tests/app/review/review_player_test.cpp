@@ -198,6 +198,7 @@ TEST_F(ReviewSceneTest, AlarmsStandAsTheyStood) {
     EXPECT_TRUE(at(24.0)->alarms.empty());
     ASSERT_EQ(at(26.0)->alarms.size(), 1U);
     EXPECT_TRUE(at(26.0)->alarms.front().isLoud());
+    EXPECT_EQ(at(26.0)->alarms.front().cause.value, 4.0) << "seconds of silence, as they were logged";
     EXPECT_TRUE(at(30.0)->alarms.front().ended) << "shown for a while after its end";
     EXPECT_TRUE(at(50.0)->alarms.empty());
 }

@@ -29,6 +29,25 @@ TEST(Said, OthersAreNot) {
         EXPECT_EQ(knownSentence(said, Known).words, nullptr) << said;
 }
 
+TEST(Said, WhoSpeaksMayGoBefore) {
+    EXPECT_STREQ(knownEnding("stands", Known).words, "stands");
+    EXPECT_STREQ(knownEnding("Kurt: 3D: stands", Known).words, "stands");
+    EXPECT_THAT(knownEnding("by 1: by 2", Known).values, ElementsAre("2")) << "the shortest";
+    EXPECT_STREQ(knownEnding(": stands", Known).words, "stands");
+    for (const std::string said : {"", ": ", "stands: ", "Kurt stands", "Kurt:stands", ": : : "})
+        EXPECT_EQ(knownEnding(said, Known).words, nullptr) << said;
+    EXPECT_EQ(knownEnding(std::string(1'000'000, 'x') + ": stands", Known).words, nullptr);
+}
+
+TEST(Said, FiguresAreReadAsTheyAreSaid) {
+    EXPECT_EQ(saidFigure(12.4), "12");
+    EXPECT_EQ(saidFigure(0.44, 1), "0.4");
+    EXPECT_EQ(figureIn("0.4"), 0.4);
+    EXPECT_EQ(figureIn("-3"), -3.0);
+    for (const std::string said : {"", "nan", "inf", "-inf", "1e999", "12 s", " 12", "twelve"})
+        EXPECT_FALSE(figureIn(said)) << said;
+}
+
 TEST(Said, ValuesAreFilledInOrder) {
     EXPECT_EQ(withValues("{} ist bei {}", {"Kurt {}", "2"}), "Kurt {} ist bei 2");
     EXPECT_EQ(withValues("{} und {}", {"a"}), "a und {}");

@@ -1,5 +1,7 @@
 #include "widgets/models/live/alarm_words.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <QLocale>
@@ -52,6 +54,41 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_slow", "/missions/a/a_0.db3: the disk does not keep up: 2 s"),
               "log: the disk does not keep up: 2 s");
     EXPECT_EQ(textOf("what_is_this", 0), "Kurt3D: in English");
+}
+
+TEST_F(AlarmWords, TheDiskTellsItsFiguresAsTheLanguageWritesThem) {
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_filling",
+                     "/missions/a/a_0.db3: the disk is full in 8 minutes at 1234.5 MB/s"),
+              "log: the disk is full in 8 minutes at 1,234.5 MB/s");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_slow",
+                     "/a: the disk does not keep up: 2.1 s behind, 64 MB wait, 12345 pictures dropped"),
+              "log: the disk does not keep up: 2.1 s behind, 64 MB wait, 12,345 pictures dropped");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "events_lost", "/a: 1500 events that are no pictures are lost"),
+              "log: 1,500 events that are no pictures are lost");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_full", "/a: there is space on the disk again"),
+              "log: there is space on the disk again");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_filling", "/a: the disk is full in soon minutes at 1 MB/s"),
+              "log: the disk is full in soon minutes at 1 MB/s");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "log_failed", "/a: disk I/O error"), "log: disk I/O error");
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "log_failed"), "log: log failed");
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_full", "/a: the disk is full; 1512 MB wait in memory"),
+              "log: the disk is full; 1.512 MB wait in memory");
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+}
+
+TEST_F(AlarmWords, WithoutItsNumbersAnAlarmSaysWhatWasLogged) {
+    constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
+    for (const char* key :
+         {alarm_key::Attitude, alarm_key::RollOver, alarm_key::LinkLost, alarm_key::Battery, alarm_key::Gas,
+          alarm_key::StopUnanswered, alarm_key::FrozenPicture, alarm_key::ClockOffset,
+          alarm_key::UncertainScan, alarm_key::LinkDegraded, alarm_key::Diagnostics, alarm_key::GrantLost})
+        EXPECT_EQ(textOf(key, Nan), "in English") << key << ": the robot is named beside it";
+    EXPECT_EQ(textOf("what_is_this", Nan), "Kurt3D: in English");
+    EXPECT_EQ(alarmText({{"", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "link: gone", Nan, ""}),
+              QStringLiteral("link: gone"));
+    EXPECT_EQ(alarmText({{"kurt3d", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "", Nan, ""}),
+              QStringLiteral("link lost"));
 }
 
 TEST_F(AlarmWords, ALineSaysWhoseHowLoudAndForHowLong) {

@@ -120,6 +120,17 @@ TEST(TimelineWords, EveryKindOfMarkHasItsShapeAndSaysItself) {
     EXPECT_EQ(markText(marks[1], faces), "K · mode: explore");
     EXPECT_EQ(markText(marks[2], faces), "K · V12 confirmed");
     EXPECT_EQ(markText(marks[3], faces), "K · alarm: link lost");
+    TimelineMark alarm = marks[3];
+    alarm.text = "Kurt3D: link lost, silent for 4 s";
+    EXPECT_EQ(markText(alarm, faces), "K · alarm: link lost, silent for 4 s") << "named once";
+    alarm.key = "gas";
+    alarm.text = "Kurt3D: CO2 845 ppm";
+    EXPECT_EQ(markText(alarm, faces).toStdString(), "K · alarm: CO₂ 845 ppm") << "by its key";
+    alarm = {
+        .kind = Kind::Alarm, .key = "disk_full", .text = "/a.db3: the disk is full; 512 MB wait in memory"};
+    EXPECT_EQ(markText(alarm, faces), "alarm: log: the disk is full; 512 MB wait in memory");
+    alarm.text.clear();
+    EXPECT_EQ(markText(alarm, faces), "alarm: log: disk full");
     EXPECT_EQ(markText(marks[4], faces), "note: door");
     EXPECT_EQ(markText(marks[5], faces), "undone: scan 4 rejected");
     EXPECT_EQ(markText(marks[6], faces), "K · bumped: front left");

@@ -1,12 +1,16 @@
 #include "widgets/models/live/alarm_words.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include <QCoreApplication>
 
 #include "core/base/pose.h"
+#include "core/robot/alarms/log_says.h"
 #include "core/robot/link_reasons.h"
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
@@ -37,6 +41,33 @@ QString clockText(double ahead) {
                        : AlarmTexts::tr("its clock is %1 s behind").arg(by);
 }
 
+/// Keys whose words need the value, and those that need the note.
+constexpr std::array<std::string_view, 9> Measured = {
+    alarm_key::Attitude,      alarm_key::RollOver,    alarm_key::LinkLost,
+    alarm_key::Battery,       alarm_key::Gas,         alarm_key::StopUnanswered,
+    alarm_key::FrozenPicture, alarm_key::ClockOffset, alarm_key::UncertainScan};
+constexpr std::array<std::string_view, 3> Noted = {alarm_key::LinkDegraded, alarm_key::Diagnostics,
+                                                   alarm_key::GrantLost};
+
+bool isOneOf(std::span<const std::string_view> keys, std::string_view key) {
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+/// What its words need could not be read out of the log.
+bool lacksFigures(const AlarmCause& cause) {
+    return (isOneOf(Measured, cause.id.key) && !std::isfinite(cause.value)) ||
+           (isOneOf(Noted, cause.id.key) && cause.note.empty());
+}
+
+/// As it was logged, without the title of its robot; the key where nothing was.
+QString loggedText(const AlarmCause& cause) {
+    const QString text = QString::fromStdString(cause.text);
+    const auto colon = cause.id.robot.empty() ? -1 : text.indexOf(QLatin1String(": "));
+    const QString said = colon < 0 ? text : text.mid(colon + 2);
+    return said.isEmpty() ? QString::fromStdString(cause.id.key).replace(QLatin1Char('_'), QLatin1Char(' '))
+                          : said;
+}
+
 double secondsBetween(Time earlier, Time later) {
     return std::chrono::duration<double>(later - earlier).count();
 }
@@ -45,6 +76,17 @@ double secondsBetween(Time earlier, Time later) {
 QString withoutFile(const QString& text) {
     const auto colon = text.startsWith(QLatin1Char('/')) ? text.indexOf(QLatin1String(": ")) : -1;
     return colon < 0 ? text : text.mid(colon + 2);
+}
+
+QString logText(const std::string& note, const QString& detail) {
+    const SaidSentence news = log_says::newsIn(note);
+    if (news.words == nullptr)
+        return AlarmTexts::tr("log: %1").arg(note.empty() ? detail
+                                                          : withoutFile(QString::fromStdString(note)));
+    std::vector<std::string> figures;
+    for (const std::string& figure : news.values) figures.push_back(saidFigureText(figure).toStdString());
+    const QString words = QCoreApplication::translate("leitstand::LogSays", news.words);
+    return AlarmTexts::tr("log: %1").arg(QString::fromStdString(withValues(words.toStdString(), figures)));
 }
 
 Tone toneOf(const AlarmLine& line) {
@@ -56,6 +98,7 @@ Tone toneOf(const AlarmLine& line) {
 }  // namespace
 
 QString alarmText(const AlarmCause& cause) {
+    if (lacksFigures(cause)) return loggedText(cause);
     const std::string& key = cause.id.key;
     const QString detail =
         QString::fromStdString(cause.id.detail).replace(QLatin1Char('_'), QLatin1Char(' '));
@@ -84,8 +127,8 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::ClockOffset) return clockText(cause.value);
     if (key == alarm_key::UncertainScan)
         return AlarmTexts::tr("uncertain scans to be decided on: %1").arg(numberText(cause.value, 0));
-    if (key == alarm_key::Log) return AlarmTexts::tr("log: %1").arg(withoutFile(note));
-    return QString::fromStdString(cause.text);
+    if (key == alarm_key::Log) return logText(cause.note, detail);
+    return cause.text.empty() ? loggedText(cause) : QString::fromStdString(cause.text);
 }
 
 std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms, const std::vector<RobotFace>& faces,

@@ -11,7 +11,8 @@
 
 namespace leitstand {
 
-/// What an alarm says, with its numbers: "link lost, silent for 4 s". The robot is not named.
+/// What an alarm says, with its numbers: "link lost, silent for 4 s". The robot is not named; in
+/// English, as it was logged, where a log does not tell its numbers.
 [[nodiscard]] QString alarmText(const AlarmCause& cause);
 
 /// How far an alarm is.

@@ -31,11 +31,7 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
 QString valueText(const robot_says::Part& part) {
     // By its letters: equal texts of two files may stand at two places.
     if (part.words == std::string_view(robot_says::CannotBeAskedFor)) return modeName(part.value);
-    const QString value = QString::fromStdString(part.value);
-    bool isNumber = false;
-    const double number = value.toDouble(&isNumber);
-    const auto point = value.indexOf(QLatin1Char('.'));
-    return isNumber ? numberText(number, point < 0 ? 0 : static_cast<int>(value.size() - point) - 1) : value;
+    return saidFigureText(part.value);
 }
 
 }  // namespace

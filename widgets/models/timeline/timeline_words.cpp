@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "core/robot/alarms/logged_alarm.h"
+#include "widgets/models/live/alarm_words.h"
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/map/decision_text.h"
 #include "widgets/models/numbers.h"
@@ -87,6 +89,14 @@ QString undoMarkText(const TimelineMark& mark) {
     return what.isEmpty() ? TimelineTexts::tr("undone") : TimelineTexts::tr("undone: %1").arg(what);
 }
 
+QString alarmMarkText(const TimelineMark& mark) {
+    AlarmSample said;
+    said.robot = mark.robot;
+    said.key = mark.key;
+    said.text = mark.text;
+    return alarmText(loggedCause(said));
+}
+
 QString contentOf(const TimelineMark& mark) {
     const QString text = QString::fromStdString(mark.text);
     switch (mark.kind) {
@@ -95,7 +105,7 @@ QString contentOf(const TimelineMark& mark) {
         case Kind::Candidate:
             return candidateText(mark);
         case Kind::Alarm:
-            return TimelineTexts::tr("alarm: %1").arg(text.isEmpty() ? words(mark.key) : text);
+            return TimelineTexts::tr("alarm: %1").arg(alarmMarkText(mark));
         case Kind::Note:
             return TimelineTexts::tr("note: %1").arg(text);
         case Kind::Decision:

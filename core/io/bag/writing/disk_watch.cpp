@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/said.h"
+#include "core/robot/alarms/log_says.h"
+
 namespace leitstand::detail {
 
 namespace {
@@ -16,9 +19,9 @@ constexpr double Least = 1.0;         // [s], since commits come in bursts
 constexpr auto Calm = seconds(5);     // without drops, until the alarm is over
 constexpr double Behind = 2.0;        // [s]
 
-/// "12 minutes"
-std::string minutesText(double minutes) {
-    return minutes < 6'000.0 ? fmt::format("{:.0f} minutes", minutes) : "for days";
+std::string lastsAgain(double minutes) {
+    return minutes < 6'000.0 ? fmt::format(log_says::DiskLasts, saidFigure(minutes))
+                             : log_says::DiskLastsForDays;
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
     m_lostEvents = reading.lostEvents;
     const bool dropping = m_droppedPictures > 0 && reading.now - m_lastDrop < Calm;
     const bool losing = m_lostEvents > 0 && reading.now - m_lastLoss < Calm;
-    const double megabytes = static_cast<double>(reading.queuedBytes) * 1e-6;
+    const std::string megabytes = saidFigure(static_cast<double>(reading.queuedBytes) * 1e-6);
 
     std::vector<BagAlarm> changed;
     using Kind = BagAlarm::Kind;
@@ -60,17 +63,15 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
         return reading.where + ": " + fmt::format(text, std::forward<T>(values)...);
     };
     judge(Kind::DiskFilling, m_minutesLeft < m_alarmMinutes * margin,
-          say("the disk is full in {:.0f} minutes at {:.1f} MB/s", m_minutesLeft, m_rate * 1e-6),
-          say("the disk lasts {} again", minutesText(m_minutesLeft)), changed);
-    judge(Kind::DiskFull, reading.full, say("the disk is full; {:.0f} MB wait in memory", megabytes),
-          say("there is space on the disk again"), changed);
+          say(log_says::DiskFilling, saidFigure(m_minutesLeft), saidFigure(m_rate * 1e-6, 1)),
+          say("{}", lastsAgain(m_minutesLeft)), changed);
+    judge(Kind::DiskFull, reading.full, say(log_says::DiskFull, megabytes), say(log_says::DiskFree), changed);
     judge(Kind::DiskSlow, !reading.full && (dropping || reading.secondsBehind > Behind),
-          say("the disk does not keep up: {:.1f} s behind, {:.0f} MB wait, {} pictures dropped",
-              reading.secondsBehind, megabytes, reading.droppedPictures),
-          say("the disk keeps up again; {} pictures were dropped", reading.droppedPictures), changed);
-    judge(Kind::EventsLost, losing, say("{} events that are no pictures are lost", reading.lostEvents),
-          say("no more events are lost; {} were", reading.lostEvents), changed);
-    judge(Kind::Failed, !reading.failure.empty(), reading.failure, say("is written again"), changed);
+          say(log_says::DiskSlow, saidFigure(reading.secondsBehind, 1), megabytes, reading.droppedPictures),
+          say(log_says::DiskKeepsUp, reading.droppedPictures), changed);
+    judge(Kind::EventsLost, losing, say(log_says::EventsLost, reading.lostEvents),
+          say(log_says::EventsKept, reading.lostEvents), changed);
+    judge(Kind::Failed, !reading.failure.empty(), reading.failure, say(log_says::WrittenAgain), changed);
     return changed;
 }
 

@@ -1,5 +1,6 @@
 #include "core/robot/alarms/alarm_rules.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/alarms/logged_alarm.h"
 #include "tests/core/robot/control_scene.h"
 
 namespace leitstand::test {
@@ -82,6 +84,38 @@ TEST_P(AlarmRule, IsToldSo) {
     EXPECT_EQ(causes[0].severity, GetParam().severity);
     EXPECT_THAT(causes[0].text, testing::HasSubstr("Kurt3D: "));
     EXPECT_THAT(causes[0].text, testing::HasSubstr(GetParam().text));
+}
+
+/// Half of the last digit that is written.
+double roundingOf(const AlarmCause& cause) {
+    if (cause.id.key == alarm_key::Attitude || cause.note == "share") return 0.005;
+    if (cause.id.key == alarm_key::RollOver) return degrees(0.5);
+    return cause.id.key == alarm_key::ClockOffset ? 0.05 : 0.5;
+}
+
+TEST_P(AlarmRule, IsReadAgainFromTheLog) {
+    for (const char* title : {"Kurt3D", "", "Kurt: 3D", "link", "CO2 7 ppm: link lost, silent for 7 s"}) {
+        Calm robot;
+        robot.description.title = title;
+        GetParam().change(robot);
+        for (const AlarmCause& cause : robot.causes()) {
+            AlarmSample said;
+            said.robot = cause.id.robot;
+            said.key = logKey(cause.id);
+            said.severity = cause.severity == AlarmSeverity::Act ? AlarmSample::Severity::Critical
+                                                                 : AlarmSample::Severity::Warning;
+            said.text = cause.text;
+            const AlarmCause read = loggedCause(said);
+            EXPECT_EQ(read.id, cause.id);
+            EXPECT_EQ(read.severity, cause.severity);
+            EXPECT_EQ(read.text, cause.text);
+            EXPECT_EQ(read.note, cause.note) << cause.text;
+            ASSERT_EQ(std::isnan(read.value), std::isnan(cause.value)) << cause.text;
+            if (!std::isnan(cause.value)) {
+                EXPECT_NEAR(read.value, cause.value, roundingOf(cause) + 1e-9) << cause.text;
+            }
+        }
+    }
 }
 
 constexpr auto Act = AlarmSeverity::Act;

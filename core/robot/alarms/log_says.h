@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/base/said.h"
+#include "core/base/words.h"
+
+/// What the log's own alarms say of the disk, in English as it is logged, after a file and ": "; in the
+/// window's language where it is shown. "{}" stands for a figure.
+namespace leitstand::log_says {
+
+constexpr auto DiskFilling = translatable("leitstand::LogSays", "the disk is full in {} minutes at {} MB/s");
+constexpr auto DiskLasts = translatable("leitstand::LogSays", "the disk lasts {} minutes again");
+constexpr auto DiskLastsForDays = translatable("leitstand::LogSays", "the disk lasts for days again");
+constexpr auto DiskFull = translatable("leitstand::LogSays", "the disk is full; {} MB wait in memory");
+constexpr auto DiskFree = translatable("leitstand::LogSays", "there is space on the disk again");
+constexpr auto DiskSlow = translatable(
+    "leitstand::LogSays", "the disk does not keep up: {} s behind, {} MB wait, {} pictures dropped");
+constexpr auto DiskKeepsUp =
+    translatable("leitstand::LogSays", "the disk keeps up again; {} pictures were dropped");
+constexpr auto EventsLost = translatable("leitstand::LogSays", "{} events that are no pictures are lost");
+constexpr auto EventsKept = translatable("leitstand::LogSays", "no more events are lost; {} were");
+constexpr auto WrittenAgain = translatable("leitstand::LogSays", "is written again");
+
+inline constexpr auto All =
+    std::to_array<const char*>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
+                                DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
+
+/// Which of All an alarm of the log says, with its figures; none where one of them is no number, and of
+/// failures, which say what the system says.
+[[nodiscard]] SaidSentence newsIn(std::string_view text);
+
+}  // namespace leitstand::log_says
