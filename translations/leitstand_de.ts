@@ -1486,6 +1486,15 @@ Die blaue Linie ist der Horizont.</translation>
         <source>what belongs into the map</source>
         <translation>was in die Karte gehört</translation>
     </message>
+    <message>
+        <source>%1 as corrected in a review</source>
+        <comment>V1</comment>
+        <translation>%1, wie in einer Auswertung berichtigt</translation>
+    </message>
+    <message>
+        <source>a note of a review</source>
+        <translation>eine Notiz einer Auswertung</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -2194,10 +2203,6 @@ Funk: %4 %5</translation>
         <translation>Geschriebenes &amp;zurücknehmen</translation>
     </message>
     <message>
-        <source>Takes back what was written last in this review</source>
-        <translation>Nimmt zurück, was in dieser Auswertung zuletzt geschrieben wurde</translation>
-    </message>
-    <message>
         <source>The mission took this find back later</source>
         <translation>Die Mission hat diesen Fund später zurückgenommen</translation>
     </message>
@@ -2284,6 +2289,10 @@ Funk: %4 %5</translation>
     <message>
         <source>The candidate is dismissed (as finished)</source>
         <translation>Der Kandidat ist verworfen (Endstand)</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in reviews</source>
+        <translation>Nimmt zurück, was in Auswertungen zuletzt geschrieben wurde</translation>
     </message>
 </context>
 <context>
@@ -3121,6 +3130,49 @@ Apache License 2.0</translation>
     <message>
         <source>%1 is not connected</source>
         <translation>%1 ist nicht verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LogSays</name>
+    <message>
+        <source>the disk is full in {} minutes at {} MB/s</source>
+        <translation>der Datenträger ist in {} Minuten voll, bei {} MB/s</translation>
+    </message>
+    <message>
+        <source>the disk lasts {} minutes again</source>
+        <translation>der Datenträger reicht wieder für {} Minuten</translation>
+    </message>
+    <message>
+        <source>the disk lasts for days again</source>
+        <translation>der Datenträger reicht wieder für Tage</translation>
+    </message>
+    <message>
+        <source>the disk is full; {} MB wait in memory</source>
+        <translation>der Datenträger ist voll; {} MB warten im Speicher</translation>
+    </message>
+    <message>
+        <source>there is space on the disk again</source>
+        <translation>auf dem Datenträger ist wieder Platz</translation>
+    </message>
+    <message>
+        <source>the disk does not keep up: {} s behind, {} MB wait, {} pictures dropped</source>
+        <translation>der Datenträger kommt nicht nach: {} s zurück, {} MB warten, {} Bilder verworfen</translation>
+    </message>
+    <message>
+        <source>the disk keeps up again; {} pictures were dropped</source>
+        <translation>der Datenträger kommt wieder nach; {} Bilder wurden verworfen</translation>
+    </message>
+    <message>
+        <source>{} events that are no pictures are lost</source>
+        <translation>{} Ereignisse, die keine Bilder sind, sind verloren</translation>
+    </message>
+    <message>
+        <source>no more events are lost; {} were</source>
+        <translation>es gehen keine Ereignisse mehr verloren; {} gingen verloren</translation>
+    </message>
+    <message>
+        <source>is written again</source>
+        <translation>wird wieder geschrieben</translation>
     </message>
 </context>
 <context>
@@ -6038,10 +6090,6 @@ F1 listet alle Tasten</translation>
         <translation>{}: die Mission hat kein {}</translation>
     </message>
     <message>
-        <source>nothing was written in this review that could be taken back</source>
-        <translation>in dieser Auswertung wurde nichts geschrieben, das sich zurücknehmen ließe</translation>
-    </message>
-    <message>
         <source>its laser sees too little: {} points</source>
         <translation>sein Laser sieht zu wenig: {} Punkte</translation>
     </message>
@@ -6160,6 +6208,18 @@ F1 listet alle Tasten</translation>
     <message>
         <source>{} of another station was found first: this station&apos;s {} is {} now</source>
         <translation>{} einer anderen Station wurde zuerst gefunden: {} dieser Station ist jetzt {}</translation>
+    </message>
+    <message>
+        <source>nothing was written in reviews that could be taken back</source>
+        <translation>in Auswertungen wurde nichts geschrieben, das sich zurücknehmen ließe</translation>
+    </message>
+    <message>
+        <source>{} is sent nowhere during its brake test</source>
+        <translation>{} wird während des Bremstests nirgendwohin geschickt</translation>
+    </message>
+    <message>
+        <source>{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless</source>
+        <translation>{} hat den Bremstest nicht bestanden: wird nirgendwohin geschickt, bis er besteht oder dennoch gefahren wird</translation>
     </message>
 </context>
 <context>
@@ -6472,6 +6532,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1 moved %2 m, since %3 (%4)</source>
         <translation>%1 um %2 m bewegt, weil %3 (%4)</translation>
+    </message>
+    <message>
+        <source>done again</source>
+        <translation>wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>done again: %1</source>
+        <translation>wiederhergestellt: %1</translation>
     </message>
 </context>
 <context>

@@ -1486,6 +1486,15 @@ The blue line is the horizon.</source>
         <source>what belongs into the map</source>
         <translation>地図に含める範囲</translation>
     </message>
+    <message>
+        <source>%1 as corrected in a review</source>
+        <comment>V1</comment>
+        <translation>レビューで修正した %1</translation>
+    </message>
+    <message>
+        <source>a note of a review</source>
+        <translation>レビューのメモ</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -2194,10 +2203,6 @@ Link: %4 %5</source>
         <translation>記入を取り消す(&amp;U)</translation>
     </message>
     <message>
-        <source>Takes back what was written last in this review</source>
-        <translation>このレビューで最後に書いた内容を取り消す</translation>
-    </message>
-    <message>
         <source>The mission took this find back later</source>
         <translation>この発見は後にミッション中に取り消された</translation>
     </message>
@@ -2284,6 +2289,10 @@ Link: %4 %5</source>
     <message>
         <source>The candidate is dismissed (as finished)</source>
         <translation>候補を却下（最終状態）</translation>
+    </message>
+    <message>
+        <source>Takes back what was written last in reviews</source>
+        <translation>レビューで最後に書いた内容を取り消す</translation>
     </message>
 </context>
 <context>
@@ -3121,6 +3130,49 @@ Apache License 2.0</translation>
     <message>
         <source>%1 is not connected</source>
         <translation>%1 は未接続</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LogSays</name>
+    <message>
+        <source>the disk is full in {} minutes at {} MB/s</source>
+        <translation>ディスクはあと {} 分で満杯({} MB/s)</translation>
+    </message>
+    <message>
+        <source>the disk lasts {} minutes again</source>
+        <translation>ディスクは再びあと {} 分もつ</translation>
+    </message>
+    <message>
+        <source>the disk lasts for days again</source>
+        <translation>ディスクは再び数日もつ</translation>
+    </message>
+    <message>
+        <source>the disk is full; {} MB wait in memory</source>
+        <translation>ディスクが満杯、{} MB がメモリで待機</translation>
+    </message>
+    <message>
+        <source>there is space on the disk again</source>
+        <translation>ディスクに再び空きがある</translation>
+    </message>
+    <message>
+        <source>the disk does not keep up: {} s behind, {} MB wait, {} pictures dropped</source>
+        <translation>ディスクが追いつかない: {} s 遅れ、{} MB 待機、画像 {} 枚を破棄</translation>
+    </message>
+    <message>
+        <source>the disk keeps up again; {} pictures were dropped</source>
+        <translation>ディスクが再び追いついた、画像 {} 枚を破棄</translation>
+    </message>
+    <message>
+        <source>{} events that are no pictures are lost</source>
+        <translation>画像以外の {} 件を失った</translation>
+    </message>
+    <message>
+        <source>no more events are lost; {} were</source>
+        <translation>これ以上は失われない、{} 件を失った</translation>
+    </message>
+    <message>
+        <source>is written again</source>
+        <translation>再び書き込み中</translation>
     </message>
 </context>
 <context>
@@ -6038,10 +6090,6 @@ F1 でキー一覧</translation>
         <translation>{}: ミッションに {} がない</translation>
     </message>
     <message>
-        <source>nothing was written in this review that could be taken back</source>
-        <translation>この検証で取り消せる記録がない</translation>
-    </message>
-    <message>
         <source>its laser sees too little: {} points</source>
         <translation>レーザの点が少なすぎる: {} 点</translation>
     </message>
@@ -6160,6 +6208,18 @@ F1 でキー一覧</translation>
     <message>
         <source>{} of another station was found first: this station&apos;s {} is {} now</source>
         <translation>別のステーションの {} が先に発見されました:このステーションの {} は {} になりました</translation>
+    </message>
+    <message>
+        <source>nothing was written in reviews that could be taken back</source>
+        <translation>レビューで取り消せる記録がない</translation>
+    </message>
+    <message>
+        <source>{} is sent nowhere during its brake test</source>
+        <translation>{} はブレーキテスト中のため目標へ送れない</translation>
+    </message>
+    <message>
+        <source>{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless</source>
+        <translation>{} はブレーキテストに不合格: 合格するか、それでも操縦すると決めるまで目標へ送れない</translation>
     </message>
 </context>
 <context>
@@ -6472,6 +6532,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1 moved %2 m, since %3 (%4)</source>
         <translation>%1 が %2 m 移動、理由: %3（%4）</translation>
+    </message>
+    <message>
+        <source>done again</source>
+        <translation>やり直し</translation>
+    </message>
+    <message>
+        <source>done again: %1</source>
+        <translation>やり直し: %1</translation>
     </message>
 </context>
 <context>
