@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QAbstractButton>
+#include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHeaderView>
@@ -49,6 +50,19 @@ bool isCut(const QAbstractButton& button) {
     return widest(button.fontMetrics(), shownText(button.text())) > button.width();
 }
 
+/// Whether what @p widget is laid into shows only a part of it. What can be scrolled into sight is not cut.
+bool isCovered(const QWidget& widget) {
+    constexpr int Rim = 2;  ///< may be missing [px]
+    QRect shown = widget.rect();
+    for (const QWidget* in = widget.parentWidget(); in != nullptr; in = in->parentWidget()) {
+        if (qobject_cast<const QAbstractScrollArea*>(in) != nullptr) return false;
+        const QPoint corner = widget.mapTo(in, QPoint());
+        shown &= in->rect().translated(-corner);
+        if (in->isWindow()) break;
+    }
+    return shown.width() < widget.width() - Rim || shown.height() < widget.height() - Rim;
+}
+
 bool isCut(const QComboBox& box) {
     constexpr int Arrow = 18;
     return widest(box.fontMetrics(), box.currentText()) > box.width() - Arrow;
@@ -71,10 +85,10 @@ QStringList cutTexts(const QWidget& window) {
     for (const QLabel* label : window.findChildren<QLabel*>()) {
         const bool elides = label->objectName() == QStringLiteral("word") ||  // the whole is its tooltip
                             qobject_cast<const ElidedLabel*>(label) != nullptr;
-        if (seen(*label) && !elides && isCut(*label)) cut += name(*label) + ": " + label->text();
+        if (seen(*label) && !elides && (isCut(*label) || isCovered(*label))) cut += name(*label) + ": " + label->text();
     }
     for (const QAbstractButton* button : window.findChildren<QAbstractButton*>())
-        if (seen(*button) && isCut(*button)) cut += name(*button) + ": " + button->text();
+        if (seen(*button) && (isCut(*button) || isCovered(*button))) cut += name(*button) + ": " + button->text();
     for (const QComboBox* box : window.findChildren<QComboBox*>())
         if (seen(*box) && isCut(*box)) cut += name(*box) + ": " + box->currentText();
     for (const QHeaderView* header : window.findChildren<QHeaderView*>()) {

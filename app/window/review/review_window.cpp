@@ -31,6 +31,7 @@
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_panes.h"
 #include "app/window/review/timeline_feature.h"
+#include "widgets/elided_label.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/theme.h"
@@ -119,7 +120,7 @@ void ReviewWindow::addCommands() {
 
 void ReviewWindow::build() {
     m_frame = new WindowFrame(*this);
-    auto* name = new QLabel(
+    auto* name = new ElidedLabel(
         tr("REVIEW · %1").arg(QString::fromStdString(m_bridge.player().folder().filename().string())), this);
     name->setObjectName(QStringLiteral("reviewName"));
     name->setToolTip(QString::fromStdString(m_bridge.player().folder().string()));

@@ -49,6 +49,7 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
             EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));
             EXPECT_EQ(cutTexts(*m_window).join(QStringLiteral("; ")).toStdString(), "")
                 << language << ", " << layout;
+            EXPECT_EQ(m_window->size(), windowSize()) << language << ", " << layout;
             lookAt(QStringLiteral("texts_%1_%2").arg(QLatin1String(layout), QLatin1String(language)));
         }
     }

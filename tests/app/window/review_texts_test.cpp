@@ -23,6 +23,7 @@ protected:
     void expectWhole(const QString& language, const QString& layout) {
         ASSERT_TRUE(m_window->layouts().use(layout)) << m_window->newest().toStdString();
         EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));
+        EXPECT_EQ(m_window->size(), windowSize()) << language.toStdString() << ", " << layout.toStdString();
         EXPECT_EQ(cutTexts(*m_window).join(QStringLiteral("; ")).toStdString(), "")
             << language.toStdString() << ", " << layout.toStdString();
         lookAt(QStringLiteral("texts_%1_%2").arg(layout, language));

@@ -72,7 +72,9 @@ LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book, MapFea
       m_row(new QHBoxLayout(m_bar)),
       m_choices(new QActionGroup(this)) {
     m_bar->setAccessibleName(tr("Layout"));
-    m_row->setContentsMargins(0, 0, 0, 0);
+    m_bar->setObjectName(QStringLiteral("layoutBar"));
+    m_bar->setAttribute(Qt::WA_StyledBackground);
+    m_row->setContentsMargins(0, 0, 1, 0);  // the bar ends the last segment
     m_row->setSpacing(0);
     fill();
     addCommands();
