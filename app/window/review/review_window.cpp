@@ -1,5 +1,6 @@
 #include "app/window/review/review_window.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -38,6 +39,11 @@
 #include "widgets/timeline/timeline_bar.h"
 
 namespace leitstand {
+namespace {
+
+constexpr int LeastName = 150;  ///< of the mission's name in the bar [px]
+
+}  // namespace
 
 ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, LayoutBook layouts,
                            QWidget* parent)
@@ -125,6 +131,7 @@ void ReviewWindow::build() {
     name->setObjectName(QStringLiteral("reviewName"));
     name->setToolTip(QString::fromStdString(m_bridge.player().folder().string()));
     name->setProperty("muted", true);
+    name->setMinimumWidth(std::min(LeastName, name->sizeHint().width()));
     m_frame->build({m_robots->bar(), m_layouts->bar(), m_review->clock()}, {name}, *m_panes,
                    m_timeline->widget());
     m_timeline->bar().setFocus();
