@@ -3593,7 +3593,7 @@ F1 でキー一覧</translation>
     </message>
     <message>
         <source>%1: %2 of %3 m² seen, places missed: %4</source>
-        <translation>%1: %3 m² 中 %2 m² 確認、見落とし %4 か所</translation>
+        <translation>%1: %3 m² 中 %2 確認、見落とし %4 か所</translation>
     </message>
     <message>
         <source>What was searched is not known yet</source>

@@ -85,10 +85,12 @@ QStringList cutTexts(const QWidget& window) {
     for (const QLabel* label : window.findChildren<QLabel*>()) {
         const bool elides = label->objectName() == QStringLiteral("word") ||  // the whole is its tooltip
                             qobject_cast<const ElidedLabel*>(label) != nullptr;
-        if (seen(*label) && !elides && (isCut(*label) || isCovered(*label))) cut += name(*label) + ": " + label->text();
+        if (seen(*label) && !elides && (isCut(*label) || isCovered(*label)))
+            cut += name(*label) + ": " + label->text();
     }
     for (const QAbstractButton* button : window.findChildren<QAbstractButton*>())
-        if (seen(*button) && (isCut(*button) || isCovered(*button))) cut += name(*button) + ": " + button->text();
+        if (seen(*button) && (isCut(*button) || isCovered(*button)))
+            cut += name(*button) + ": " + button->text();
     for (const QComboBox* box : window.findChildren<QComboBox*>())
         if (seen(*box) && isCut(*box)) cut += name(*box) + ": " + box->currentText();
     for (const QHeaderView* header : window.findChildren<QHeaderView*>()) {

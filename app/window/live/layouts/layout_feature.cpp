@@ -74,6 +74,7 @@ LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book, MapFea
     m_bar->setAccessibleName(tr("Layout"));
     m_bar->setObjectName(QStringLiteral("layoutBar"));
     m_bar->setAttribute(Qt::WA_StyledBackground);
+    m_bar->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_row->setContentsMargins(0, 0, 1, 0);  // the bar ends the last segment
     m_row->setSpacing(0);
     fill();
