@@ -5494,6 +5494,10 @@ F1 listet alle Tasten</translation>
         <source>body heat, {} degrees C</source>
         <translation>Körperwärme, {} °C</translation>
     </message>
+    <message>
+        <source>sticks must be neutral first</source>
+        <translation>erst Sticks loslassen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotsFeature</name>

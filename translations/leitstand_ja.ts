@@ -5494,6 +5494,10 @@ F1 でキー一覧</translation>
         <source>body heat, {} degrees C</source>
         <translation>体温 {} °C</translation>
     </message>
+    <message>
+        <source>sticks must be neutral first</source>
+        <translation>先にスティックを中立へ</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotsFeature</name>

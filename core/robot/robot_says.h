@@ -25,6 +25,7 @@ constexpr auto Stop = translatable("leitstand::RobotSays", "stop");
 constexpr auto StoppedBy = translatable("leitstand::RobotSays", "stopped by {}");
 constexpr auto StoppedByButton = translatable("leitstand::RobotSays", "its own button");
 constexpr auto Released = translatable("leitstand::RobotSays", "released");
+constexpr auto NeutralFirst = translatable("leitstand::RobotSays", "sticks must be neutral first");
 // About the link.
 constexpr auto LinkBack = translatable("leitstand::RobotSays", "the link is back");
 constexpr auto LinkBackGoesOn = translatable("leitstand::RobotSays", "the link is back: goes on");
@@ -90,7 +91,7 @@ constexpr auto BodyHeat = translatable("leitstand::RobotSays", "body heat, {} de
 // clang-format off
 inline constexpr std::array All = {
     Started, AskedFor, CannotBeAskedFor, NoMode, StopStands, RemoteInUse, RemoteLetGo, NoHeatInSight,
-    HeatInSight, Stop, StoppedBy, StoppedByButton, Released, LinkBack, LinkBackGoesOn, LinkBackWaits,
+    HeatInSight, Stop, StoppedBy, StoppedByButton, Released, NeutralFirst, LinkBack, LinkBackGoesOn, LinkBackWaits,
     LinkLostStands, LinkLostFinishes, LinkLostReturns, LinkLostWaits, LinkLostFinished, LinkLostIsBack,
     LinkLostNoWay, BackWhereLinkWasGood, ScannerSilent, LooksAround, AtTheGoal, LooksAgain,
     NoWayToTheGoal, NothingLeft, MakesRoom, LooksForAWay, BacksOut, LeansBacksOut, NoWayOff,

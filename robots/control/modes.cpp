@@ -221,6 +221,19 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
     }
 }
 
+/// Sticks that are held and do nothing: without a word the operator could not tell why.
+void ModeMachine::stepSticks(Time now) {
+    const bool held = m_commandAt && now - *m_commandAt < m_settings.watchdog && !isZero(m_command);
+    const bool waits = held && isManual(m_mode) && !m_neutral && m_link == Link::Good;
+    const bool told = m_reason == robot_says::NeutralFirst;
+    if (waits && !told) {
+        m_reasonBefore = m_reason;
+        say(robot_says::NeutralFirst);
+    } else if (!waits && told) {
+        say(m_reasonBefore);
+    }
+}
+
 ModeDecision ModeMachine::decide(Time now) const {
     ModeDecision decision;
     decision.mode = m_mode;
@@ -261,6 +274,7 @@ ModeDecision ModeMachine::step(const ModeInputs& inputs, Time now) {
     stepRemote(inputs, now);
     stepLink(inputs, now);
     stepDriver(inputs);
+    stepSticks(now);
     ModeDecision decision = decide(now);
     decision.changed = std::exchange(m_changed, false);
     return decision;

@@ -107,6 +107,7 @@ private:
     void stepRemote(const ModeInputs& inputs, Time now);
     void stepLink(const ModeInputs& inputs, Time now);
     void stepDriver(const ModeInputs& inputs);
+    void stepSticks(Time now);
     [[nodiscard]] ModeDecision decide(Time now) const;
     [[nodiscard]] LinkLossRule ruleOf(DriveMode mode) const;
     [[nodiscard]] std::string whyNot(DriveMode mode) const;
@@ -116,6 +117,7 @@ private:
     DriveMode m_manual = DriveMode::Teleoperation;  ///< to come back to after stop and remote
     DriveMode m_before = DriveMode::Teleoperation;  ///< VictimApproach
     std::string m_reason = robot_says::Started;
+    std::string m_reasonBefore;  ///< the sticks had to be let go of
     bool m_changed = true;
     bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
     bool m_neutral = false;  ///< sticks were neutral since the last reason to ask for it

@@ -175,6 +175,22 @@ TEST(Modes, TheWatchdogStopsWithinThreeTenthsOfASecond) {
     EXPECT_TRUE(isZero(robot.run().velocity));
 }
 
+TEST(Modes, SticksThatAreHeldOverALostLinkAreToldUntilTheyAreLetGoOf) {
+    Robot robot;
+    EXPECT_EQ(robot.drive().driver, Driver::Operator);
+    robot.link = false;
+    EXPECT_EQ(robot.run(5.0).reason, "link lost: stands");
+    robot.link = true;
+    const ModeDecision back = robot.run(0.5);
+    EXPECT_EQ(back.driver, Driver::Nobody);
+    EXPECT_EQ(back.reason, "sticks must be neutral first") << "nothing else says why it stands";
+    EXPECT_EQ(robot.machine().sample().reason, back.reason);
+    EXPECT_FALSE(robot.run(0.5).changed) << "told once";
+    const ModeDecision free = robot.drive();
+    EXPECT_EQ(free.driver, Driver::Operator);
+    EXPECT_EQ(free.reason, "the link is back");
+}
+
 TEST(Modes, ALostLinkStopsTeleoperationAndNeedsNeutralSticks) {
     for (const DriveMode mode : {Teleoperation, SafeTeleoperation}) {
         Robot robot = robotIn(mode);
