@@ -122,14 +122,16 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
     then.found = known->stamp;
     const VictimSample find = filedFrom(*mission()->state(), *known, m_station, stationTime(), then);
     if (auto said = say(find, station_topic::Victims); !said) return said;
+    // Dismissed when the mission ended: that stays so, and is none of the review's to take back.
+    if (known->dismissed) return {};
     return sayCandidate(filedAs(*known, find.number, m_station, stationTime()));
 }
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
     const auto known = candidate(id);
     if (!known) return known.error();
-    // It stays with whoever dismissed it first: an undo would take back what the mission recorded.
-    if (isDismissal(*known)) return {};
+    // It stays with whoever took it back first: an undo would bring back what the mission has not.
+    if (known->dismissed) return {};
     return sayCandidate(judged(*known, true, m_station, stationTime()));
 }
 

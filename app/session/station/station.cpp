@@ -150,7 +150,7 @@ Result<void> Station::setMode(const std::string& robot, const std::string& mode)
                          ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
 }
 
-Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
+Result<void> Station::maySend(const std::string& robot) const {
     const StationBrakes& brakes = *m_state->brakes;
     if (brakes.isRunning(robot))
         return Error{leitstand::fill(
@@ -161,6 +161,11 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
                 "leitstand::Station",
                 "{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless"),
             robot)};
+    return {};
+}
+
+Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
+    if (auto may = maySend(robot); !may) return may;
     PoseSample stamped = goal;
     stamped.header.stamp = stationTime();
     return m_state->wish(robot, StreamRole::GoalPose, stamped);

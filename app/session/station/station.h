@@ -111,7 +111,9 @@ public:
 
     /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
     Result<void> setMode(const std::string& robot, const std::string& mode);
-    /// Errors also while drive commands are refused for its brakes.
+    /// Whether @p robot may be sent anywhere: not while drive commands are refused for its brakes.
+    [[nodiscard]] Result<void> maySend(const std::string& robot) const;
+    /// Errors also as of maySend().
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link

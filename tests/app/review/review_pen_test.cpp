@@ -310,7 +310,17 @@ TEST_F(ReviewPenAndCandidateTest, WhatWasDismissedWhileItWasRecordedStaysSo) {
     ASSERT_TRUE(writes.dismiss(m_candidate.id).ok());
     EXPECT_FALSE(writes.canUndo());
     EXPECT_FALSE(writes.undo().ok());
-    EXPECT_TRUE(writes.state()->candidates->at(m_candidate.id).candidate.dismissed);
+    const auto dismissed = [&] { return writes.state()->candidates->at(m_candidate.id).candidate.dismissed; };
+    EXPECT_TRUE(dismissed());
+
+    // As it was before that it can be filed.
+    ASSERT_TRUE(writes.fileCandidate(m_candidate.id).ok());
+    const FindKey second{VictimSample::Kind::Victim, 2};
+    ASSERT_TRUE(writes.state()->victims->contains(second));
+    ASSERT_TRUE(writes.undo().ok());
+    EXPECT_FALSE(writes.state()->victims->contains(second)) << "at once";
+    EXPECT_TRUE(dismissed());
+    EXPECT_FALSE(writes.canUndo());
 }
 
 TEST_F(ReviewPenTest, SaysWhenSomebodyElseWritesTheMission) {

@@ -45,6 +45,7 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Gas, 2345), "CO₂ 2,345 ppm");
     EXPECT_EQ(textOf(alarm_key::Bump, 0.3, "front_left"), "bumped: front left");
     EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", "hot"), "motor driver: hot");
+    EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", ""), "motor driver") << "it says no more";
     EXPECT_EQ(textOf(alarm_key::StopUnanswered, 3.1), "does not answer STOP for 3 s");
     EXPECT_EQ(textOf(alarm_key::FrozenPicture, 12.9, "left"), "camera left repeats one picture for 12 s");
     EXPECT_EQ(textOf(alarm_key::GrantLost, 0, "", "Van"), "the grant to drive was lost to Van");

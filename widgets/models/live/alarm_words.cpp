@@ -46,8 +46,7 @@ constexpr std::array<std::string_view, 9> Measured = {
     alarm_key::Attitude,      alarm_key::RollOver,    alarm_key::LinkLost,
     alarm_key::Battery,       alarm_key::Gas,         alarm_key::StopUnanswered,
     alarm_key::FrozenPicture, alarm_key::ClockOffset, alarm_key::UncertainScan};
-constexpr std::array<std::string_view, 3> Noted = {alarm_key::LinkDegraded, alarm_key::Diagnostics,
-                                                   alarm_key::GrantLost};
+constexpr std::array<std::string_view, 2> Noted = {alarm_key::LinkDegraded, alarm_key::GrantLost};
 
 bool isOneOf(std::span<const std::string_view> keys, std::string_view key) {
     return std::ranges::find(keys, key) != keys.end();
@@ -116,6 +115,9 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
     if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(robotSaysText(detail.toStdString()));
+    // Parts may have nothing to say.
+    if (key == alarm_key::Diagnostics && cause.note.empty())
+        return detail.isEmpty() ? loggedText(cause) : robotSaysText(detail.toStdString());
     if (key == alarm_key::Diagnostics)
         return AlarmTexts::tr("%1: %2").arg(robotSaysText(detail.toStdString()), robotSaysText(cause.note));
     if (key == alarm_key::StopUnanswered)

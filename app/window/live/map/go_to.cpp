@@ -84,6 +84,9 @@ void GoTo::go(const GroundPose& pose) {
         emit told(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
         return;
     }
+    // Before another station is asked for its grant.
+    if (const auto may = m_context.bridge.station().maySend(robot->name); !may)
+        return emit told(QString::fromStdString(may.error().text));
     const Eigen::Vector3d from = m_robots.mark(robot->name).baseInMap.translation();
     const Eigen::Vector3d way = pose.place - from;
     const double heading = pose.heading.value_or(std::atan2(way.y(), way.x()));
