@@ -94,6 +94,10 @@ void DriveInput::take(bool keys, bool pad) {
 
 void DriveInput::setFocus(bool focus) {
     const bool padHad = m_pad;
+    // A field that is written into lets go of the keyboard: from now on letters drive.
+    QWidget* const field = QApplication::focusWidget();
+    if (focus && field != nullptr && field->window() == &m_window && isWrittenInto(*field))
+        field->clearFocus();
     take(focus, focus && m_pad);
     if (padHad && !m_pad) emit padMustLetGo();
 }
@@ -147,7 +151,7 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {
             const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget == nullptr) return false;
+            if (widget == nullptr || isWrittenInto(*widget)) return false;
             if (widget->window() != &m_window) {
                 // A menu that was opened meanwhile has the keyboard: what is let go there is let go.
                 if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
@@ -158,11 +162,20 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::ShortcutOverride: {
             // Letters that drive are no shortcuts meanwhile; nor are those with Shift and Ctrl, which are
             // slow and fast: a follow key with "fast" held must not undo anything.
+            const auto* widget = qobject_cast<QWidget*>(watched);
+            if (widget != nullptr && isWrittenInto(*widget)) return false;
             const auto& key = static_cast<const QKeyEvent&>(*event);
             const bool geared = m_focus && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
             if (key.key() == Qt::Key_Escape || (!isTaken(key.key()) && !geared)) return false;
             event->accept();
             return true;
+        }
+        case QEvent::FocusIn: {
+            // Who writes into a field does not drive: its letters are words, and the gamepad drives on.
+            const auto* widget = qobject_cast<QWidget*>(watched);
+            if (widget != nullptr && widget->window() == &m_window && isWrittenInto(*widget))
+                take(false, m_pad);
+            return false;
         }
         case QEvent::WindowDeactivate:
             if (watched != &m_window) return false;

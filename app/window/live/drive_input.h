@@ -25,8 +25,8 @@ namespace leitstand {
 /// focus: forward, back, left, right as the robot's file binds them (W S A D) or by the arrows; Shift is
 /// slow, Ctrl fast. While the gamepad's trigger is held the pad drives, with or without that focus, and keys
 /// do nothing; then whatever is held has to be pressed anew. Space lets everything go, G, while it is held,
-/// drives without eyes. All ends when the window loses the keyboard;
-/// a pane that floats beside it is of the window for the gamepad, not for keys.
+/// drives without eyes. A field that is written into ends the focus of the keys; all ends when the window
+/// loses the keyboard; a pane that floats beside it is of the window for the gamepad, not for keys.
 class DriveInput final : public QObject {
     Q_OBJECT
 public:

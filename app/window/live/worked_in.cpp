@@ -16,4 +16,8 @@ bool isWorkedIn(const QWidget& window) {
     return false;
 }
 
+bool isWrittenInto(const QWidget& widget) {
+    return widget.testAttribute(Qt::WA_InputMethodEnabled);
+}
+
 }  // namespace leitstand

@@ -8,4 +8,7 @@ namespace leitstand {
 /// Dialogs are something else.
 [[nodiscard]] bool isWorkedIn(const QWidget& window);
 
+/// Whether letters that @p widget gets are written into it: it is a field of text.
+[[nodiscard]] bool isWrittenInto(const QWidget& widget);
+
 }  // namespace leitstand

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 
 #include <QAction>
@@ -176,6 +177,28 @@ TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
     EXPECT_NE(large->cursor().shape(), Qt::CrossCursor);
     QTest::mouseClick(around, Qt::LeftButton, {}, around->pixelOf({-1.2, -0.9}).toPoint());
     EXPECT_EQ(station().finds().filings(), 2U);
+}
+
+TEST_F(LiveVictims, WhatIsWrittenIntoTheFormDrivesNobody) {
+    press(Qt::Key_F);
+    auto* form = m_window->findChild<VictimForm*>("formPane");
+    ASSERT_NE(form, nullptr);
+    QLineEdit* field = nullptr;
+    ASSERT_TRUE(soon([&] {
+        for (QLineEdit* one : form->findChildren<QLineEdit*>()) {
+            if (one->isVisible() && one->isEnabled()) field = one;
+        }
+        return field != nullptr;
+    }));
+    press(Qt::Key_F2);
+    ASSERT_TRUE(
+        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+    field->setFocus();
+    EXPECT_FALSE(m_window->driving());
+    QTest::keyPress(field, Qt::Key_W);
+    EXPECT_FALSE(QTest::qWaitFor([&] { return std::abs(speed()) > 0.02; }, 1'000));
+    QTest::keyRelease(field, Qt::Key_W);
+    EXPECT_TRUE(field->text().endsWith(QLatin1Char('w'))) << field->text().toStdString();
 }
 
 TEST_F(LiveVictims, MissionDataAreAskedForWithoutStoppingAnything) {

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QWidget>
 
+#include "app/window/live/worked_in.h"
 #include "core/base/pose.h"
 
 namespace leitstand {
@@ -112,7 +113,7 @@ bool CameraKeys::eventFilter(QObject* watched, QEvent* event) {
                 return way && m_held.contains(*way) && take(key, false);
             }
             if (widget->window() != &m_window) return false;
-            if (!isOurs(key) || widget->testAttribute(Qt::WA_InputMethodEnabled)) return false;
+            if (!isOurs(key) || isWrittenInto(*widget)) return false;
             if (event->type() == QEvent::KeyPress) return take(key, true);
             event->accept();
             return true;
