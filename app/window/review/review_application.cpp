@@ -15,6 +15,7 @@
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
+#include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
 #include "app/window/scans_window.h"
 
@@ -112,7 +113,7 @@ int runReview(const Options& options) {
         QString language;
         const int status = showWindow(**bridge, options, language);
         if (language.isEmpty()) return status;
-        useLanguage(language);
+        (*bridge)->report().beginAnewAround([&] { useLanguage(language); });
     }
 }
 

@@ -24,35 +24,49 @@ void ReviewReport::begin(const QString& out) {
     if (m_writing) return;
     m_writing = true;
     m_progress = 0.0;
-    m_thread = std::jthread([this, out](const std::stop_token& stop) { run(stop, out); });
+    m_thread = {};  // reads where the one before was written to
+    m_out = out;
+    m_thread =
+        std::jthread([this, attempt = ++m_attempt](const std::stop_token& stop) { run(stop, attempt); });
     emit changed();
     emit told(tr("The report is being written into %1").arg(out));
 }
 
-void ReviewReport::run(const std::stop_token& stop, const QString& out) {
+void ReviewReport::beginAnewAround(const std::function<void()>& change) {
+    m_thread = {};  // asked to stop, and waited for
+    ++m_attempt;
+    change();
+    if (!std::exchange(m_writing, false)) return;
+    begin(m_out);
+}
+
+void ReviewReport::run(const std::stop_token& stop, int attempt) {
+    const std::string out = m_out.toStdString();
     ReportOptions options;
     options.pdf = &pdfOf;
     options.version = QCoreApplication::applicationVersion().toStdString();
-    const auto report = [this, told = 0.0](double fraction) mutable {
+    const auto report = [this, attempt, told = 0.0](double fraction) mutable {
         if (fraction < told + Step) return;
         told = fraction;
-        hop([this, fraction] {
+        hop([this, fraction, attempt] {
+            if (attempt != m_attempt) return;
             m_progress = fraction;
             emit changed();
         });
     };
     QStringList words;
     try {
-        const auto done = writeReport(m_mission, out.toStdString(), options, {report, stop});
-        for (const std::string& text : ReportTelling().of(done, out.toStdString()))
+        const auto done = writeReport(m_mission, out, options, {report, stop});
+        for (const std::string& text : ReportTelling().of(done, out))
             words.append(QString::fromStdString(text));
     } catch (const std::exception& problem) {
         words = {QString::fromLocal8Bit(problem.what())};
     }
-    hop([this, words] { finish(words); });
+    hop([this, words, attempt] { finish(attempt, words); });
 }
 
-void ReviewReport::finish(const QStringList& words) {
+void ReviewReport::finish(int attempt, const QStringList& words) {
+    if (attempt != m_attempt) return;
     m_writing = false;
     emit changed();
     for (const QString& text : words) emit told(text);

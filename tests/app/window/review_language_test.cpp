@@ -4,8 +4,12 @@
 
 #include <QAction>
 
+#include <gmock/gmock.h>
+
 #include "app/language/language.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/review/review_report.h"
+#include "tests/support/others_tools.h"
 
 namespace leitstand::test {
 namespace {
@@ -16,6 +20,12 @@ protected:
     ~ReviewLanguage() override { useLanguage(QStringLiteral("en")); }
     [[nodiscard]] std::string textOf(const char* id) const {
         return m_window->commands().find(QLatin1String(id))->text().toStdString();
+    }
+    [[nodiscard]] static std::filesystem::path pdfIn(const std::filesystem::path& folder) {
+        for (const auto& one : std::filesystem::directory_iterator(folder)) {
+            if (one.path().extension() == ".pdf") return one.path();
+        }
+        return folder / "no.pdf";
     }
 };
 
@@ -30,14 +40,22 @@ TEST_F(ReviewLanguage, TheWindowIsMadeAnewWhereTheReviewStandsAndItsReportGoesOn
     m_bridge->reportInto(QString::fromStdString(out.string()));
     m_window->commands().trigger(QStringLiteral("language.de"));
     ASSERT_EQ(wanted.toStdString(), "de");
-    ASSERT_TRUE(useLanguage(wanted));
+    ASSERT_TRUE(soon([&] { return m_bridge->report().writing(); }));
+    m_bridge->report().beginAnewAround([&] { ASSERT_TRUE(useLanguage(wanted)); });
     openWindow();
     EXPECT_NE(textOf("review.registerAgain"), before);
     EXPECT_TRUE(m_window->commands().find(QStringLiteral("language.de"))->isChecked());
     EXPECT_TRUE(stands(33.0)) << "the review stays where it was";
     EXPECT_TRUE(soon([&] { return std::filesystem::exists(out / "SHA256SUMS"); }))
         << m_window->newest().toStdString();
-    EXPECT_TRUE(soon([&] { return m_window->newest().contains(QString::fromStdString(out.string())); }));
+    ASSERT_TRUE(soon([&] {
+        return m_window->newest().contains(QString::fromStdString(out.string())) &&
+               !m_bridge->report().writing();
+    }));
+    const ProcessOutcome printed = readByPoppler(pdfIn(out));
+    LEITSTAND_NEEDS(printed);
+    EXPECT_THAT(printed.out, testing::HasSubstr("Opfer"));
+    EXPECT_THAT(printed.out, testing::Not(testing::HasSubstr("Victim"))) << "one language, the last one";
 }
 
 }  // namespace
