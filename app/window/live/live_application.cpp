@@ -27,6 +27,7 @@
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/picture_size.h"
 #include "widgets/map_view/map_view.h"
@@ -67,18 +68,14 @@ fs::path newestMission() {
     return newest;
 }
 
-/// What to say where a mission was recorded until a moment ago that @p settings do not go on with.
-QString hintAt(const fs::path& before, const StationSettings& settings) {
+/// @p before, where it was recorded until a moment ago and is not what @p settings go on with; else empty.
+fs::path interrupted(const fs::path& before, const StationSettings& settings) {
     std::error_code none;
     fs::file_time_type last = fs::file_time_type::min();
     for (const auto& file : fs::directory_iterator(before, none))
         last = std::max(last, fs::last_write_time(file.path(), none));
     const auto ago = fs::file_time_type::clock::now() - last;
-    if (before.empty() || before == settings.mission.folder || ago > Recent) return {};
-    return QCoreApplication::translate(
-               "leitstand::Application",
-               "%1 was recorded until a moment ago: leitstand --resume goes on with it")
-        .arg(QString::fromStdString(before.string()));
+    return before.empty() || before == settings.mission.folder || ago > Recent ? fs::path() : before;
 }
 
 /// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
@@ -146,10 +143,12 @@ struct Ended {
     int status = 0;
     std::string robot = {};  ///< file of a robot that is wanted too; empty: none is
     QString language = {};   ///< in which the window is wanted; empty: it is over
+    bool earlier = false;    ///< the mission before is to be gone on with
 };
 
-/// Shows a window on @p bridge until it is closed, or something else is wanted.
-Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const QString& hint) {
+/// Shows a window on @p bridge until it is closed, or something else is wanted. @p earlier: the mission that
+/// may be meant; empty: none.
+Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const fs::path& earlier) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
@@ -165,16 +164,25 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
         demo->start();
     }
     if (picture) return {takePicture(window, options)};
-    if (!hint.isEmpty()) window.tell(hint);
-    std::string wanted;
+    Ended ended;
+    if (!earlier.empty()) {
+        window.mission().offerEarlier();
+        window.tell(
+            QCoreApplication::translate("leitstand::Application",
+                                        "%1 was recorded until a moment ago: Mission ▸ Go on with the "
+                                        "mission before (or leitstand --resume)")
+                .arg(QString::fromStdString(earlier.filename().string())));
+    }
+    QObject::connect(&window.mission(), &MissionFeature::earlierWanted, &window, [&] {
+        ended.earlier = true;
+        window.close();
+    });
     QObject::connect(&window.preflight(), &PreflightFeature::robotWanted, &window, [&](const QString& file) {
-        wanted = file.toStdString();
+        ended.robot = file.toStdString();
         QApplication::quit();
     });
-    QString language;
     QObject::connect(&window, &LiveWindow::languageWanted, &window, [&](const QString& code) {
-        language = code;
-        remembered.language = code;
+        ended.language = remembered.language = code;
         window.close();
     });
     if (demo == nullptr) window.preflight().openWhenSomethingFails();
@@ -186,17 +194,18 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     }
     QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
     window.show();
-    const int status = QApplication::exec();
-    return {status, wanted, language};
+    ended.status = QApplication::exec();
+    return ended;
 }
 
 /// Shows windows on the station of @p settings until one is closed, or another robot is wanted.
-Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo, QString hint) {
+Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo,
+                  const fs::path& earlier) {
     auto bridge = LiveBridge::open(settings);
     if (!bridge) return complain(bridge.error().text), Ended{1};
     // In another language the window is made anew; robots, mission and driver's grants stay.
     while (true) {
-        Ended ended = showWindow(**bridge, options, demo, std::exchange(hint, {}));
+        Ended ended = showWindow(**bridge, options, demo, earlier);
         if (ended.language.isEmpty()) return ended;
         useLanguage(ended.language);
     }
@@ -255,7 +264,15 @@ int runLive(const Options& options) {
         settings.mission.robots = std::move(robots).value();
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
-        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, hintAt(before, settings));
+        const fs::path earlier = interrupted(before, settings);
+        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, earlier);
+        if (ended.earlier) {
+            handInLast(settings.mission);
+            settings.mission.folder = earlier;
+            std::printf("leitstand: the mission is recorded into %s\n", earlier.c_str());
+            std::fflush(stdout);
+            continue;
+        }
         if (ended.robot.empty()) {
             if (ended.status == 0) handInLast(settings.mission);  // else it may be another station's
             return ended.status;

@@ -47,6 +47,7 @@ public:
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
+    [[nodiscard]] MissionFeature& mission() const { return *m_mission; }
     [[nodiscard]] PreflightFeature& preflight() const { return *m_preflight; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;

@@ -1,4 +1,5 @@
 // The program on live robots, ended by a crash and started again.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include <QAction>
 #include <QApplication>
 #include <QTimer>
 
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/report/report_folder.h"
+#include "app/window/commands/command_table.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"
 #include "tests/support/child_process.h"
@@ -102,6 +105,54 @@ TEST_F(ResumeTest, WithoutAMissionItIsTold) {
     EXPECT_EQ(station->wait(), 1);
     EXPECT_THAT(station->out(), HasSubstr("no mission was recorded so far"));
     EXPECT_EQ(runProcess(program("leitstand"), {"--resume", "--mission", "there"}).exitCode, 2);
+}
+
+TEST_F(ResumeTest, TheWindowOffersToGoOnWithTheMissionBefore) {
+    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+        ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(m_home.path().string())));
+    Options options;
+    options.live = true;
+    options.robots = {"kurt3d"};
+    options.interfaces = {"lo"};
+    options.domain = m_domain.number();
+    const auto sessions = [](const fs::path& mission) {
+        int count = 0;
+        for (const auto& file : fs::directory_iterator(mission)) count += file.path().extension() == ".db3";
+        return count;
+    };
+    const auto missions = [&] {
+        std::vector<fs::path> all;
+        for (const auto& one : fs::directory_iterator(m_home / "leitstand" / "missions")) all.push_back(one);
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    std::vector<bool> offered;
+    QTimer glance;
+    QObject::connect(&glance, &QTimer::timeout, [&] {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            auto* const window = qobject_cast<LiveWindow*>(widget);
+            if (window == nullptr || !window->isVisible()) continue;
+            const QAction* const earlier = window->commands().find(QStringLiteral("mission.earlier"));
+            offered.push_back(earlier->isEnabled());
+            if (earlier->isEnabled()) {
+                EXPECT_THAT(window->recent().join(u' ').toStdString(),
+                            HasSubstr("recorded until a moment ago"));
+                window->commands().trigger(QStringLiteral("mission.earlier"));
+            } else {
+                window->close();
+            }
+        }
+    });
+    glance.start(300);
+    EXPECT_EQ(runLive(options), 0);
+    ASSERT_EQ(missions().size(), 1U);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // missions are named by the second
+    EXPECT_EQ(runLive(options), 0);
+    EXPECT_THAT(offered, testing::ElementsAre(false, true, false))
+        << "the first has none before it; what is gone on with is not offered again";
+    ASSERT_EQ(missions().size(), 2U) << "the one that was begun meanwhile is kept";
+    EXPECT_EQ(sessions(missions().front()), 2);
+    EXPECT_EQ(sessions(missions().back()), 1);
 }
 
 TEST_F(ResumeTest, AKeptReportIsWrittenOnceMoreWhenTheStationIsClosed) {

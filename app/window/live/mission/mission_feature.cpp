@@ -72,6 +72,18 @@ void MissionFeature::addCommands() {
                              .text = tr("Clock to &zero"),
                              .hint = tr("The mission begins now")});
     connect(m_reset, &QAction::triggered, this, [&clock, tell] { tell(clock.reset()); });
+    m_earlier =
+        &commands.add({.id = "mission.earlier",
+                       .menu = CommandMenu::Mission,
+                       .text = tr("&Go on with the mission before"),
+                       .hint = tr("Ends this mission, and goes on with the one that was recorded until "
+                                  "shortly before it: map, finds, clock")});
+    m_earlier->setEnabled(false);
+    connect(m_earlier, &QAction::triggered, this, &MissionFeature::earlierWanted);
+}
+
+void MissionFeature::offerEarlier() {
+    m_earlier->setEnabled(true);
 }
 
 void MissionFeature::askForLength() {

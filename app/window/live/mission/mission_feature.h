@@ -24,8 +24,12 @@ public:
     /// Clock and recording, for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
 
+    /// A mission that was recorded until a moment ago may be gone on with, instead of this one.
+    void offerEarlier();
+
 signals:
     void told(const QString& text);
+    void earlierWanted();  ///< of offerEarlier()
 
 private:
     void addCommands();
@@ -37,7 +41,7 @@ private:
     QWidget* m_bar;
     RecordLight* m_light;
     ClockFace* m_face;
-    QAction *m_run = nullptr, *m_length = nullptr, *m_reset = nullptr;
+    QAction *m_run = nullptr, *m_length = nullptr, *m_reset = nullptr, *m_earlier = nullptr;
     int m_sinceLog = 0;  ///< ticks
 };
 

@@ -14,6 +14,8 @@
 #include <SDL2/SDL.h>
 #include <pthread.h>
 
+#include "core/base/words.h"
+
 namespace leitstand {
 namespace {
 
@@ -66,8 +68,9 @@ void SdlPads::State::lookForNew() {
             refused.insert(id);
             const char* const name = SDL_JoystickNameForIndex(index);
             if (listener.onTrouble) {
-                listener.onTrouble(std::string("The gamepad ") + (name == nullptr ? "" : name) +
-                                   " cannot be used: " + SDL_GetError());
+                listener.onTrouble(
+                    leitstand::fill(translate("leitstand::Error", "The gamepad {} cannot be used: {}"),
+                                    name == nullptr ? "" : name, SDL_GetError()));
             }
             continue;
         }
@@ -125,7 +128,9 @@ void SdlPads::State::run(const std::stop_token& stop) {
     // STOP works whatever has the focus.
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
     if (SDL_InitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER) != 0) {
-        if (listener.onTrouble) listener.onTrouble(std::string("Gamepads cannot be used: ") + SDL_GetError());
+        if (listener.onTrouble)
+            listener.onTrouble(leitstand::fill(translate("leitstand::Error", "Gamepads cannot be used: {}"),
+                                               SDL_GetError()));
         return;
     }
     while (!stop.stop_requested()) {
