@@ -709,8 +709,8 @@
 <context>
     <name>leitstand::Application</name>
     <message>
-        <source>%1 was recorded until a moment ago: leitstand --resume goes on with it</source>
-        <translation>%1 wurde bis eben aufgezeichnet: leitstand --resume setzt sie fort</translation>
+        <source>%1 was recorded until a moment ago: Mission ▸ Go on with the mission before (or leitstand --resume)</source>
+        <translation>%1 wurde bis eben aufgezeichnet: Mission ▸ Vorherige Mission fortsetzen (oder leitstand --resume)</translation>
     </message>
 </context>
 <context>
@@ -757,6 +757,29 @@
     <message>
         <source>No messages</source>
         <translation>Keine Meldungen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::BrakeSays</name>
+    <message>
+        <source>brake not tested</source>
+        <translation>Bremse nicht geprüft</translation>
+    </message>
+    <message>
+        <source>brake test passed: it stood after {} ms and {} cm</source>
+        <translation>Bremsprüfung bestanden: er stand nach {} ms und {} cm</translation>
+    </message>
+    <message>
+        <source>brake test FAILED: without commands it still moved after {} ms and {} cm</source>
+        <translation>Bremsprüfung NICHT BESTANDEN: ohne Fahrbefehle fuhr er nach {} ms und {} cm noch</translation>
+    </message>
+    <message>
+        <source>brake test without result: {}</source>
+        <translation>Bremsprüfung ohne Ergebnis: {}</translation>
+    </message>
+    <message>
+        <source>only {} cm are free ahead, {} cm are needed</source>
+        <translation>nur {} cm sind voraus frei, {} cm werden gebraucht</translation>
     </message>
 </context>
 <context>
@@ -1922,6 +1945,321 @@ Funk: %4 %5</translation>
     <message>
         <source>Link</source>
         <translation>Funk</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Error</name>
+    <message>
+        <source>{}: is of other key scans than the mission has now; register again</source>
+        <translation>{}: ist von anderen Schlüsselscans, als die Mission jetzt hat; bitte erneut registrieren</translation>
+    </message>
+    <message>
+        <source>{}: expected the name of a layout ({})</source>
+        <translation>{}: erwartet wurde der Name eines Layouts ({})</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot;: expected a name of letters, digits, _ and -</source>
+        <translation>&quot;{}&quot;: erwartet wurde ein Name aus Buchstaben, Ziffern, _ und -</translation>
+    </message>
+    <message>
+        <source>{}: expected a layout of one&apos;s own</source>
+        <translation>{}: erwartet wurde ein eigenes Layout</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{}: kann nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: is no picture that can be printed</source>
+        <translation>{}: ist kein Bild, das gedruckt werden kann</translation>
+    </message>
+    <message>
+        <source>{}: expected a label for each point</source>
+        <translation>{}: erwartet wurde eine Klasse für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened</source>
+        <translation>{}: kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>{}: expected %PDF at its beginning</source>
+        <translation>{}: erwartet wurde %PDF am Anfang</translation>
+    </message>
+    <message>
+        <source>{}: expected its table of objects at the end</source>
+        <translation>{}: erwartet wurde die Objekttabelle am Ende</translation>
+    </message>
+    <message>
+        <source>{}: its table of objects is not where it says</source>
+        <translation>{}: die Objekttabelle ist nicht, wo die Datei es angibt</translation>
+    </message>
+    <message>
+        <source>{}: is no file of a report</source>
+        <translation>{}: ist keine Datei eines Berichts</translation>
+    </message>
+    <message>
+        <source>{}: no report: {}</source>
+        <translation>{}: kein Bericht: {}</translation>
+    </message>
+    <message>
+        <source>event {} is not in the log</source>
+        <translation>Ereignis {} ist nicht im Protokoll</translation>
+    </message>
+    <message>
+        <source>event {} ({}) cannot be read</source>
+        <translation>Ereignis {} ({}) ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>another station has it in its log</source>
+        <translation>eine andere Station hat es in ihrem Protokoll</translation>
+    </message>
+    <message>
+        <source>{}: the report was cancelled</source>
+        <translation>{}: der Bericht wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made: {}</source>
+        <translation>{}: kann nicht angelegt werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: there is nothing in it</source>
+        <translation>{}: ist leer</translation>
+    </message>
+    <message>
+        <source>{}: {} of {} scans have no odometry within half a second of their stamp</source>
+        <translation>{}: {} von {} Scans haben keine Odometrie innerhalb einer halben Sekunde um ihren Zeitstempel</translation>
+    </message>
+    <message>
+        <source>{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}</source>
+        <translation>{}: keine 3D-Scans darin, erwartet wurde ein Topic mit sensor_msgs/msg/PointCloud2{}</translation>
+    </message>
+    <message>
+        <source>{}: nobody tells where frame &quot;{}&quot; sits (neither tf_static nor the robot&apos;s file); taken as {}</source>
+        <translation>{}: niemand sagt, wo Frame &quot;{}&quot; sitzt (weder tf_static noch die Datei des Roboters); angenommen wird {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written</source>
+        <translation>{}: kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>{}: its file names no {} stream</source>
+        <translation>{}: seine Datei nennt keinen Strom {}</translation>
+    </message>
+    <message>
+        <source>{}: the snapshot could not be written: {}</source>
+        <translation>{}: der Schnappschuss konnte nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder could not be made: {}</source>
+        <translation>{}: der Ordner konnte nicht angelegt werden: {}</translation>
+    </message>
+    <message>
+        <source>The gamepad {} cannot be used: {}</source>
+        <translation>Gamepad {} ist nicht benutzbar: {}</translation>
+    </message>
+    <message>
+        <source>Gamepads cannot be used: {}</source>
+        <translation>Gamepads sind nicht benutzbar: {}</translation>
+    </message>
+    <message>
+        <source>{}: is missing or cannot be read; the files were asked instead</source>
+        <translation>{}: fehlt oder ist nicht lesbar; stattdessen wurden die Dateien befragt</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} bytes, found {}</source>
+        <translation>{}: erwartet wurden höchstens {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: {}</source>
+        <translation>{}: kann nicht geöffnet werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite database, found an empty file</source>
+        <translation>{}: erwartet wurde eine SQLite-Datenbank, die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde eine SQLite-Datenbank, gefunden {}; `ros2 bag convert` wandelt es um</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag&apos;s folder or file, found nothing</source>
+        <translation>{}: erwartet wurde der Ordner oder die Datei eines Bags, dort ist nichts</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (.db3); `ros2 bag convert` wandelt es um</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder or a regular file</source>
+        <translation>{}: erwartet wurde ein Ordner oder eine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>eine MCAP-Datei</translation>
+    </message>
+    <message>
+        <source>a file compressed by zstd</source>
+        <translation>eine mit zstd komprimierte Datei</translation>
+    </message>
+    <message>
+        <source>a bag of ROS 1</source>
+        <translation>ein Bag von ROS 1</translation>
+    </message>
+    <message>
+        <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
+        <translation>{}: wird erwartet, da metadata.yaml es nennt, und fehlt</translation>
+    </message>
+    <message>
+        <source>{}: expected an uncompressed bag, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: erwartet wurde ein unkomprimierter Bag, gefunden Kompression &quot;{}&quot;; `ros2 bag convert` schreibt einen ohne</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (sqlite3), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (sqlite3), gefunden Speicherart &quot;{}&quot;; `ros2 bag convert` wandelt ihn um</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (.db3), gefunden {}; `ros2 bag convert` wandelt ihn um</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3</source>
+        <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien mit Endung .db3</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite file (.db3); it is not read</source>
+        <translation>{}: erwartet wurde eine SQLite-Datei (.db3); sie wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>{}: table messages: is damaged</source>
+        <translation>{}: Tabelle messages ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read on while it is written</source>
+        <translation>{}: kann nicht weiter gelesen werden, während sie geschrieben wird</translation>
+    </message>
+    <message>
+        <source>{}: messages of topic number {}: expected it in the table topics</source>
+        <translation>{}: Nachrichten von Topic Nummer {}: sie fehlt in der Tabelle topics</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected serialization &quot;cdr&quot;, found &quot;{}&quot;</source>
+        <translation>{}: Topic {}: erwartet wurde Serialisierung &quot;cdr&quot;, gefunden &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` writes them without</source>
+        <translation>{}: Topic {}: erwartet wurde CDR, gefunden Nachrichten, die mit zstd komprimiert sind; `ros2 bag convert` schreibt sie ohne</translation>
+    </message>
+    <message>
+        <source>{}; and no page of it holds messages, either</source>
+        <translation>{}; auch enthält keine Seite davon Nachrichten</translation>
+    </message>
+    <message>
+        <source>{}; read page by page: {} messages found</source>
+        <translation>{}; Seite für Seite gelesen: {} Nachrichten gefunden</translation>
+    </message>
+    <message>
+        <source>{}: messages {} to {}: expected in a page of the table messages, found nowhere (or never written)</source>
+        <translation>{}: Nachrichten {} bis {}: erwartet in einer Seite der Tabelle messages, nirgends gefunden (oder nie geschrieben)</translation>
+    </message>
+    <message>
+        <source>{}: and further gaps</source>
+        <translation>{}: und weitere Lücken</translation>
+    </message>
+    <message>
+        <source>expected an SQLite database</source>
+        <translation>erwartet wurde eine SQLite-Datenbank</translation>
+    </message>
+    <message>
+        <source>{}: expected the tables topics and messages of a rosbag2 bag</source>
+        <translation>{}: erwartet wurden die Tabellen topics und messages eines rosbag2-Bags</translation>
+    </message>
+    <message>
+        <source>table {}</source>
+        <translation>Tabelle {}</translation>
+    </message>
+    <message>
+        <source>{}: table messages: expected ids from 1 to {}, found {} to {}</source>
+        <translation>{}: Tabelle messages: erwartet wurden Nummern von 1 bis {}, gefunden {} bis {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be replaced: {}</source>
+        <translation>{}: kann nicht ersetzt werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, found none</source>
+        <translation>{}: erwartet wurde die Datei eines Roboters, gefunden wurde keine</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, or the name {}, found none{}</source>
+        <translation>{}: erwartet wurde die Datei eines Roboters oder der Name {}, gefunden wurde keine{}</translation>
+    </message>
+    <message>
+        <source>picture: expected 1 to {} pixels a side and at most {}, found {} x {}</source>
+        <translation>Bild: erwartet wurden 1 bis {} Pixel je Seite und höchstens {}, gefunden {} x {}</translation>
+    </message>
+    <message>
+        <source>picture: encoding &quot;{}&quot; cannot be shown</source>
+        <translation>Bild: Kodierung &quot;{}&quot; kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>picture: expected {} rows of at least {} bytes, found {} bytes, {} a row</source>
+        <translation>Bild: erwartet wurden {} Zeilen von mindestens {} Bytes, gefunden {} Bytes, {} je Zeile</translation>
+    </message>
+    <message>
+        <source>picture: expected at least 3 x 3 pixels of a Bayer pattern</source>
+        <translation>Bild: erwartet wurden mindestens 3 x 3 Pixel eines Bayer-Musters</translation>
+    </message>
+    <message>
+        <source>picture: expected pairs of pixels in a row, found {}</source>
+        <translation>Bild: erwartet wurden Pixelpaare je Zeile, gefunden {}</translation>
+    </message>
+    <message>
+        <source>picture: {}</source>
+        <translation>Bild: {}</translation>
+    </message>
+    <message>
+        <source>picture: expected a file of less than 2 GB</source>
+        <translation>Bild: erwartet wurde eine Datei von weniger als 2 GB</translation>
+    </message>
+    <message>
+        <source>picture: the file of {} bytes is damaged</source>
+        <translation>Bild: die Datei von {} Bytes ist beschädigt</translation>
+    </message>
+    <message>
+        <source>picture: {} channels cannot be shown</source>
+        <translation>Bild: {} Kanäle können nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>thermal picture: its colours are mapped and tell no temperature</source>
+        <translation>Wärmebild: seine Farben sind eingefärbt und sagen keine Temperatur</translation>
+    </message>
+    <message>
+        <source>thermal picture: expected one number a pixel, found colours</source>
+        <translation>Wärmebild: erwartet wurde eine Zahl je Pixel, gefunden Farben</translation>
+    </message>
+    <message>
+        <source>picture: expected pixels to write, found none</source>
+        <translation>Bild: erwartet wurden Pixel zum Schreiben, gefunden keine</translation>
+    </message>
+    <message>
+        <source>picture: expected 8 or 16 bits a value, found 32, which PNG does not have</source>
+        <translation>Bild: erwartet wurden 8 oder 16 Bit je Wert, gefunden 32, die PNG nicht kennt</translation>
+    </message>
+    <message>
+        <source>picture: it could not be encoded as PNG</source>
+        <translation>Bild: es konnte nicht als PNG kodiert werden</translation>
+    </message>
+    <message>
+        <source>release: this station does not hold the grant to drive</source>
+        <translation>Freigabe: diese Station hat das Fahrrecht nicht</translation>
+    </message>
+    <message>
+        <source>release: the robot has not told its stop yet</source>
+        <translation>Freigabe: der Roboter hat seinen Halt noch nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>release: the robot has not acknowledged the stop yet</source>
+        <translation>Freigabe: der Roboter hat den Halt noch nicht bestätigt</translation>
     </message>
 </context>
 <context>
@@ -3660,6 +3998,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Minutes; 0: without end</source>
         <translation>Minuten; 0: ohne Ende</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with the mission before</source>
+        <translation>Vorherige Mission &amp;fortsetzen</translation>
+    </message>
+    <message>
+        <source>Ends this mission, and goes on with the one that was recorded until shortly before it: map, finds, clock</source>
+        <translation>Beendet diese Mission und setzt die fort, die bis kurz davor aufgezeichnet wurde: Karte, Funde, Uhr</translation>
     </message>
 </context>
 <context>
@@ -7456,20 +7802,20 @@ Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurü
 <context>
     <name>leitstand::WireWords</name>
     <message>
-        <source>robot offers %1, we asked for %2</source>
-        <translation>Roboter bietet %1, wir verlangen %2</translation>
+        <source>robot offers {0}, we asked for {1}</source>
+        <translation>Roboter bietet {0}, wir verlangen {1}</translation>
     </message>
     <message>
-        <source>we offer %1, robot asks for %2</source>
-        <translation>wir bieten %1, Roboter verlangt %2</translation>
+        <source>we offer {1}, robot asks for {0}</source>
+        <translation>wir bieten {1}, Roboter verlangt {0}</translation>
     </message>
     <message>
-        <source>robot sends %1, we expected %2</source>
-        <translation>Roboter sendet %1, wir erwarten %2</translation>
+        <source>robot sends {0}, we expected {1}</source>
+        <translation>Roboter sendet {0}, wir erwarten {1}</translation>
     </message>
     <message>
-        <source>robot expects %1, we send %2</source>
-        <translation>Roboter erwartet %1, wir senden %2</translation>
+        <source>robot expects {0}, we send {1}</source>
+        <translation>Roboter erwartet {0}, wir senden {1}</translation>
     </message>
     <message>
         <source>robot&apos;s topic has keys, ours has none as in ROS 2</source>
@@ -7484,8 +7830,8 @@ Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurü
         <translation>Roboter verlangt exklusive Ownership, wir teilen wie ROS 2</translation>
     </message>
     <message>
-        <source>robot is in partition &quot;%1&quot;, we are in the default one</source>
-        <translation>Roboter ist in Partition „%1“, wir sind in der voreingestellten</translation>
+        <source>robot is in partition &quot;{0}&quot;, we are in the default one</source>
+        <translation>Roboter ist in Partition „{0}“, wir sind in der voreingestellten</translation>
     </message>
     <message>
         <source>robot writes XCDR2 only, we read XCDR1</source>

@@ -709,8 +709,8 @@
 <context>
     <name>leitstand::Application</name>
     <message>
-        <source>%1 was recorded until a moment ago: leitstand --resume goes on with it</source>
-        <translation>%1 は先ほどまで記録されていました:leitstand --resume で続行できます</translation>
+        <source>%1 was recorded until a moment ago: Mission ▸ Go on with the mission before (or leitstand --resume)</source>
+        <translation>%1 は直前まで記録されていました: ミッション ▸ 前のミッションを続ける (または leitstand --resume)</translation>
     </message>
 </context>
 <context>
@@ -757,6 +757,29 @@
     <message>
         <source>No messages</source>
         <translation>メッセージなし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::BrakeSays</name>
+    <message>
+        <source>brake not tested</source>
+        <translation>ブレーキは未試験</translation>
+    </message>
+    <message>
+        <source>brake test passed: it stood after {} ms and {} cm</source>
+        <translation>ブレーキ試験合格: {} ms、{} cm で停止</translation>
+    </message>
+    <message>
+        <source>brake test FAILED: without commands it still moved after {} ms and {} cm</source>
+        <translation>ブレーキ試験不合格: 指令なしで {} ms、{} cm 後もまだ動いていた</translation>
+    </message>
+    <message>
+        <source>brake test without result: {}</source>
+        <translation>ブレーキ試験は結果なし: {}</translation>
+    </message>
+    <message>
+        <source>only {} cm are free ahead, {} cm are needed</source>
+        <translation>前方の空きは {} cm のみ、{} cm 必要</translation>
     </message>
 </context>
 <context>
@@ -1922,6 +1945,321 @@ Link: %4 %5</source>
     <message>
         <source>Link</source>
         <translation>通信</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Error</name>
+    <message>
+        <source>{}: is of other key scans than the mission has now; register again</source>
+        <translation>{}: 現在のミッションとは別のキースキャンのもの。もう一度レジストレーションしてください</translation>
+    </message>
+    <message>
+        <source>{}: expected the name of a layout ({})</source>
+        <translation>{}: レイアウト名が必要 ({})</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot;: expected a name of letters, digits, _ and -</source>
+        <translation>&quot;{}&quot;: 名前は英数字、_、- のみ</translation>
+    </message>
+    <message>
+        <source>{}: expected a layout of one&apos;s own</source>
+        <translation>{}: 自分のレイアウトが必要</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{}: 書き込めません: {}</translation>
+    </message>
+    <message>
+        <source>{}: is no picture that can be printed</source>
+        <translation>{}: 印刷できる画像ではありません</translation>
+    </message>
+    <message>
+        <source>{}: expected a label for each point</source>
+        <translation>{}: 各点にラベルが必要</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened</source>
+        <translation>{}: 開けません</translation>
+    </message>
+    <message>
+        <source>{}: expected %PDF at its beginning</source>
+        <translation>{}: 先頭に %PDF が必要</translation>
+    </message>
+    <message>
+        <source>{}: expected its table of objects at the end</source>
+        <translation>{}: 末尾にオブジェクト表が必要</translation>
+    </message>
+    <message>
+        <source>{}: its table of objects is not where it says</source>
+        <translation>{}: オブジェクト表が示された位置にありません</translation>
+    </message>
+    <message>
+        <source>{}: is no file of a report</source>
+        <translation>{}: レポートのファイルではありません</translation>
+    </message>
+    <message>
+        <source>{}: no report: {}</source>
+        <translation>{}: レポートなし: {}</translation>
+    </message>
+    <message>
+        <source>event {} is not in the log</source>
+        <translation>イベント {} はログにありません</translation>
+    </message>
+    <message>
+        <source>event {} ({}) cannot be read</source>
+        <translation>イベント {} ({}) は読めません</translation>
+    </message>
+    <message>
+        <source>another station has it in its log</source>
+        <translation>別のステーションのログにあります</translation>
+    </message>
+    <message>
+        <source>{}: the report was cancelled</source>
+        <translation>{}: レポートは中止されました</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made: {}</source>
+        <translation>{}: 作成できません: {}</translation>
+    </message>
+    <message>
+        <source>{}: there is nothing in it</source>
+        <translation>{}: 中身がありません</translation>
+    </message>
+    <message>
+        <source>{}: {} of {} scans have no odometry within half a second of their stamp</source>
+        <translation>{}: {} / {} スキャンには時刻の前後 0.5 秒にオドメトリがありません</translation>
+    </message>
+    <message>
+        <source>{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}</source>
+        <translation>{}: 3D スキャンがありません。sensor_msgs/msg/PointCloud2 のトピックが必要{}</translation>
+    </message>
+    <message>
+        <source>{}: nobody tells where frame &quot;{}&quot; sits (neither tf_static nor the robot&apos;s file); taken as {}</source>
+        <translation>{}: フレーム &quot;{}&quot; の位置が不明 (tf_static にもロボットのファイルにもなし)。{} とみなします</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written</source>
+        <translation>{}: 書き込めません</translation>
+    </message>
+    <message>
+        <source>{}: its file names no {} stream</source>
+        <translation>{}: ファイルにストリーム {} がありません</translation>
+    </message>
+    <message>
+        <source>{}: the snapshot could not be written: {}</source>
+        <translation>{}: 静止画を書き込めませんでした: {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder could not be made: {}</source>
+        <translation>{}: フォルダーを作成できませんでした: {}</translation>
+    </message>
+    <message>
+        <source>The gamepad {} cannot be used: {}</source>
+        <translation>ゲームパッド {} は使えません: {}</translation>
+    </message>
+    <message>
+        <source>Gamepads cannot be used: {}</source>
+        <translation>ゲームパッドは使えません: {}</translation>
+    </message>
+    <message>
+        <source>{}: is missing or cannot be read; the files were asked instead</source>
+        <translation>{}: ないか読めないため、ファイルから調べました</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} bytes, found {}</source>
+        <translation>{}: 最大 {} バイトのはずが {} バイト</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: {}</source>
+        <translation>{}: 開けません: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite database, found an empty file</source>
+        <translation>{}: SQLite データベースが必要ですが、空のファイルです</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite データベースが必要ですが、{}です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag&apos;s folder or file, found nothing</source>
+        <translation>{}: バッグのフォルダーかファイルが必要ですが、何もありません</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite ファイル (.db3) のバッグが必要。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder or a regular file</source>
+        <translation>{}: フォルダーか通常のファイルが必要</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>MCAP ファイル</translation>
+    </message>
+    <message>
+        <source>a file compressed by zstd</source>
+        <translation>zstd で圧縮されたファイル</translation>
+    </message>
+    <message>
+        <source>a bag of ROS 1</source>
+        <translation>ROS 1 のバッグ</translation>
+    </message>
+    <message>
+        <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
+        <translation>{}: metadata.yaml にありますが、見つかりません</translation>
+    </message>
+    <message>
+        <source>{}: expected an uncompressed bag, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: 非圧縮のバッグが必要ですが、圧縮 &quot;{}&quot; です。`ros2 bag convert` で非圧縮にできます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (sqlite3), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite ファイル (sqlite3) のバッグが必要ですが、保存形式 &quot;{}&quot; です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite ファイル (.db3) のバッグが必要ですが、{} です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3</source>
+        <translation>{}: バッグが必要: metadata.yaml と .db3 のファイル</translation>
+    </message>
+    <message>
+        <source>{}: expected an SQLite file (.db3); it is not read</source>
+        <translation>{}: SQLite ファイル (.db3) が必要。読み込みません</translation>
+    </message>
+    <message>
+        <source>{}: table messages: is damaged</source>
+        <translation>{}: 表 messages が壊れています</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read on while it is written</source>
+        <translation>{}: 書き込み中のため続きを読めません</translation>
+    </message>
+    <message>
+        <source>{}: messages of topic number {}: expected it in the table topics</source>
+        <translation>{}: トピック番号 {} のメッセージ: 表 topics にありません</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected serialization &quot;cdr&quot;, found &quot;{}&quot;</source>
+        <translation>{}: トピック {}: シリアライズは &quot;cdr&quot; のはずが &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` writes them without</source>
+        <translation>{}: トピック {}: CDR のはずが zstd 圧縮のメッセージです。`ros2 bag convert` で非圧縮にできます</translation>
+    </message>
+    <message>
+        <source>{}; and no page of it holds messages, either</source>
+        <translation>{}。メッセージのあるページもありません</translation>
+    </message>
+    <message>
+        <source>{}; read page by page: {} messages found</source>
+        <translation>{}。ページごとに読み込み: メッセージ {} 件</translation>
+    </message>
+    <message>
+        <source>{}: messages {} to {}: expected in a page of the table messages, found nowhere (or never written)</source>
+        <translation>{}: メッセージ {}～{}: 表 messages のページに見つかりません (または未書き込み)</translation>
+    </message>
+    <message>
+        <source>{}: and further gaps</source>
+        <translation>{}: ほかにも欠落あり</translation>
+    </message>
+    <message>
+        <source>expected an SQLite database</source>
+        <translation>SQLite データベースが必要</translation>
+    </message>
+    <message>
+        <source>{}: expected the tables topics and messages of a rosbag2 bag</source>
+        <translation>{}: rosbag2 バッグの表 topics と messages が必要</translation>
+    </message>
+    <message>
+        <source>table {}</source>
+        <translation>表 {}</translation>
+    </message>
+    <message>
+        <source>{}: table messages: expected ids from 1 to {}, found {} to {}</source>
+        <translation>{}: 表 messages: 番号は 1～{} のはずが {}～{}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be replaced: {}</source>
+        <translation>{}: 置き換えられません: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, found none</source>
+        <translation>{}: ロボットのファイルが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, or the name {}, found none{}</source>
+        <translation>{}: ロボットのファイルか名前 {} が必要ですが、ありません{}</translation>
+    </message>
+    <message>
+        <source>picture: expected 1 to {} pixels a side and at most {}, found {} x {}</source>
+        <translation>画像: 一辺 1～{} 画素、最大 {} 画素のはずが {} x {}</translation>
+    </message>
+    <message>
+        <source>picture: encoding &quot;{}&quot; cannot be shown</source>
+        <translation>画像: エンコーディング &quot;{}&quot; は表示できません</translation>
+    </message>
+    <message>
+        <source>picture: expected {} rows of at least {} bytes, found {} bytes, {} a row</source>
+        <translation>画像: {} 行、1 行 {} バイト以上のはずが {} バイト、1 行 {} バイト</translation>
+    </message>
+    <message>
+        <source>picture: expected at least 3 x 3 pixels of a Bayer pattern</source>
+        <translation>画像: ベイヤー配列は 3 x 3 画素以上必要</translation>
+    </message>
+    <message>
+        <source>picture: expected pairs of pixels in a row, found {}</source>
+        <translation>画像: 1 行は 2 画素の組のはずが {} 画素</translation>
+    </message>
+    <message>
+        <source>picture: {}</source>
+        <translation>画像: {}</translation>
+    </message>
+    <message>
+        <source>picture: expected a file of less than 2 GB</source>
+        <translation>画像: 2 GB 未満のファイルが必要</translation>
+    </message>
+    <message>
+        <source>picture: the file of {} bytes is damaged</source>
+        <translation>画像: {} バイトのファイルは壊れています</translation>
+    </message>
+    <message>
+        <source>picture: {} channels cannot be shown</source>
+        <translation>画像: {} チャンネルは表示できません</translation>
+    </message>
+    <message>
+        <source>thermal picture: its colours are mapped and tell no temperature</source>
+        <translation>熱画像: 色付け済みのため温度は分かりません</translation>
+    </message>
+    <message>
+        <source>thermal picture: expected one number a pixel, found colours</source>
+        <translation>熱画像: 1 画素 1 数値のはずが色です</translation>
+    </message>
+    <message>
+        <source>picture: expected pixels to write, found none</source>
+        <translation>画像: 書き込む画素がありません</translation>
+    </message>
+    <message>
+        <source>picture: expected 8 or 16 bits a value, found 32, which PNG does not have</source>
+        <translation>画像: 1 値 8 または 16 ビットのはずが 32 ビットで、PNG にはありません</translation>
+    </message>
+    <message>
+        <source>picture: it could not be encoded as PNG</source>
+        <translation>画像: PNG に変換できませんでした</translation>
+    </message>
+    <message>
+        <source>release: this station does not hold the grant to drive</source>
+        <translation>解除: このステーションには操縦権がありません</translation>
+    </message>
+    <message>
+        <source>release: the robot has not told its stop yet</source>
+        <translation>解除: ロボットはまだ停止状態を伝えていません</translation>
+    </message>
+    <message>
+        <source>release: the robot has not acknowledged the stop yet</source>
+        <translation>解除: ロボットはまだ停止を確認していません</translation>
     </message>
 </context>
 <context>
@@ -3660,6 +3998,14 @@ F1 でキー一覧</translation>
     <message>
         <source>Minutes; 0: without end</source>
         <translation>分。0: 制限なし</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with the mission before</source>
+        <translation>前のミッションを続ける(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ends this mission, and goes on with the one that was recorded until shortly before it: map, finds, clock</source>
+        <translation>このミッションを終え、直前まで記録されていたミッションの地図・発見・時計を引き継ぐ</translation>
     </message>
 </context>
 <context>
@@ -7456,20 +7802,20 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
 <context>
     <name>leitstand::WireWords</name>
     <message>
-        <source>robot offers %1, we asked for %2</source>
-        <translation>ロボットの提供は %1、こちらの要求は %2</translation>
+        <source>robot offers {0}, we asked for {1}</source>
+        <translation>ロボットの提供は {0}、こちらの要求は {1}</translation>
     </message>
     <message>
-        <source>we offer %1, robot asks for %2</source>
-        <translation>こちらの提供は %1、ロボットの要求は %2</translation>
+        <source>we offer {1}, robot asks for {0}</source>
+        <translation>こちらの提供は {1}、ロボットの要求は {0}</translation>
     </message>
     <message>
-        <source>robot sends %1, we expected %2</source>
-        <translation>ロボットの送信は %1、こちらの期待は %2</translation>
+        <source>robot sends {0}, we expected {1}</source>
+        <translation>ロボットの送信は {0}、こちらの期待は {1}</translation>
     </message>
     <message>
-        <source>robot expects %1, we send %2</source>
-        <translation>ロボットの期待は %1、こちらの送信は %2</translation>
+        <source>robot expects {0}, we send {1}</source>
+        <translation>ロボットの期待は {0}、こちらの送信は {1}</translation>
     </message>
     <message>
         <source>robot&apos;s topic has keys, ours has none as in ROS 2</source>
@@ -7484,8 +7830,8 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
         <translation>ロボットの要求は exclusive ownership、こちらは ROS 2 と同じ shared</translation>
     </message>
     <message>
-        <source>robot is in partition &quot;%1&quot;, we are in the default one</source>
-        <translation>ロボットはパーティション「%1」、こちらは既定のパーティション</translation>
+        <source>robot is in partition &quot;{0}&quot;, we are in the default one</source>
+        <translation>ロボットはパーティション「{0}」、こちらは既定のパーティション</translation>
     </message>
     <message>
         <source>robot writes XCDR2 only, we read XCDR1</source>

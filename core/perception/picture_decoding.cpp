@@ -6,10 +6,10 @@
 #include <cstring>
 #include <limits>
 
-#include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/words.h"
 #include "core/perception/picture_encoding.h"
 #include "core/perception/picture_file.h"
 
@@ -24,8 +24,10 @@ Result<void> checkSize(std::int64_t width, std::int64_t height, const PictureLim
         width * height <= limits.maxPixels) {
         return {};
     }
-    return Error{fmt::format("picture: expected 1 to {} pixels a side and at most {}, found {} x {}",
-                             limits.maxSide, limits.maxPixels, width, height)};
+    return Error{
+        leitstand::fill(translate("leitstand::Error",
+                                  "picture: expected 1 to {} pixels a side and at most {}, found {} x {}"),
+                        limits.maxSide, limits.maxPixels, width, height)};
 }
 
 /// The pixels of @p mat, which has one of Picture's own formats.
@@ -80,15 +82,18 @@ void swapValues(std::vector<std::byte>& bytes, std::size_t size) {
 Result<Picture> decodeRaw(const PictureSample& sample, const PictureLimits& limits) {
     const PictureEncoding* encoding = findPictureEncoding(sample.encoding);
     if (encoding == nullptr) {
-        return Error{fmt::format("picture: encoding \"{}\" cannot be shown", sample.encoding)};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "picture: encoding \"{}\" cannot be shown"), sample.encoding)};
     }
     if (auto size = checkSize(sample.width, sample.height, limits); !size) return size.error();
     const auto width = static_cast<std::size_t>(sample.width);
     const auto height = static_cast<std::size_t>(sample.height);
     const std::size_t row = width * encoding->pixelSize, bytes = sample.content.bytes.size();
     if (sample.step < row || bytes / height < sample.step) {
-        return Error{fmt::format("picture: expected {} rows of at least {} bytes, found {} bytes, {} a row",
-                                 height, row, bytes, sample.step)};
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "picture: expected {} rows of at least {} bytes, found {} bytes, {} a row"),
+            height, row, bytes, sample.step)};
     }
     // OpenCV only reads it.
     auto* data = const_cast<std::byte*>(sample.content.bytes.data());
@@ -97,10 +102,13 @@ Result<Picture> decodeRaw(const PictureSample& sample, const PictureLimits& limi
     const cv::Mat mat(sample.height, sample.width, CV_MAKETYPE(depth, channels), data, sample.step);
     if (const int code = conversionCode(encoding->layout); code >= 0) {
         if (encoding->pixelSize == 1 && (width < 3 || height < 3)) {
-            return Error{"picture: expected at least 3 x 3 pixels of a Bayer pattern"};
+            return Error{
+                translate("leitstand::Error", "picture: expected at least 3 x 3 pixels of a Bayer pattern")};
         }
         if (encoding->pixelSize == 2 && width % 2 != 0) {
-            return Error{fmt::format("picture: expected pairs of pixels in a row, found {}", width)};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "picture: expected pairs of pixels in a row, found {}"),
+                width)};
         }
         return converted(mat, code);
     }
@@ -116,15 +124,16 @@ Result<Picture> decodeRaw(const PictureSample& sample, const PictureLimits& limi
 Result<Picture> decodeFile(const PictureSample& sample, const PictureLimits& limits) {
     const auto bytes = sample.content.bytes;
     const auto size = pictureFileSize(bytes);
-    if (!size) return Error{"picture: " + size.error().text};
+    if (!size) return Error{leitstand::fill(translate("leitstand::Error", "picture: {}"), size.error().text)};
     if (auto fits = checkSize(size->width, size->height, limits); !fits) return fits.error();
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-        return Error{"picture: expected a file of less than 2 GB"};
+        return Error{translate("leitstand::Error", "picture: expected a file of less than 2 GB")};
     }
     const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::byte*>(bytes.data()));
     cv::Mat mat = cv::imdecode(file, cv::IMREAD_UNCHANGED | cv::IMREAD_IGNORE_ORIENTATION);
     if (mat.empty() || mat.cols != size->width || mat.rows != size->height) {
-        return Error{fmt::format("picture: the file of {} bytes is damaged", bytes.size())};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "picture: the file of {} bytes is damaged"), bytes.size())};
     }
     if (mat.type() == CV_16UC1) return pictureOf(mat, Picture::Pixel::Grey16);
     if (mat.depth() == CV_16U) mat.convertTo(mat, CV_8U, 1.0 / 257.0);
@@ -136,7 +145,8 @@ Result<Picture> decodeFile(const PictureSample& sample, const PictureLimits& lim
         case CV_8UC4:
             return converted(mat, cv::COLOR_BGRA2RGB);
         default:
-            return Error{fmt::format("picture: {} channels cannot be shown", mat.channels())};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "picture: {} channels cannot be shown"), mat.channels())};
     }
 }
 
@@ -159,12 +169,14 @@ Result<Picture> decodePicture(const PictureSample& sample, const PictureLimits& 
     try {
         return sample.compressed ? decodeFile(sample, limits) : decodeRaw(sample, limits);
     } catch (const cv::Exception& error) {
-        return Error{std::string("picture: ") + error.what()};
+        return Error{leitstand::fill(translate("leitstand::Error", "picture: {}"), error.what())};
     }
 }
 
 Result<ThermalPicture> temperatures(const Picture& picture, const ThermalScale& scale) {
-    if (!scale.measured) return Error{"thermal picture: its colours are mapped and tell no temperature"};
+    if (!scale.measured)
+        return Error{
+            translate("leitstand::Error", "thermal picture: its colours are mapped and tell no temperature")};
     ThermalPicture thermal{picture.width, picture.height, {}};
     switch (picture.pixel) {
         case Picture::Pixel::Grey8:
@@ -177,7 +189,8 @@ Result<ThermalPicture> temperatures(const Picture& picture, const ThermalScale& 
             thermal.celsius = celsiusOf<float>(picture, scale);
             break;
         case Picture::Pixel::Rgb8:
-            return Error{"thermal picture: expected one number a pixel, found colours"};
+            return Error{
+                translate("leitstand::Error", "thermal picture: expected one number a pixel, found colours")};
     }
     return thermal;
 }

@@ -4,9 +4,10 @@
 #include <cstring>
 #include <string_view>
 
-#include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -43,9 +44,10 @@ std::string textChunk(const std::string& keyword, const std::string& text) {
 Result<std::vector<std::byte>> encodePng(const Picture& picture, const PictureTexts& texts) {
     const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     if (pixels == 0 || picture.bytes.size() != pixels * picture.pixelSize())
-        return Error{"picture: expected pixels to write, found none"};
+        return Error{translate("leitstand::Error", "picture: expected pixels to write, found none")};
     if (picture.pixel == Picture::Pixel::Float32)
-        return Error{"picture: expected 8 or 16 bits a value, found 32, which PNG does not have"};
+        return Error{translate("leitstand::Error",
+                               "picture: expected 8 or 16 bits a value, found 32, which PNG does not have")};
     const int type = picture.pixel == Picture::Pixel::Rgb8     ? CV_8UC3
                      : picture.pixel == Picture::Pixel::Grey16 ? CV_16UC1
                                                                : CV_8UC1;
@@ -58,9 +60,9 @@ Result<std::vector<std::byte>> encodePng(const Picture& picture, const PictureTe
             mat = turned;
         }
         if (!cv::imencode(".png", mat, file) || file.size() < HeaderEnd)
-            return Error{"picture: it could not be encoded as PNG"};
+            return Error{translate("leitstand::Error", "picture: it could not be encoded as PNG")};
     } catch (const cv::Exception& error) {
-        return Error{std::string("picture: ") + error.what()};
+        return Error{leitstand::fill(translate("leitstand::Error", "picture: {}"), error.what())};
     }
     std::string chunks;
     for (const auto& [keyword, text] : texts) {

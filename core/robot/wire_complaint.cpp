@@ -1,48 +1,72 @@
 #include "core/robot/wire_complaint.h"
 
-#include <fmt/format.h>
+#include "core/base/words.h"
 
 namespace leitstand {
+namespace {
 
-std::string toString(const WireProblem& problem) {
+/// "{0}" is theirs, "{1}" is ours.
+const char* wordsOf(WireProblem::Kind kind) {
     using Kind = WireProblem::Kind;
-    switch (problem.kind) {
+    switch (kind) {
         case Kind::OffersLess:
-            return fmt::format("robot offers {}, we asked for {}", problem.theirs, problem.ours);
+            return translatable("leitstand::WireWords", "robot offers {0}, we asked for {1}");
         case Kind::AsksMore:
-            return fmt::format("we offer {}, robot asks for {}", problem.ours, problem.theirs);
+            return translatable("leitstand::WireWords", "we offer {1}, robot asks for {0}");
         case Kind::SendsOther:
-            return fmt::format("robot sends {}, we expected {}", problem.theirs, problem.ours);
+            return translatable("leitstand::WireWords", "robot sends {0}, we expected {1}");
         case Kind::ExpectsOther:
-            return fmt::format("robot expects {}, we send {}", problem.theirs, problem.ours);
+            return translatable("leitstand::WireWords", "robot expects {0}, we send {1}");
         case Kind::Keyed:
-            return "robot's topic has keys, ours has none as in ROS 2";
+            return translatable("leitstand::WireWords", "robot's topic has keys, ours has none as in ROS 2");
         case Kind::OffersExclusive:
-            return "robot offers exclusive ownership, we share as ROS 2 does";
+            return translatable("leitstand::WireWords",
+                                "robot offers exclusive ownership, we share as ROS 2 does");
         case Kind::AsksExclusive:
-            return "robot asks for exclusive ownership, we share as ROS 2 does";
+            return translatable("leitstand::WireWords",
+                                "robot asks for exclusive ownership, we share as ROS 2 does");
         case Kind::Partition:
-            return fmt::format("robot is in partition \"{}\", we are in the default one", problem.theirs);
+            return translatable("leitstand::WireWords",
+                                "robot is in partition \"{0}\", we are in the default one");
         case Kind::WritesXcdr2:
-            return "robot writes XCDR2 only, we read XCDR1";
+            return translatable("leitstand::WireWords", "robot writes XCDR2 only, we read XCDR1");
         case Kind::ReadsXcdr2:
-            return "robot reads XCDR2 only, we write XCDR1";
+            return translatable("leitstand::WireWords", "robot reads XCDR2 only, we write XCDR1");
         case Kind::Liveliness:
-            return "robot asks for a liveliness that we do not offer";
+            return translatable("leitstand::WireWords", "robot asks for a liveliness that we do not offer");
         case Kind::Security:
-            return "security: permissions or governance of one side do not let them talk";
+            return translatable("leitstand::WireWords",
+                                "security: permissions or governance of one side do not let them talk");
     }
-    return {};
+    return "";
 }
 
-std::string toString(const WireComplaint& complaint) {
+template <class Words>
+std::string joined(const WireComplaint& complaint, Words words) {
     std::string text = complaint.topic;
     const char* between = ": ";
     for (const WireProblem& problem : complaint.problems) {
-        text += between + toString(problem);
+        text += between + words(problem);
         between = "; ";
     }
     return text;
+}
+
+}  // namespace
+
+std::string toString(const WireProblem& problem) {
+    return leitstand::fill(wordsOf(problem.kind), problem.theirs, problem.ours);
+}
+
+std::string toString(const WireComplaint& complaint) {
+    return joined(complaint, [](const WireProblem& problem) { return toString(problem); });
+}
+
+std::string worded(const WireComplaint& complaint) {
+    return joined(complaint, [](const WireProblem& problem) {
+        return leitstand::fill(translate("leitstand::WireWords", wordsOf(problem.kind)), problem.theirs,
+                               problem.ours);
+    });
 }
 
 }  // namespace leitstand

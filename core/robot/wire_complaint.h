@@ -28,8 +28,7 @@ struct WireProblem {
     friend bool operator==(const WireProblem&, const WireProblem&) = default;
 };
 
-/// All that stands between our reader or writer and one of a robot. Core says what is so; widgets find the
-/// words of the user's language.
+/// All that stands between our reader or writer and one of a robot.
 struct WireComplaint {
     std::string topic;  ///< ROS name
     std::vector<WireProblem> problems;
@@ -40,5 +39,7 @@ struct WireComplaint {
 [[nodiscard]] std::string toString(const WireProblem& problem);
 /// "/kurt3d/odom: robot offers best effort, we asked for reliable", several joined by "; ".
 [[nodiscard]] std::string toString(const WireComplaint& complaint);
+/// Likewise, in the window's language.
+[[nodiscard]] std::string worded(const WireComplaint& complaint);
 
 }  // namespace leitstand

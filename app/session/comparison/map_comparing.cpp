@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "app/session/comparison/recorded_truth.h"
 #include "app/session/job_queue.h"
 #include "app/session/review/review_log.h"
@@ -127,8 +125,10 @@ Result<MapComparisonPtr> keptComparison(const std::filesystem::path& folder, con
     for (ComparedScan& one : whole.scans) {
         const auto found = known.find(one.id);
         if (found == known.end() || known.size() != whole.scans.size())
-            return Error{fmt::format("{}: is of other key scans than the mission has now; register again",
-                                     file.string())};
+            return Error{leitstand::fill(
+                translate("leitstand::Error",
+                          "{}: is of other key scans than the mission has now; register again"),
+                file.string())};
         one.scan = found->second.scan;
         one.robot = found->second.robot;
         one.end = found->second.end;

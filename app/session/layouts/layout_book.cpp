@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/words.h"
 #include "core/io/settings/folders.h"
 #include "core/io/settings/layout_file.h"
 
@@ -78,19 +79,24 @@ Result<WindowLayout> LayoutBook::find(const std::string& name) const {
         return readLayout(fileOf(m_shipped, name));
     std::set<std::string> names = namesIn(m_own);
     names.merge(namesIn(m_shipped));
-    return Error{fmt::format("{}: expected the name of a layout ({})", name, fmt::join(names, ", "))};
+    return Error{leitstand::fill(translate("leitstand::Error", "{}: expected the name of a layout ({})"),
+                                 name, fmt::format("{}", fmt::join(names, ", ")))};
 }
 
 Result<void> LayoutBook::save(const WindowLayout& layout) const {
     if (!isName(layout.name))
-        return Error{fmt::format("\"{}\": expected a name of letters, digits, _ and -", layout.name)};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "\"{}\": expected a name of letters, digits, _ and -"),
+            layout.name)};
     std::error_code problem;
     fs::create_directories(m_own, problem);
     return saveLayout(layout, fileOf(m_own, layout.name));
 }
 
 Result<void> LayoutBook::remove(const std::string& name) const {
-    if (!isOwn(name)) return Error{fmt::format("{}: expected a layout of one's own", name)};
+    if (!isOwn(name))
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: expected a layout of one's own"), name)};
     std::error_code problem;
     fs::remove(fileOf(m_own, name), problem);
     if (problem) return Error{fmt::format("{}: {}", fileOf(m_own, name).string(), problem.message())};

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/session/log/sequencer.h"
@@ -16,6 +15,7 @@
 #include "app/session/station/station.h"
 #include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -31,7 +31,9 @@ bool speaksOf(const WireComplaint& complaint, const std::string& robot) {
 Result<double> measureDisk(const std::filesystem::path& folder, int megabytes) {
     const std::filesystem::path file = folder / ".disk-test";
     const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (out < 0) return Error{fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno))};
+    if (out < 0)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written: {}"),
+                                     file.string(), std::strerror(errno))};
     std::vector<char> bytes(Piece);
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 2'654'435'761U >> 13U);
     const auto began = std::chrono::steady_clock::now();
@@ -43,7 +45,9 @@ Result<double> measureDisk(const std::filesystem::path& folder, int megabytes) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     ::close(out);
     ::unlink(file.c_str());
-    if (!good) return Error{fmt::format("{}: cannot be written: {}", file.string(), std::strerror(why))};
+    if (!good)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written: {}"),
+                                     file.string(), std::strerror(why))};
     return static_cast<double>(megabytes) * static_cast<double>(Piece) / std::max(seconds, 1e-6);
 }
 

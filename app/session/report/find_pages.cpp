@@ -5,8 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "app/session/report/frozen_traces.h"
 #include "app/session/report/report_source.h"
 #include "core/base/words.h"
@@ -51,7 +49,9 @@ Result<EvidencePicture> printable(const PictureSample& sample, const Event& even
     made.picture = std::move(decoded).value();
     const bool shows =
         made.picture.pixel == Picture::Pixel::Rgb8 || made.picture.pixel == Picture::Pixel::Grey8;
-    if (!shows) return Error{fmt::format("{}: is no picture that can be printed", event.topic)};
+    if (!shows)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: is no picture that can be printed"),
+                                     event.topic)};
     return made;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/io/ply.h"
 #include "core/io/report/checksums.h"
 #include "core/io/report/find_lists.h"
@@ -48,7 +49,8 @@ Result<std::string> checkCloud(const fs::path& file) {
     const auto cloud = readPly(file);
     if (!cloud) return cloud.error();
     if (cloud->scan.labels.size() != cloud->scan.points.size())
-        return Error{file.string() + ": expected a label for each point"};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: expected a label for each point"),
+                                     file.string())};
     return fmt::format("{} points with labels", cloud->scan.points.size());
 }
 
@@ -62,14 +64,19 @@ Result<std::string> checkTrajectory(const fs::path& file) {
 Result<std::string> checkPdf(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in && bytes.empty()) return Error{file.string() + ": cannot be opened"};
-    if (!bytes.starts_with("%PDF-")) return Error{file.string() + ": expected %PDF at its beginning"};
+    if (!in && bytes.empty())
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
+    if (!bytes.starts_with("%PDF-"))
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: expected %PDF at its beginning"),
+                                     file.string())};
     const auto place = bytes.rfind("startxref");
     if (place == std::string::npos || bytes.find("%%EOF", place) == std::string::npos)
-        return Error{file.string() + ": expected its table of objects at the end"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected its table of objects at the end"), file.string())};
     const auto at = std::strtoull(bytes.c_str() + place + 9, nullptr, 10);
     if (at >= bytes.size() || bytes.compare(at, 4, "xref") != 0)
-        return Error{file.string() + ": its table of objects is not where it says"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: its table of objects is not where it says"), file.string())};
     std::size_t pages = 0;
     for (auto page = bytes.find("/Type /Page\n"); page != std::string::npos;
          page = bytes.find("/Type /Page\n", page + 1))
@@ -124,7 +131,7 @@ Result<std::string> checkFile(const fs::path& file) {
         if (!names) return names.error();
         return fmt::format("{} files as listed", names->size());
     }
-    return Error{file.string() + ": is no file of a report"};
+    return Error{leitstand::fill(translate("leitstand::Error", "{}: is no file of a report"), file.string())};
 }
 
 }  // namespace leitstand

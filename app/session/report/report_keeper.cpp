@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/words.h"
+
 namespace leitstand {
 namespace {
 
@@ -28,7 +30,8 @@ struct ReportKeeper::State {
         try {
             return writeReport(settings.mission, settings.out, settings.options, {{}, stop});
         } catch (const std::exception& problem) {
-            return Error{settings.out.string() + ": no report: " + problem.what()};
+            return Error{leitstand::fill(translate("leitstand::Error", "{}: no report: {}"),
+                                         settings.out.string(), problem.what())};
         }
     }
 

@@ -5,8 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "app/session/coverage/logged_views.h"
 #include "app/session/finds/told_evidence.h"
 #include "app/session/log/bag_history.h"
@@ -193,18 +191,21 @@ void ReportSource::readViews(const Progress& progress) {
 
 Result<Event> ReportSource::event(std::uint64_t sequence) {
     const auto raw = m_bag->event(sequence);
-    if (!raw) return Error{fmt::format("event {} is not in the log", sequence)};
+    if (!raw)
+        return Error{leitstand::fill(translate("leitstand::Error", "event {} is not in the log"), sequence)};
     std::optional<Event> found;
     m_decoder->decode(*raw, [&](const Event& event) {
         if (!found) found = event;
     });
-    if (!found) return Error{fmt::format("event {} ({}) cannot be read", sequence, raw->topic)};
+    if (!found)
+        return Error{leitstand::fill(translate("leitstand::Error", "event {} ({}) cannot be read"), sequence,
+                                     raw->topic)};
     return std::move(*found);
 }
 
 Result<Event> ReportSource::event(const VictimEvidence& evidence, const VictimSample& find) {
     const std::uint64_t sequence = sequenceInLog(*m_bag, *m_decoder, evidence, find);
-    if (sequence == 0) return Error{"another station has it in its log"};
+    if (sequence == 0) return Error{translate("leitstand::Error", "another station has it in its log")};
     return event(sequence);
 }
 

@@ -46,7 +46,8 @@ public:
     template <class Write>
     void file(const std::string& ending, Write write) {
         if (m_progress.cancelled()) {
-            m_failure = Error{m_folder.string() + ": the report was cancelled"};
+            m_failure = Error{leitstand::fill(translate("leitstand::Error", "{}: the report was cancelled"),
+                                              m_folder.string())};
             return;
         }
         const std::string name = ending == "SHA256SUMS" ? ending : m_name + ending;
@@ -186,10 +187,14 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     if (!opened) return opened.error();
     ReportSource source = std::move(opened).value();
     ReportModel model = reportOf(source.input(), part(progress, 0.4, 0.6));
-    if (progress.cancelled()) return Error{mission.string() + ": the report was cancelled"};
+    if (progress.cancelled())
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: the report was cancelled"), mission.string())};
     std::error_code problem;
     fs::create_directories(out, problem);
-    if (problem) return Error{fmt::format("{}: cannot be made: {}", out.string(), problem.message())};
+    if (problem)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be made: {}"), out.string(),
+                                     problem.message())};
 
     ReportOutcome outcome;
     outcome.warnings = source.warnings();

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <system_error>
 
-#include <fmt/format.h>
-
 #include "app/session/log/bag_history.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/review/made_map.h"
+#include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/fold.h"
 #include "core/mission/station_topics.h"
@@ -112,7 +111,8 @@ Result<std::unique_ptr<ReviewLog>> ReviewLog::open(const fs::path& mission) {
     auto bag = BagReader::open(mission);
     if (!bag) return bag.error();
     if ((*bag)->lastSequence() == 0)
-        return Error{fmt::format("{}: there is nothing in it", mission.string())};
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: there is nothing in it"), mission.string())};
     std::vector<std::string> warnings;
     auto robots = robotsOf(mission, **bag, warnings);
     // The folder keeps them by name; who tells most is looked at first.
@@ -149,8 +149,9 @@ std::vector<std::string> ReviewLog::problems() const {
     std::vector<std::string> problems = m_warnings;
     problems.insert(problems.end(), m_bag->problems().begin(), m_bag->problems().end());
     for (const auto& [topic, errors] : m_decoder.errors())
-        problems.push_back(fmt::format("{} samples of {} make no sense, the last one: {}", errors.count,
-                                       topic, errors.last));
+        problems.push_back(leitstand::fill(
+            translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
+            errors.count, topic, errors.last));
     return problems;
 }
 

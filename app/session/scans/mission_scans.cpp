@@ -11,6 +11,7 @@
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/scans/sensor_poses.h"
+#include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/scan/turn_assembler.h"
 
@@ -132,15 +133,17 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
     for (auto& [name, robot] : m_robots) {
         for (auto& [topic, lane] : robot.lanes) keep(lane.assembler.finish(), name, lane);
         if (robot.withoutPose > 0) {
-            result.warnings.push_back(
-                fmt::format("{}: {} of {} scans have no odometry within half a second of their stamp", name,
-                            robot.withoutPose, robot.scans));
+            result.warnings.push_back(leitstand::fill(
+                translate("leitstand::Error",
+                          "{}: {} of {} scans have no odometry within half a second of their stamp"),
+                name, robot.withoutPose, robot.scans));
         }
         for (const std::string& remark : robot.poses.remarks()) result.warnings.push_back(remark);
     }
     for (const auto& [topic, errors] : m_decoder.errors()) {
-        result.warnings.push_back(fmt::format("{} samples of {} make no sense, the last one: {}",
-                                              errors.count, topic, errors.last));
+        result.warnings.push_back(leitstand::fill(
+            translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
+            errors.count, topic, errors.last));
     }
     result.warnings.insert(result.warnings.end(), m_bag.problems().begin(), m_bag.problems().end());
     std::stable_sort(m_scans.begin(), m_scans.end(),
@@ -170,9 +173,10 @@ Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& p
     reading.readPoses(part(progress, 0.0, 0.3));
     reading.readClouds(part(progress, 0.3, 1.0), result);
     if (result.scans.empty() && !progress.cancelled()) {
-        return Error{fmt::format("{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}",
-                                 mission.string(),
-                                 result.warnings.empty() ? "" : "; " + result.warnings.front())};
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}"),
+            mission.string(), result.warnings.empty() ? "" : "; " + result.warnings.front())};
     }
     return result;
 }

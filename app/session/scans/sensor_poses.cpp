@@ -1,6 +1,6 @@
 #include "app/session/scans/sensor_poses.h"
 
-#include <fmt/format.h>
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -55,8 +55,10 @@ Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
     for (const auto& [name, described] : m_robot->sensors) {
         if (withoutPrefix(described.frame) == withoutPrefix(frame)) return described.sensorInBase;
     }
-    m_remarks.insert(fmt::format(
-        "{}: nobody tells where frame \"{}\" sits (neither tf_static nor the robot's file); taken as {}",
+    m_remarks.insert(leitstand::fill(
+        translate(
+            "leitstand::Error",
+            "{}: nobody tells where frame \"{}\" sits (neither tf_static nor the robot's file); taken as {}"),
         m_robot->name, frame, m_robot->baseFrame));
     return Pose::Identity();
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/base/words.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
@@ -43,7 +44,8 @@ Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<Rob
     std::ofstream out(file);
     out << writeRobot(robot);
     out.flush();
-    if (!out) return Error{file.string() + ": cannot be written"};
+    if (!out)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written"), file.string())};
     return file.string();
 }
 

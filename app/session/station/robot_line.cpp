@@ -4,8 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand {
@@ -86,7 +85,8 @@ void RobotLine::tell(RobotView& robot) const {
 Result<void> RobotLine::say(StreamRole role, const Sample& command) {
     const auto found = m_commands.find(role);
     if (found == m_commands.end()) {
-        return Error{fmt::format("{}: its file names no {} stream", m_robot.name, toString(role))};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: its file names no {} stream"),
+                                     m_robot.name, toString(role))};
     }
     const auto cdr = encode(command, found->second.type);
     if (!cdr) return cdr.error();

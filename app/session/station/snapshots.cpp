@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/perception/picture_decoding.h"
 #include "core/perception/picture_png.h"
 
@@ -64,7 +65,8 @@ Result<void> writeWhole(const fs::path& file, const std::vector<std::byte>& byte
         const std::string why = std::strerror(errno);
         std::error_code ignored;
         fs::remove(part, ignored);
-        return Error{fmt::format("{}: the snapshot could not be written: {}", file.string(), why)};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: the snapshot could not be written: {}"), file.string(), why)};
     };
     std::ofstream out(part, std::ios::binary | std::ios::trunc);
     if (!out) return problem();
@@ -110,7 +112,8 @@ Result<fs::path> Snapshots::write(const SnapshotWish& wish) const {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-        return Error{fmt::format("{}: the folder could not be made: {}", folder.string(), error.message())};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: the folder could not be made: {}"),
+                                     folder.string(), error.message())};
     const std::string name =
         fmt::format("{}_{}_{}", wish.picture->robot, wish.picture->sensor, stampText(wish.picture->received));
     fs::path file = folder / (name + ".png");

@@ -11,6 +11,7 @@
 #include "core/base/words.h"
 #include "core/io/settings/alarm_file.h"
 #include "core/mission/station_topics.h"
+#include "core/robot/preflight/brake_says.h"
 #include "transport/link/grant_sender.h"
 
 namespace leitstand {
@@ -181,12 +182,11 @@ void Station::State::listen() {
 
 void Station::State::tellMismatches() {
     for (const Mismatch& mismatch : node->mismatches()) {
-        const std::string text = toString(mismatch.complaint);
         {
             const std::lock_guard lock(mutex);
-            if (!told.insert(text).second) continue;
+            if (!told.insert(toString(mismatch.complaint)).second) continue;
         }
-        say(text);
+        say(worded(mismatch.complaint));
     }
 }
 
@@ -217,7 +217,8 @@ void Station::State::watchBrakes() {
     hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
         if (!kept) say(kept.error().text);
         const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
-        say(robot + ": " + note.text);
+        const RobotDescription& described = lines.at(robot)->robot();
+        say(described.title + ": " + brakeWorded(note.text));
         const std::lock_guard lock(mutex);
         if (open) (void)mission->say(note, station_topic::Notes);  // a plain sample can be encoded
     };

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
 #include "core/io/robot/yaml_document.h"
 
 namespace leitstand {
@@ -72,11 +73,15 @@ Result<void> writeBrakes(const std::filesystem::path& file,
         std::ofstream written(next, std::ios::trunc);
         written << out.c_str();
         written.flush();
-        if (!written) return Error{next.string() + ": cannot be written"};
+        if (!written)
+            return Error{
+                leitstand::fill(translate("leitstand::Error", "{}: cannot be written"), next.string())};
     }
     std::error_code problem;
     std::filesystem::rename(next, file, problem);
-    if (problem) return Error{fmt::format("{}: cannot be replaced: {}", file.string(), problem.message())};
+    if (problem)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be replaced: {}"),
+                                     file.string(), problem.message())};
     return {};
 }
 

@@ -2,8 +2,7 @@
 
 #include <set>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "core/io/robot/yaml_errors.h"
 #include "core/io/settings/folders.h"
 
@@ -46,9 +45,13 @@ Result<fs::path> findRobotFile(const std::string& nameOrPath, const std::vector<
         if (fs::exists(file, problem)) return file;
     }
     const auto names = shippedRobots(folders);
-    return Error{fmt::format("{}: expected a robot's file{}, found none{}", nameOrPath,
-                             names.empty() ? "" : ", or the name " + detail::anyOf(names),
-                             detail::likely(nameOrPath, names))};
+    return Error{
+        names.empty()
+            ? leitstand::fill(translate("leitstand::Error", "{}: expected a robot's file, found none"),
+                              nameOrPath)
+            : leitstand::fill(
+                  translate("leitstand::Error", "{}: expected a robot's file, or the name {}, found none{}"),
+                  nameOrPath, detail::anyOf(names), detail::likely(nameOrPath, names))};
 }
 
 }  // namespace leitstand

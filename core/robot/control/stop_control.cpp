@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/words.h"
+
 namespace leitstand {
 
 StopControl::StopControl(std::string station, bool supported, const StopTiming& timing)
@@ -23,14 +25,16 @@ void StopControl::stop(SteadyTime now, Time wall) {
 }
 
 Result<void> StopControl::release(bool held, SteadyTime now, Time wall) {
-    if (!held) return Error{"release: this station does not hold the grant to drive"};
+    if (!held)
+        return Error{translate("leitstand::Error", "release: this station does not hold the grant to drive")};
     m_refused.clear();
     if (!m_supported) {
         m_wanted = false;
         return {};
     }
-    if (!m_state) return Error{"release: the robot has not told its stop yet"};
-    if (m_pending && m_pending->stop) return Error{"release: the robot has not acknowledged the stop yet"};
+    if (!m_state) return Error{translate("leitstand::Error", "release: the robot has not told its stop yet")};
+    if (m_pending && m_pending->stop)
+        return Error{translate("leitstand::Error", "release: the robot has not acknowledged the stop yet")};
     if (!m_pending) send(false, now, wall);
     return {};
 }

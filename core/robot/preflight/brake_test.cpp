@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace leitstand {
 namespace {
 
@@ -13,56 +11,7 @@ double seconds(std::chrono::nanoseconds duration) {
     return std::chrono::duration<double>(duration).count();
 }
 
-std::string causeOf(const BrakeResult& result) {
-    switch (result.cause) {
-        case Cause::None:
-            break;
-        case Cause::KeyLetGo:
-            return "the key was let go";
-        case Cause::NotDriven:
-            return "the robot was not to be driven any more";
-        case Cause::RoomUnknown:
-            return "nothing tells whether there is room ahead";
-        case Cause::NoRoom:
-            return fmt::format("only {:.1f} m are free ahead, {:.1f} m are needed", result.free,
-                               result.needed);
-        case Cause::NotAllowed:
-            return "the station may not drive the robot";
-        case Cause::Deaf:
-            return "the robot hears no drive commands";
-        case Cause::NoOdometry:
-            return "no odometry comes";
-        case Cause::SticksHeld:
-            return "the sticks were not let go";
-        case Cause::NotStanding:
-            return "the robot did not stand";
-        case Cause::TooSlow:
-            return "the robot did not come to its speed";
-        case Cause::OdometryEnded:
-            return "no odometry came after the cut";
-    }
-    return "nothing tells why";
-}
-
 }  // namespace
-
-std::string toString(const BrakeResult& result) {
-    using Verdict = BrakeResult::Verdict;
-    switch (result.verdict) {
-        case Verdict::Untested:
-            return "brake not tested";
-        case Verdict::Passed:
-            return fmt::format("brake test passed: it stood after {:.2f} s and {:.0f} cm", result.seconds,
-                               100.0 * result.metres);
-        case Verdict::Failed:
-            return fmt::format(
-                "brake test FAILED: without commands it still moved after {:.2f} s and {:.0f} cm",
-                result.seconds, 100.0 * result.metres);
-        case Verdict::Inconclusive:
-            return "brake test without result: " + causeOf(result);
-    }
-    return {};
-}
 
 void BrakeTest::enter(Phase phase, SteadyTime now) {
     m_phase = phase;

@@ -61,9 +61,6 @@ struct BrakeResult {
     friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
 };
 
-/// For the log and messages: "brake test passed: it stood after 0.31 s and 2 cm".
-[[nodiscard]] std::string toString(const BrakeResult& result);
-
 /// What the test has to know of the robot.
 struct BrakeFacts {
     bool mayDrive = false;                                         ///< grant, no stop, drive focus

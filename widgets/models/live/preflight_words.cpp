@@ -7,7 +7,6 @@
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
 #include "widgets/models/live/preflight_list.h"
-#include "widgets/models/live/wire_words.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -138,7 +137,7 @@ QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
 QString stationText(const PreflightCheck& check, const QString& detail) {
     switch (check.kind) {
         case Kind::Wire:
-            return wireText(check.wire);
+            return QString::fromStdString(worded(check.wire));
         case Kind::Limits:
         case Kind::Versions:
         case Kind::Secured:

@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "core/robot/alarms/logged_alarm.h"
+#include "core/robot/preflight/brake_says.h"
 #include "widgets/models/live/alarm_words.h"
 #include "widgets/models/live/mode_label.h"
 #include "widgets/models/map/decision_text.h"
@@ -107,7 +108,7 @@ QString contentOf(const TimelineMark& mark) {
         case Kind::Alarm:
             return TimelineTexts::tr("alarm: %1").arg(alarmMarkText(mark));
         case Kind::Note:
-            return TimelineTexts::tr("note: %1").arg(text);
+            return TimelineTexts::tr("note: %1").arg(QString::fromStdString(brakeWorded(mark.text)));
         case Kind::Decision:
             return mark.key == "poses" ? TimelineTexts::tr("decision on scans") : undoMarkText(mark);
         case Kind::Mode:

@@ -5,8 +5,7 @@
 #include <sstream>
 #include <system_error>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "core/io/bag/detail/mission_folder.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/salvaged_file.h"
@@ -26,12 +25,15 @@ std::optional<BagMetadata> readMetadata(const fs::path& folder, std::vector<std:
     std::error_code problem;
     const auto size = fs::file_size(file, problem);
     if (problem) {
-        problems.push_back(file.string() + ": is missing or cannot be read; the files were asked instead");
+        problems.push_back(leitstand::fill(
+            translate("leitstand::Error", "{}: is missing or cannot be read; the files were asked instead"),
+            file.string()));
         return std::nullopt;
     }
     if (size > MaxMetadataBytes) {
         problems.push_back(
-            fmt::format("{}: expected at most {} bytes, found {}", file.string(), MaxMetadataBytes, size));
+            leitstand::fill(translate("leitstand::Error", "{}: expected at most {} bytes, found {}"),
+                            file.string(), MaxMetadataBytes, size));
         return std::nullopt;
     }
     std::ifstream in(file, std::ios::binary);
@@ -84,13 +86,19 @@ void numberOn(std::vector<BagPart>& parts) {
 Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool& damaged) {
     std::error_code problem;
     const auto size = fs::file_size(path, problem);
-    if (problem) return Error{fmt::format("{}: cannot be opened: {}", path.string(), problem.message())};
-    if (size == 0) return Error{path.string() + ": expected an SQLite database, found an empty file"};
+    if (problem)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened: {}"), path.string(),
+                                     problem.message())};
+    if (size == 0)
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected an SQLite database, found an empty file"),
+            path.string())};
     // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
-    if (const auto other = live ? std::string_view() : otherKindOf(path); !other.empty()) {
-        return Error{
-            fmt::format("{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one",
-                        path.string(), other)};
+    if (const auto other = live ? std::string() : otherKindOf(path); !other.empty()) {
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one"),
+            path.string(), other)};
     }
     auto opened = SqliteFile::open(path, live);
     if (opened) return std::shared_ptr<BagFile>(std::move(opened).value());
@@ -105,15 +113,21 @@ Result<OpenBag> openBag(const fs::path& path) {
     OpenBag bag{.path = path};
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
-    if (!fs::exists(status)) return Error{path.string() + ": expected a bag's folder or file, found nothing"};
+    if (!fs::exists(status))
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a bag's folder or file, found nothing"),
+            path.string())};
     if (!fs::is_directory(status)) {
         const auto ending = path.extension();
         if (ending == ".mcap" || ending == ".zstd" || ending == ".bag") {
-            return Error{path.string() +
-                         ": expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one"};
+            return Error{leitstand::fill(
+                translate("leitstand::Error",
+                          "{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one"),
+                path.string())};
         }
         if (!fs::is_regular_file(status))
-            return Error{path.string() + ": expected a folder or a regular file"};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: expected a folder or a regular file"), path.string())};
         const fs::path folder = fs::absolute(path, problem).parent_path();
         std::vector<NumberedFile> alone = {{path, std::nullopt}};
         if (FolderLock::isTaken(folder)) {  // is it the one that is written?

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
+#include "core/base/words.h"
 
 namespace leitstand::detail {
 
@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::string_view Zstd("\x28\xb5\x2f\xfd", 4);
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> Kinds = {{
-    {std::string_view("\x89MCAP0\r\n", 8), "an MCAP file"},
-    {Zstd, "a file compressed by zstd"},
-    {"#ROSBAG V", "a bag of ROS 1"},
+constexpr std::array<std::pair<std::string_view, const char*>, 3> Kinds = {{
+    {std::string_view("\x89MCAP0\r\n", 8), translatable("leitstand::Error", "an MCAP file")},
+    {Zstd, translatable("leitstand::Error", "a file compressed by zstd")},
+    {"#ROSBAG V", translatable("leitstand::Error", "a bag of ROS 1")},
 }};
 
 /// Files in @p folder that belong to bags of other kinds, by name.
@@ -42,21 +42,22 @@ void tellAbsent(const fs::path& folder, const BagMetadata& metadata, std::vector
         const fs::path name = fs::path(file.path).filename();
         std::error_code ignored;
         if (name.empty() || fs::exists(folder / name, ignored)) continue;
-        problems.push_back(fmt::format("{}: expected it, since metadata.yaml lists it, found nothing",
-                                       (folder / name).string()));
+        problems.push_back(leitstand::fill(
+            translate("leitstand::Error", "{}: expected it, since metadata.yaml lists it, found nothing"),
+            (folder / name).string()));
     }
 }
 
 }  // namespace
 
-std::string_view otherKind(std::string_view begin) {
+std::string otherKind(std::string_view begin) {
     for (const auto& [magic, name] : Kinds) {
-        if (begin.starts_with(magic)) return name;
+        if (begin.starts_with(magic)) return translate("leitstand::Error", name);
     }
     return {};
 }
 
-std::string_view otherKindOf(const fs::path& path) {
+std::string otherKindOf(const fs::path& path) {
     std::array<char, 16> begin{};
     std::ifstream in(path, std::ios::binary);
     in.read(begin.data(), begin.size());
@@ -73,28 +74,33 @@ bool isCompressed(const Payload& cdr) {
 Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>& metadata,
                        const std::vector<NumberedFile>& files, std::vector<std::string>& problems) {
     if (metadata && !metadata->compression.empty()) {
-        return Error{
-            fmt::format("{}: expected an uncompressed bag, found compression \"{}\"; `ros2 bag convert` "
-                        "writes one without",
-                        folder.string(), metadata->compression)};
+        return Error{leitstand::fill(translate("leitstand::Error",
+                                               "{}: expected an uncompressed bag, found compression \"{}\"; "
+                                               "`ros2 bag convert` writes one without"),
+                                     folder.string(), metadata->compression)};
     }
     if (metadata && metadata->storage != "sqlite3" && files.empty()) {
-        return Error{
-            fmt::format("{}: expected a bag in SQLite files (sqlite3), found storage \"{}\"; `ros2 bag "
-                        "convert` turns it into one",
-                        folder.string(), metadata->storage)};
+        return Error{leitstand::fill(translate("leitstand::Error",
+                                               "{}: expected a bag in SQLite files (sqlite3), found storage "
+                                               "\"{}\"; `ros2 bag convert` turns it into one"),
+                                     folder.string(), metadata->storage)};
     }
     const auto others = otherFiles(folder);
     if (files.empty() && !others.empty()) {
-        return Error{
-            fmt::format("{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it "
-                        "into one",
-                        folder.string(), others.front().filename().string())};
+        return Error{leitstand::fill(
+            translate(
+                "leitstand::Error",
+                "{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one"),
+            folder.string(), others.front().filename().string())};
     }
     if (files.empty())
-        return Error{folder.string() + ": expected a bag: metadata.yaml and files that end in .db3"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a bag: metadata.yaml and files that end in .db3"),
+            folder.string())};
     for (const fs::path& other : others) {
-        problems.push_back(other.string() + ": expected an SQLite file (.db3); it is not read");
+        problems.push_back(leitstand::fill(
+            translate("leitstand::Error", "{}: expected an SQLite file (.db3); it is not read"),
+            other.string()));
     }
     if (metadata) tellAbsent(folder, *metadata, problems);
     return {};

@@ -15,9 +15,9 @@ namespace leitstand::detail {
 
 /// What a file with these first bytes is when it is a bag that we do not read ("an MCAP file"); empty when it
 /// is none that we know.
-[[nodiscard]] std::string_view otherKind(std::string_view begin);
+[[nodiscard]] std::string otherKind(std::string_view begin);
 /// The same of the file at @p path.
-[[nodiscard]] std::string_view otherKindOf(const std::filesystem::path& path);
+[[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
 /// Whether @p cdr is no CDR but compressed by zstd, as rosbag2 does in its mode "message".
 [[nodiscard]] bool isCompressed(const Payload& cdr);
 

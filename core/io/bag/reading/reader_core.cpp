@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/salvaged_file.h"
 
@@ -107,7 +106,9 @@ void ReaderCore::tellNews(std::size_t index) {
 bool ReaderCore::salvage(std::size_t index) {
     BagPart& part = m_bag.parts[index];
     if (part.damaged || part.live || m_lost.contains(index)) return false;
-    auto salvaged = SalvagedFile::open(part.path, part.path.string() + ": table messages: is damaged");
+    auto salvaged = SalvagedFile::open(
+        part.path,
+        leitstand::fill(translate("leitstand::Error", "{}: table messages: is damaged"), part.path.string()));
     if (!salvaged) {
         m_lost.insert(index);
         tell(salvaged.error().text);
@@ -127,7 +128,8 @@ BagFile::Outcome ReaderCore::fetch(std::size_t index, const RowQuery& query, std
     if (outcome == BagFile::Outcome::Broken) {
         outcome = salvage(index) ? BagFile::Outcome::More : BagFile::Outcome::End;
         if (m_bag.parts[index].live)
-            tell(m_bag.parts[index].path.string() + ": cannot be read on while it is written");
+            tell(leitstand::fill(translate("leitstand::Error", "{}: cannot be read on while it is written"),
+                                 m_bag.parts[index].path.string()));
     }
     tellNews(index);
     return outcome;
@@ -138,21 +140,23 @@ std::optional<RawEvent> ReaderCore::eventOf(std::size_t index, BagRow row) {
     const auto& topics = part.file->facts().topics;
     const auto topic = topics.find(row.topic);
     if (topic == topics.end()) {
-        tell(fmt::format("{}: messages of topic number {}: expected it in the table topics",
-                         part.path.string(), row.topic));
+        tell(leitstand::fill(
+            translate("leitstand::Error", "{}: messages of topic number {}: expected it in the table topics"),
+            part.path.string(), row.topic));
         return std::nullopt;
     }
     const TopicInfo& info = topic->second.info;
     if (info.serialization != "cdr") {
-        tell(fmt::format("{}: topic {}: expected serialization \"cdr\", found \"{}\"", part.path.string(),
-                         info.name, info.serialization));
+        tell(leitstand::fill(
+            translate("leitstand::Error", "{}: topic {}: expected serialization \"cdr\", found \"{}\""),
+            part.path.string(), info.name, info.serialization));
         return std::nullopt;
     }
     if (isCompressed(row.cdr)) {
-        tell(
-            fmt::format("{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` "
-                        "writes them without",
-                        part.path.string(), info.name));
+        tell(leitstand::fill(translate("leitstand::Error",
+                                       "{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 "
+                                       "bag convert` writes them without"),
+                             part.path.string(), info.name));
         return std::nullopt;
     }
     return RawEvent{row.id + part.offset, sane(row.received), info.name, info.type, std::move(row.cdr)};

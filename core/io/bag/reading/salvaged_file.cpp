@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 
 namespace {
@@ -24,7 +26,8 @@ Result<std::unique_ptr<BagFile>> SalvagedFile::open(const std::filesystem::path&
         salvaged->finish(why);
         return std::unique_ptr<BagFile>(std::move(salvaged));
     }
-    return Error{why + "; and no page of it holds messages, either"};
+    return Error{
+        leitstand::fill(translate("leitstand::Error", "{}; and no page of it holds messages, either"), why)};
 }
 
 void SalvagedFile::search() {
@@ -90,7 +93,8 @@ void SalvagedFile::finish(const std::string& why) {
         const auto definition = m_definitions.find(topic.info.type);
         if (definition != m_definitions.end()) topic.info.definition = definition->second;
     }
-    m_facts.problems.push_back(fmt::format("{}; read page by page: {} messages found", why, m_found.size()));
+    m_facts.problems.push_back(leitstand::fill(
+        translate("leitstand::Error", "{}; read page by page: {} messages found"), why, m_found.size()));
     m_facts.firstId = m_found.front().id;
     m_facts.lastId = m_found.back().id;
     tellGaps();
@@ -109,10 +113,13 @@ void SalvagedFile::tellGaps() {
         const std::uint64_t before = m_found[i - 1].id, after = m_found[i].id;
         if (after == before + 1) continue;
         m_facts.problems.push_back(
-            fmt::format("{}: messages {} to {}: expected in a page of the table messages, "
-                        "found nowhere (or never written)",
-                        m_file.string(), before + 1, after - 1));
-        if (++told == MostGapsTold) m_facts.problems.push_back(m_file.string() + ": and further gaps");
+            leitstand::fill(translate("leitstand::Error",
+                                      "{}: messages {} to {}: expected in a page of the table messages, "
+                                      "found nowhere (or never written)"),
+                            m_file.string(), before + 1, after - 1));
+        if (++told == MostGapsTold)
+            m_facts.problems.push_back(
+                leitstand::fill(translate("leitstand::Error", "{}: and further gaps"), m_file.string()));
     }
 }
 

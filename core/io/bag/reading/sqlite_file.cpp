@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 
 namespace fs = std::filesystem;
@@ -59,7 +61,8 @@ Result<void> SqliteFile::connect(bool live) {
     const char* settings = live ? "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY"
                                 : "PRAGMA locking_mode = EXCLUSIVE; PRAGMA cell_size_check = ON;"
                                   "PRAGMA temp_store = MEMORY; PRAGMA journal_mode";
-    if (m_database.run(settings) != SQLITE_OK) return problem("expected an SQLite database");
+    if (m_database.run(settings) != SQLITE_OK)
+        return problem(translate("leitstand::Error", "expected an SQLite database"));
     return {};
 }
 
@@ -67,9 +70,12 @@ Result<void> SqliteFile::checkTables() {
     Statement tables = m_database.prepare(
         "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 "
         "AND name IN ('topics', 'messages')");
-    if (!tables || tables.step() != SQLITE_ROW) return problem("expected an SQLite database");
+    if (!tables || tables.step() != SQLITE_ROW)
+        return problem(translate("leitstand::Error", "expected an SQLite database"));
     if (tables.integer(0) != 2) {
-        return Error{m_file.string() + ": expected the tables topics and messages of a rosbag2 bag"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected the tables topics and messages of a rosbag2 bag"),
+            m_file.string())};
     }
     const auto index = [this](const char* name) {
         return m_database.number(
@@ -101,7 +107,7 @@ Result<void> SqliteFile::readTopics() {
     Statement topics = m_database.prepare(
         fmt::format("SELECT id, name, type, serialization_format, {}, {} FROM topics ORDER BY id",
                     qos ? "offered_qos_profiles" : "''", hash ? "type_description_hash" : "''"));
-    if (!topics) return problem("table topics");
+    if (!topics) return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "topics"));
     int code = topics.step();
     for (; code == SQLITE_ROW; code = topics.step()) {
         TopicInfo info;
@@ -112,7 +118,8 @@ Result<void> SqliteFile::readTopics() {
         info.typeHash = topics.text(5);
         m_facts.topics[topics.integer(0)] = {std::move(info), std::nullopt};
     }
-    if (code != SQLITE_DONE) return problem("table topics");
+    if (code != SQLITE_DONE)
+        return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "topics"));
     return {};
 }
 
@@ -127,22 +134,25 @@ void SqliteFile::readDefinitions() {
             if (topic.info.type == type) topic.info.definition = definitions.text(1);
         }
     }
-    if (code != SQLITE_DONE) m_facts.problems.push_back(problem("table message_definitions").text);
+    if (code != SQLITE_DONE)
+        m_facts.problems.push_back(
+            problem(leitstand::fill(translate("leitstand::Error", "table {}"), "message_definitions")).text);
 }
 
 Result<void> SqliteFile::readSpan() {
     Statement ends = m_database.prepare(
         "SELECT (SELECT min(id) FROM messages WHERE id > 0), (SELECT max(id) FROM messages WHERE id <= ?)");
-    if (!ends) return problem("table messages");
+    if (!ends) return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "messages"));
     ends.bind(1, static_cast<std::int64_t>(MaxId));
-    if (ends.step() != SQLITE_ROW) return problem("table messages");
+    if (ends.step() != SQLITE_ROW)
+        return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "messages"));
     if (ends.type(0) != SQLITE_INTEGER || ends.type(1) != SQLITE_INTEGER) return {};
     m_facts.firstId = static_cast<std::uint64_t>(ends.integer(0));
     m_facts.lastId = static_cast<std::uint64_t>(ends.integer(1));
     if (m_facts.firstId > m_facts.lastId) {
-        m_facts.problems.push_back(
-            fmt::format("{}: table messages: expected ids from 1 to {}, found {} to {}", m_file.string(),
-                        MaxId, ends.integer(0), ends.integer(1)));
+        m_facts.problems.push_back(leitstand::fill(
+            translate("leitstand::Error", "{}: table messages: expected ids from 1 to {}, found {} to {}"),
+            m_file.string(), MaxId, ends.integer(0), ends.integer(1)));
         m_facts.firstId = m_facts.lastId = 0;
         return {};
     }
@@ -151,10 +161,11 @@ Result<void> SqliteFile::readSpan() {
             ? "SELECT (SELECT min(timestamp) FROM messages), (SELECT max(timestamp) FROM messages)"
             : "SELECT (SELECT timestamp FROM messages WHERE id = ?1), "
               "(SELECT timestamp FROM messages WHERE id = ?2)");
-    if (!times) return problem("table messages");
+    if (!times) return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "messages"));
     times.bind(1, ends.integer(0));
     times.bind(2, ends.integer(1));
-    if (times.step() != SQLITE_ROW) return problem("table messages");
+    if (times.step() != SQLITE_ROW)
+        return problem(leitstand::fill(translate("leitstand::Error", "table {}"), "messages"));
     m_facts.first = timeAt(times.integer(0));
     m_facts.last = timeAt(times.integer(1));
     return {};

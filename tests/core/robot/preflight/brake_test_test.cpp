@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/preflight/brake_says.h"
+
 namespace leitstand::test {
 namespace {
 
