@@ -77,15 +77,17 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
 }
 
 bool Explorer::looksAgain(const Pose& baseInOdom, Time now) {
+    // Whoever stands in the way may have gone on meanwhile.
+    if (m_doubted && m_doubts <= MostDoubts && secondsBetween(*m_doubted, now) >= m_settings.waitForOthers)
+        m_doubted.reset();
     if (!m_doubted) {
         const double seen = m_memory.seenArea();
         m_doubts = seen > m_seenThen + NewFloor ? 1 : m_doubts + 1;
         m_seenThen = seen;
         m_doubted = now;
-        if (m_doubts > MostDoubts) return false;
-        m_memory.doubt(baseInOdom.translation().head<2>(), 1.5);
+        if (m_doubts <= MostDoubts) m_memory.doubt(baseInOdom.translation().head<2>(), 1.5);
     }
-    return m_doubts <= MostDoubts && secondsBetween(*m_doubted, now) < m_settings.lookFirst;
+    return m_doubts <= MostDoubts;
 }
 
 std::optional<Eigen::Vector2d> Explorer::aim(const Pose& baseInOdom) const {

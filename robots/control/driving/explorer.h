@@ -22,6 +22,8 @@ struct ExplorerSettings {
     double blindAfter = 3.5;  ///< without a raw scan it stands [s]
     double lookFirst = 5.0;   ///< at the beginning: two turns of the scanner [s]
     double replan = 0.5;      ///< [s]
+    /// Without a way it looks again, so long each of two times: another robot may stand in it [s].
+    double waitForOthers = 12.0;
 };
 
 /// One step of exploring.

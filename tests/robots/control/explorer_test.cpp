@@ -101,6 +101,27 @@ TEST(Explorer, ComesOutOfADeadEnd) {
     EXPECT_EQ(ground.touches(), 0);
 }
 
+TEST(Explorer, GoesOnWhenWhoStoodInItsWayHasGone) {
+    TestGround ground(maze({"+-+-+-+-+-+-+-+-+", "|               |", "+-+-+-+-+-+-+-+-+"}, 1.2));
+    ground.place(0.6, 0.6, 0.0);
+    ground.obstacles.push_back({{2.0, 0.6}, {2.0, 0.6}, 0.5, 0.5});  // another robot, in a narrow passage
+    Explorer explorer(shippedDrive());
+    ExplorerStep step;
+    const auto passUntil = [&](double seconds) {
+        while (ground.seconds() < seconds && !step.done) {
+            step = explorer.step(ground.view(), ground.baseInOdom(), ground.newest(), ground.now());
+            ground.step(step.velocity);
+        }
+    };
+    passUntil(22.0);
+    EXPECT_FALSE(step.done) << "somebody else may go on: " << step.reason;
+    EXPECT_LT(ground.baseInGround().translation().x(), 1.4);
+    ground.obstacles.pop_back();
+    passUntil(60.0);
+    EXPECT_GT(ground.baseInGround().translation().x(), 2.4) << step.reason;
+    EXPECT_EQ(ground.touches(), 0);
+}
+
 TEST(Explorer, SaysWhenThereIsNoWayToTheGoal) {
     TestGround ground(maze({"+-+-+-+", "|   | |", "+-+-+-+"}, 2.0));
     ground.place(1.0, 1.0, 0.0);
