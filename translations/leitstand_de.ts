@@ -2261,6 +2261,26 @@ Funk: %4 %5</translation>
         <source>release: the robot has not acknowledged the stop yet</source>
         <translation>Freigabe: der Roboter hat den Halt noch nicht bestätigt</translation>
     </message>
+    <message>
+        <source>{}: expected a map of rosbag2&apos;s metadata</source>
+        <translation>{}: erwartet wurden Metadaten von rosbag2</translation>
+    </message>
+    <message>
+        <source>{}: expected {} with a storage_identifier</source>
+        <translation>{}: erwartet wurde {} mit storage_identifier</translation>
+    </message>
+    <message>
+        <source>{}: expected rosbag2&apos;s metadata: {}</source>
+        <translation>{}: erwartet wurden Metadaten von rosbag2: {}</translation>
+    </message>
+    <message>
+        <source>{}: message {} on page {}: expected {} bytes, found fewer</source>
+        <translation>{}: Nachricht {} auf Seite {}: erwartet wurden {} Bytes, da sind weniger</translation>
+    </message>
+    <message>
+        <source>{}: table {}</source>
+        <translation>{}: Tabelle {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>

@@ -2261,6 +2261,26 @@ Link: %4 %5</source>
         <source>release: the robot has not acknowledged the stop yet</source>
         <translation>解除: ロボットはまだ停止を確認していません</translation>
     </message>
+    <message>
+        <source>{}: expected a map of rosbag2&apos;s metadata</source>
+        <translation>{}: rosbag2 のメタデータが必要</translation>
+    </message>
+    <message>
+        <source>{}: expected {} with a storage_identifier</source>
+        <translation>{}: {} に storage_identifier が必要</translation>
+    </message>
+    <message>
+        <source>{}: expected rosbag2&apos;s metadata: {}</source>
+        <translation>{}: rosbag2 のメタデータが必要: {}</translation>
+    </message>
+    <message>
+        <source>{}: message {} on page {}: expected {} bytes, found fewer</source>
+        <translation>{}: メッセージ {} (ページ {}): {} バイトのはずが足りません</translation>
+    </message>
+    <message>
+        <source>{}: table {}</source>
+        <translation>{}: 表 {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 
 namespace {
@@ -162,14 +164,18 @@ std::string yamlOf(const BagMetadata& metadata, bool bare) {
 Result<BagMetadata> parseMetadata(const std::string& yaml, const std::string& name) {
     try {
         YAML::Node root = YAML::Load(yaml);
-        if (!root.IsMap()) return Error{name + ": expected a map of rosbag2's metadata"};
+        if (!root.IsMap())
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: expected a map of rosbag2's metadata"), name)};
         if (root[Root]) root.reset(root[Root]);
         if (!root.IsMap() || !root["storage_identifier"]) {
-            return Error{fmt::format("{}: expected {} with a storage_identifier", name, Root)};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: expected {} with a storage_identifier"), name, Root)};
         }
         return metadataOf(root);
     } catch (const std::exception& problem) {  // what YAML throws names line and column
-        return Error{fmt::format("{}: expected rosbag2's metadata: {}", name, problem.what())};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: expected rosbag2's metadata: {}"),
+                                     name, problem.what())};
     }
 }
 

@@ -127,8 +127,9 @@ std::optional<BagRow> SalvagedFile::rowOf(const Found& found) {
     const auto record = wholeRecord(m_pages, found.cell);
     if (!record) {
         if (m_incomplete++ < MostGapsTold) {
-            m_news.push_back(fmt::format("{}: message {} on page {}: expected {} bytes, found fewer",
-                                         m_file.string(), found.id, found.cell.page, found.cell.size));
+            m_news.push_back(leitstand::fill(
+                translate("leitstand::Error", "{}: message {} on page {}: expected {} bytes, found fewer"),
+                m_file.string(), found.id, found.cell.page, found.cell.size));
         }
         return std::nullopt;
     }

@@ -47,7 +47,9 @@ Result<void> SqliteFile::connect(bool live) {
     const int flags = live ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
     std::error_code problemOfPath;
     auto opened = Database::open(fs::absolute(m_file, problemOfPath).string(), flags, vfs);
-    if (!opened) return Error{fmt::format("{}: cannot be opened: {}", m_file.string(), opened.error().text)};
+    if (!opened)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened: {}"),
+                                     m_file.string(), opened.error().text)};
     m_database = std::move(opened).value();
     sqlite3* handle = m_database.handle();
     sqlite3_busy_timeout(handle, 2'000);
@@ -174,7 +176,9 @@ Result<void> SqliteFile::readSpan() {
 void SqliteFile::readCounts() {
     Statement row = m_database.prepare("SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1");
     if (row && row.step() == SQLITE_ROW) {
-        const auto metadata = parseMetadata(row.text(0), m_file.string() + ": table metadata");
+        const auto metadata = parseMetadata(
+            row.text(0),
+            leitstand::fill(translate("leitstand::Error", "{}: table {}"), m_file.string(), "metadata"));
         if (metadata) {
             for (const auto& counted : metadata->topics) {
                 for (auto& [id, topic] : m_facts.topics) {
