@@ -36,9 +36,25 @@ bool onGrid(double low, double perPixel) {
     return line - low < perPixel - 1e-9;
 }
 
+/// What a pixel, whose middle is given, has of @p grid: of many cells one that is occupied, else one that is
+/// explored, so that walls do not vanish between the middles of pixels.
+OccupancyGrid::Cell cellIn(const OccupancyGrid& grid, double x, double y, double perPixel) {
+    OccupancyGrid::Cell shown = grid.at(x, y);
+    const int across = static_cast<int>(std::lround(perPixel / grid.cell));
+    if (across < 2) return shown;
+    for (int i = 0; i < across * across && shown.state != OccupancyGrid::State::Occupied; ++i) {
+        const double u = (i % across + 0.5) / across - 0.5, v = (i / across + 0.5) / across - 0.5;
+        const OccupancyGrid::Cell cell = grid.at(x + u * perPixel, y + v * perPixel);
+        const bool more =
+            cell.state == OccupancyGrid::State::Occupied || shown.state == OccupancyGrid::State::Unexplored;
+        if (more) shown = cell;
+    }
+    return shown;
+}
+
 /// Unexplored, explored, grid, cleared and walls: what one pixel shows of them.
 Rgb groundColour(const OccupancyGrid& grid, double x, double y, double perPixel) {
-    const OccupancyGrid::Cell cell = grid.at(x, y);
+    const OccupancyGrid::Cell cell = cellIn(grid, x, y, perPixel);
     const auto sure = [](float value) { return std::clamp(value, 0.0F, 1.0F); };
     switch (cell.state) {
         case OccupancyGrid::State::Unexplored:
@@ -140,10 +156,11 @@ MapPicture blank(const MapArea& area, double perPixel) {
     return map;
 }
 
-/// The finest resolution at which @p area is not too large; multiples keep cells on whole pixels.
+/// The finest resolution at which @p area is not too large, of those of which cells of 5 cm, 10 cm and so on
+/// are whole pixels, or pixels whole cells, and 0.5 m of the grid and 1 m too.
 double resolutionFor(const MapArea& area, double mostPixels) {
     const double square = (area.high - area.low).prod();
-    for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+    for (const double step : {0.01, 0.025, 0.05, 0.1, 0.25, 0.5}) {
         if (square / (step * step) <= mostPixels) return step;
     }
     return std::ceil(std::sqrt(square / mostPixels));

@@ -133,6 +133,37 @@ TEST(MapRules, TheGridIsAPixelWideEveryHalfMetreAllOverTheFloor) {
     }
 }
 
+TEST(MapRules, AWallOfOneCellStaysInAPictureOfCoarserPixels) {
+    for (const int column : {60, 61}) {
+        MapDrawing drawing = floorOf(State::Free);
+        for (int row = 0; row < 120; ++row)
+            drawing.grid.cells[static_cast<std::size_t>(120 * row + column)].state = State::Occupied;
+        PaintSettings settings;
+        settings.area = MapArea{{0.0, 0.0}, {6.0, 6.0}};
+        settings.title = false;
+        settings.perPixel = 0.1;
+        EXPECT_EQ(longestRun(paintMap(drawing, settings), map_colour::Wall), 60) << "cell " << column;
+    }
+}
+
+TEST(MapRules, HoweverLargeTheMapACellIsAsManyPixelsAsAnother) {
+    MapDrawing drawing = floorOf(State::Free);
+    for (std::size_t i = 0; i < drawing.grid.cells.size(); i += 2)
+        drawing.grid.cells[i].state = State::Occupied;  // stripes of a cell, 120 cells a row
+    for (const double most : {36e6, 250e3, 60e3}) {
+        PaintSettings settings;
+        settings.area = MapArea{{0.0, 0.0}, {6.0, 6.0}};
+        settings.title = false;
+        settings.mostPixels = most;
+        const MapPicture map = paintMap(drawing, settings);
+        EXPECT_LE(map.picture.width * map.picture.height, most);
+        std::size_t walls = 0;
+        for (int row = 0; row < map.picture.height; ++row)
+            walls += map.at(3, row) == map_colour::Wall ? 1 : 0;
+        EXPECT_EQ(2 * walls, static_cast<std::size_t>(map.picture.height)) << map.perPixel << " m";
+    }
+}
+
 TEST(MapRules, AHazardHasItsSizeAndItsNumberInWhite) {
     MapDrawing drawing = floorOf(State::Occupied);  // nothing white but the number
     drawing.marks = {{Kind::Hazard, 7, {3.0, 3.0}}};
