@@ -260,6 +260,10 @@
         <translation>%1 m vom Start von %2 entlang der gefahrenen Spur, die letzten %3 m geradeaus.</translation>
     </message>
     <message>
+        <source>%1 m from the start of %2 along the driven trail; for the last %3 m, no free straight way is known.</source>
+        <translation>%1 m vom Start von %2 entlang der gefahrenen Spur; für die letzten %3 m ist kein freier gerader Weg bekannt.</translation>
+    </message>
+    <message>
         <source>Report of a rescue mission</source>
         <translation>Bericht einer Rettungsmission</translation>
     </message>

@@ -260,6 +260,10 @@
         <translation>%2 の出発点から走行経路沿いに %1 m、最後の %3 m は直進。</translation>
     </message>
     <message>
+        <source>%1 m from the start of %2 along the driven trail; for the last %3 m, no free straight way is known.</source>
+        <translation>%2 の出発点から走行経路沿いに %1 m。最後の %3 m は、障害物のない直線経路が確認されていない。</translation>
+    </message>
+    <message>
         <source>Report of a rescue mission</source>
         <translation>救助ミッション報告書</translation>
     </message>

@@ -180,8 +180,14 @@ QString findRows(const ReportModel& model) {
 
 QString wayText(const ReportFind& find) {
     if (find.way.points.empty()) return ReportText::tr("No robot drove near it: there is no way to tell.");
-    return ReportText::tr("%1 m from the start of %2 along the driven trail, the last %3 m straight on.")
-        .arg(reportNumber(find.way.length, 1), safe(find.way.robot), reportNumber(find.way.lastPiece, 1));
+    const QString text =
+        find.way.clear
+            ? ReportText::tr("%1 m from the start of %2 along the driven trail, the last %3 m straight on.")
+            : ReportText::tr(
+                  "%1 m from the start of %2 along the driven trail; for the last %3 m, no free "
+                  "straight way is known.");
+    return text.arg(reportNumber(find.way.length, 1), safe(find.way.robot),
+                    reportNumber(find.way.lastPiece, 1));
 }
 
 QString picturesHtml(const std::vector<PrintedPicture>& pictures, std::size_t find) {

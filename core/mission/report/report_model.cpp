@@ -137,9 +137,9 @@ void addFinds(ReportModel& model, const MissionState& state) {
         find.sample = sample;
         find.name = nameOf(sample.kind, sample.number);
         find.position = positionInMap(state, sample);
-        find.aboveFloor = find.position.z() - model.floor.at(find.position.x(), find.position.y());
+        find.aboveFloor = find.position.z() - model.floor.below(find.position);
         find.missionTime = std::max(nanoseconds::zero(), nanoseconds(sample.found - state.first));
-        if (find.position.allFinite()) find.way = ways.to(find.position);
+        if (find.position.allFinite()) find.way = ways.to(find.position, model.grids.front(), model.floor);
         model.finds.push_back(std::move(find));
     }
 }

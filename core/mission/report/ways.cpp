@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +17,30 @@ constexpr double Apart = 0.10;    ///< trails are thinned to this [m]
 constexpr double Crossing = 0.3;  ///< trails that come so near meet [m]
 constexpr double Storey = 0.3;    ///< ... unless one is so far above the other [m]
 constexpr double Far = std::numeric_limits<double>::infinity();
+
+constexpr double Touching = 0.15;  ///< of a find: what is seen so near is its own surface [m] ...
+constexpr double Own = 0.4;        ///< ... and what goes on from there, up to here [m]
+constexpr double Beside = 0.05;    ///< of a straight piece, what stands so near is in its way [m]
+constexpr double Alike = 0.15;     ///< points that are nearer by less count for as near [m]
+
+/// Whether @p map shows nothing between @p place and @p from but the surface of what is at @p place.
+bool isClear(const OccupancyGrid& map, const Eigen::Vector2d& place, const Eigen::Vector2d& from) {
+    const double length = (from - place).norm(), step = map.cell / 2;
+    if (length < step) return true;
+    const Eigen::Vector2d along = (from - place) / length,
+                          side = Beside * Eigen::Vector2d(-along.y(), along.x());
+    const auto occupied = [&](const Eigen::Vector2d& at) {
+        return map.at(at.x(), at.y()).state == OccupancyGrid::State::Occupied;
+    };
+    bool own = false;
+    for (double away = 0.0; away <= length; away += step) {
+        const Eigen::Vector2d at = place + away * along;
+        const bool stands = occupied(at) || occupied(at + side) || occupied(at - side);
+        own = stands && (own || away <= Touching);
+        if (stands && (!own || away > Own)) return false;
+    }
+    return true;
+}
 
 std::int64_t keyOf(const Eigen::Vector3d& point, int dx = 0, int dy = 0) {
     const auto x = static_cast<std::int64_t>(std::floor(point.x() / Crossing)) + dx,
@@ -96,24 +122,47 @@ WayFinder::~WayFinder() = default;
 WayFinder::WayFinder(WayFinder&&) noexcept = default;
 WayFinder& WayFinder::operator=(WayFinder&&) noexcept = default;
 
-Way WayFinder::to(const Eigen::Vector3d& place, double reach) const {
-    const auto& nodes = m_graph->nodes;
-    const auto away = [&](const Graph::Node& node) { return (node.point - place).head<2>().norm(); };
-    double nearest = Far;
-    for (const auto& node : nodes) nearest = std::min(nearest, away(node));
-    if (!(nearest <= reach)) return {};
+Way WayFinder::to(const Eigen::Vector3d& place, const OccupancyGrid& map, const FloorHeights& floor,
+                  double reach) const {
+    using Near = std::pair<double, const Graph::Node*>;
+    std::vector<Near> near;  // nearest first
+    for (const auto& node : m_graph->nodes) {
+        const double away = (node.point - place).head<2>().norm();
+        if (away <= reach) near.emplace_back(away, &node);
+    }
+    if (near.empty()) return {};
+    std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
+        return std::tie(a.first, a.second->way) < std::tie(b.first, b.second->way);
+    });
     // Of the points that are about as near, the one with the shortest way.
-    const Graph::Node* goal = nullptr;
-    for (const auto& node : nodes) {
-        if (away(node) > nearest + 0.15) continue;
-        if (goal == nullptr || node.way + away(node) < goal->way + away(*goal)) goal = &node;
+    const auto best = [&](auto serves) -> std::optional<Near> {
+        std::optional<Near> goal;
+        double most = Far;
+        for (const Near& one : near) {
+            if (one.first > most) break;
+            if (!serves(*one.second)) continue;
+            if (!goal) most = one.first + Alike;
+            if (!goal || one.second->way + one.first < goal->second->way + goal->first) goal = one;
+        }
+        return goal;
+    };
+    std::optional<Near> goal;
+    if (!map.empty()) {
+        const double ground = floor.below(place);
+        goal = best([&](const Graph::Node& node) {
+            return std::abs(floor.below(node.point) - ground) <= Storey &&
+                   isClear(map, place.head<2>(), node.point.head<2>());
+        });
     }
     Way way;
-    way.lastPiece = away(*goal);
-    way.length = goal->way + way.lastPiece;
-    way.robot = m_graph->robots[goal->robot];
+    way.clear = goal.has_value();
+    if (!goal) goal = best([](const Graph::Node&) { return true; });
+    way.lastPiece = goal->first;
+    way.length = goal->second->way + way.lastPiece;
+    way.robot = m_graph->robots[goal->second->robot];
     way.points.push_back(place);
-    for (const Graph::Node* node = goal;; node = &nodes[static_cast<std::size_t>(node->before)]) {
+    for (const Graph::Node* node = goal->second;;
+         node = &m_graph->nodes[static_cast<std::size_t>(node->before)]) {
         way.points.push_back(node->point);
         if (node->before < 0) break;
     }

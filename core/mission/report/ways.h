@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "core/mission/report/floor_heights.h"
+#include "core/mission/report/occupancy_grid.h"
 #include "core/mission/report/robot_path.h"
 
 namespace leitstand {
@@ -16,6 +18,7 @@ struct Way {
     std::vector<Eigen::Vector3d> points;  ///< from the start to the place [m]; empty: no robot drove near it
     double length = 0.0;                  ///< along the points, with the last piece [m]
     double lastPiece = 0.0;               ///< from where a robot drove to the place, straight [m]
+    bool clear = false;                   ///< whether the map shows nothing in the way of the last piece
     std::string robot;                    ///< whose start it begins at
 };
 
@@ -27,9 +30,13 @@ public:
     WayFinder(WayFinder&&) noexcept;
     WayFinder& operator=(WayFinder&&) noexcept;
 
-    /// The way from the nearest start of a robot to @p place: to the trail's nearest point, then straight.
-    /// Empty when the nearest trail is farther than @p reach [m].
-    [[nodiscard]] Way to(const Eigen::Vector3d& place, double reach = 5.0) const;
+    /// The way from the nearest start of a robot to @p place: along the trails to the nearest point from
+    /// which
+    /// @p map, at the height that stops robots, shows nothing in between but what @p place itself is, and
+    /// whose floor is on the storey of the floor below it; then straight. Where there is none, to the trail's
+    /// nearest point. Empty when the nearest trail is farther than @p reach [m].
+    [[nodiscard]] Way to(const Eigen::Vector3d& place, const OccupancyGrid& map = {},
+                         const FloorHeights& floor = {}, double reach = 5.0) const;
 
 private:
     struct Graph;
