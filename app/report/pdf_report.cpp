@@ -18,6 +18,7 @@
 
 #include "app/report/evidence_html.h"
 #include "app/report/gas_curve.h"
+#include "app/report/map_callouts.h"
 #include "app/report/pdf_identity.h"
 #include "app/report/report_html.h"
 
@@ -120,21 +121,25 @@ public:
         m_below += Gap + high;
     }
 
-    /// A picture as large as there is room for; on the next page where that is little.
-    void picture(const QImage& image, const QString& caption) {
+    /// A picture as large as there is room for, with what @p over draws into its place and so far @p below it
+    /// [dots]; on the next page where that is little.
+    void picture(const QImage& image, const QString& caption, double below = 0.0,
+                 const std::function<void(QPainter&, const QRectF&)>& over = {}) {
         if (image.isNull()) return;
         if (m_below > 0.0 && m_size.height() - m_below < LeastPicture) nextPage();
         const double line = caption.isEmpty() ? 0.0 : 18.0;
-        const QSizeF room(m_size.width(), m_size.height() - m_below - Gap - line);
+        const QSizeF room(m_size.width(), m_size.height() - m_below - Gap - below - line);
         const QSizeF size = QSizeF(image.size()).scaled(room, Qt::KeepAspectRatio);
         const QPointF corner((m_size.width() - size.width()) / 2, m_below + Gap);
         m_painter.setRenderHint(QPainter::LosslessImageRendering);
         m_painter.drawImage(QRectF(corner, size), image);
         m_painter.setRenderHint(QPainter::LosslessImageRendering, false);
         m_painter.setFont(m_font);
-        m_painter.drawText(QRectF(0.0, corner.y() + size.height(), m_size.width(), line),
-                           Qt::AlignHCenter | Qt::AlignVCenter, caption);
-        m_below = corner.y() + size.height() + line;
+        if (over) over(m_painter, QRectF(corner, size));
+        m_below = corner.y() + size.height() + below;
+        m_painter.drawText(QRectF(0.0, m_below, m_size.width(), line), Qt::AlignHCenter | Qt::AlignVCenter,
+                           caption);
+        m_below += line;
     }
 
 private:
@@ -176,8 +181,15 @@ void layOut(Pages& pages, const ReportContent& content) {
     for (std::size_t band = 0; band < content.maps.size(); ++band) {
         pages.nextPage();
         pages.text(QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, band).toHtmlEscaped()));
-        pages.picture(imageOf(content.maps[band].picture),
-                      PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"));
+        const MapPicture& map = content.maps[band];
+        const auto over = [&](QPainter& painter, const QRectF& picture) {
+            drawCallouts(painter, picture, map, marksOf(content.model));
+            const double dots = picture.width() / map.picture.width / map.perPixel;
+            drawScale(painter, picture.bottomLeft(), dots);
+        };
+        pages.picture(imageOf(map.picture),
+                      PdfText::tr("x is up, y is left; lines of the grid are 0.5 m apart"), ScaleHeight,
+                      over);
     }
     for (std::size_t find = 0; find < content.finds.size(); ++find) {
         pages.nextPage();

@@ -1,5 +1,6 @@
 #include "tests/support/others_tools.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -25,12 +26,34 @@ ProcessOutcome readByGdal(const fs::path& map) {
     return readBy("/usr/bin/gdalinfo", "gdal-bin", {map.string()});
 }
 
+ProcessOutcome colourByGdal(const fs::path& map, double x, double y) {
+    // Of a picture of our map east is -y and north is x.
+    ProcessOutcome read =
+        readBy("/usr/bin/gdallocationinfo", "gdal-bin",
+               {"-valonly", "-geoloc", map.string(), std::to_string(-y), std::to_string(x)});
+    while (read.out.ends_with('\n')) read.out.pop_back();
+    std::replace(read.out.begin(), read.out.end(), '\n', ' ');
+    return read;
+}
+
+ProcessOutcome readByPython(const std::string& script, const fs::path& file) {
+    return readBy("/usr/bin/python3", "python3", {"-c", script, file.string()});
+}
+
+ProcessOutcome askBySqlite(const fs::path& log, const std::string& query) {
+    return readBy("/usr/bin/sqlite3", "sqlite3", {log.string(), query});
+}
+
 ProcessOutcome readByOctomap(const fs::path& tree) {
     return readBy("/usr/bin/bt2vrml", "octomap-tools", {tree.string()});
 }
 
 ProcessOutcome readByPoppler(const fs::path& pages) {
     return readBy("/usr/bin/pdftotext", "poppler-utils", {"-layout", pages.string(), "-"});
+}
+
+ProcessOutcome boxesByPoppler(const fs::path& pages) {
+    return readBy("/usr/bin/pdftotext", "poppler-utils", {"-bbox", pages.string(), "-"});
 }
 
 ProcessOutcome readByPcl(const fs::path& ply, const fs::path& pcd) {

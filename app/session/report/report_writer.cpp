@@ -116,7 +116,7 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     for (std::size_t band = 0; model.hasMap() && band < model.grids.size(); ++band) {
         if (progress.cancelled()) break;
         PaintSettings settings;
-        settings.title = false;
+        settings.title = settings.names = false;  // the page has them, in letters
         settings.mostPixels = PrintedPixels;
         content.maps.push_back(paintMap(drawingOf(model, band, ""), settings));
     }

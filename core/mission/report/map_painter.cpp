@@ -82,12 +82,13 @@ void paintGround(MapCanvas& canvas, const OccupancyGrid& grid) {
     }
 }
 
-void paintMark(MapCanvas& canvas, const MapMark& mark) {
+void paintMark(MapCanvas& canvas, const MapMark& mark, bool names) {
     const auto numbered = [&](double height) {
         canvas.centredText(mark.place, std::to_string(mark.number), height, map_colour::Number);
     };
     // Marks without a number of their own by the rules have their name beside them, as text.
     const auto named = [&] {
+        if (!names) return;
         const Eigen::Vector2d beside = mark.place + Eigen::Vector2d(-0.08, -0.26);
         canvas.text(beside, nameOf(mark), 0.16, map_colour::Text);
     };
@@ -111,10 +112,10 @@ void paintMark(MapCanvas& canvas, const MapMark& mark) {
 }
 
 /// Where marks lie over each other, as a victim's and that of its tag, what counts most is on top.
-void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks) {
+void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks, bool names) {
     std::stable_sort(marks.begin(), marks.end(),
                      [](const MapMark& a, const MapMark& b) { return a.kind > b.kind; });
-    for (const MapMark& mark : marks) paintMark(canvas, mark);
+    for (const MapMark& mark : marks) paintMark(canvas, mark, names);
 }
 
 /// A bar of a metre, and which way x and y go: up and to the left.
@@ -233,7 +234,7 @@ MapPicture paintMap(const MapDrawing& drawing, const PaintSettings& settings) {
                         start.place - 0.5 * half * along, start.place - half * along - 0.6 * half * side},
                        map_colour::Start);
     }
-    paintMarks(canvas, drawing.marks);
+    paintMarks(canvas, drawing.marks, settings.names);
     if (settings.title) {
         const Eigen::Vector2d corner = canvas.map().topLeft;
         canvas.text(corner - Eigen::Vector2d(Inset + TextHeight, Inset), drawing.title, TextHeight,

@@ -15,6 +15,7 @@ struct PaintSettings {
     double perPixel = 0.0;             ///< [m]; 0: 0.01, or coarser where that would be more than mostPixels
     double mostPixels = 36e6;
     bool title = true;  ///< with name, scale bar and orientation
+    bool names = true;  ///< beside marks that have no number in them
 };
 
 /// A picture of a map: x of the map is up, y is left.

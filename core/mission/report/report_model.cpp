@@ -179,6 +179,15 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
     return model;
 }
 
+std::vector<MapMark> marksOf(const ReportModel& model) {
+    std::vector<MapMark> marks;
+    for (const ReportFind& find : model.finds) {
+        if (find.position.allFinite())
+            marks.push_back({kindOf(find.sample), find.sample.number, find.position.head<2>()});
+    }
+    return marks;
+}
+
 MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title) {
     MapDrawing drawing;
     drawing.title = std::move(title);
@@ -192,10 +201,7 @@ MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string tit
         const Pose& first = robot.path.poses.front().baseInMap;
         drawing.starts.push_back({first.translation().head<2>(), std::atan2(first(1, 0), first(0, 0))});
     }
-    for (const ReportFind& find : model.finds) {
-        if (find.position.allFinite())
-            drawing.marks.push_back({kindOf(find.sample), find.sample.number, find.position.head<2>()});
-    }
+    drawing.marks = marksOf(model);
     return drawing;
 }
 

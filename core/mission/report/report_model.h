@@ -93,6 +93,9 @@ struct ReportModel {
 /// The report of @p input; equal inputs make equal reports.
 [[nodiscard]] ReportModel reportOf(const ReportInput& input, const Progress& progress = {});
 
+/// What was found, as it is marked in maps of @p model.
+[[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model);
+
 /// The map of @p model at the height of number @p band, with everything that is marked in it.
 [[nodiscard]] MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title);
 

@@ -261,6 +261,12 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
     }
     if (what.setAside) rejectAll(writer, scans);
     if (what.finds) sayFinds(writer, scans, frozen);
+    for (int i = 0; i < what.victims; ++i) {
+        const Eigen::Vector3d far(-20.0 + 40.0 * (i % 4) / 3, -20.0 + 20.0 * (i / 4 % 3), 0.3),
+            beside(3.0 + 0.15 * i, 2.0 - 0.1 * i, 0.3);
+        const auto number = static_cast<std::uint32_t>(i + 1);
+        writer.say(find(VictimSample::Kind::Victim, number, i < 3 ? beside : far), station_topic::Victims);
+    }
 }
 
 }  // namespace leitstand::test

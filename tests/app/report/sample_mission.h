@@ -10,6 +10,7 @@ struct SampleMission {
     int odometry = 40;      ///< samples, along x
     bool finds = true;      ///< V1 confirmed with all evidence, V2 a hypothesis, V3 discarded, H1, Q1, O1
     bool info = true;       ///< competition, team, country, mission
+    int victims = 0;        ///< V1 and on, confirmed, over 40 m x 40 m, the first three beside each other
     bool setAside = false;  ///< the operator rejected every scan; their clouds are in the log too
 };
 
