@@ -11,6 +11,7 @@
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/places/frame_tracks.h"
+#include "app/session/report/relative_names.h"
 #include "app/session/scans/offline_map.h"
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
@@ -72,6 +73,12 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
             fill(translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
                  errors.count, topic, errors.last));
     }
+    std::vector<std::string> told;  // registration tells of damage too
+    for (std::string& warning : source.m_warnings) {
+        std::string named = namedWithin(std::move(warning), folder);
+        if (std::find(told.begin(), told.end(), named) == told.end()) told.push_back(std::move(named));
+    }
+    source.m_warnings = std::move(told);
     return source;
 }
 
