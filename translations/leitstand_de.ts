@@ -5478,6 +5478,10 @@ F1 listet alle Tasten</translation>
         <translation>es gibt keine Karte: kein Scan des Einsatzes zählt</translation>
     </message>
     <message>
+        <source>without a map there are no GeoTIFF, OctoMap, PLY and pages of the map</source>
+        <translation>ohne Karte gibt es weder GeoTIFF noch OctoMap, PLY und Kartenseiten</translation>
+    </message>
+    <message>
         <source>not confirmed, so in the map but not in the lists: {}</source>
         <translation>nicht bestätigt, also in der Karte, aber nicht in den Listen: {}</translation>
     </message>

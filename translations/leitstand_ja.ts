@@ -5478,6 +5478,10 @@ F1 でキー一覧</translation>
         <translation>地図がありません: 有効なスキャンがありません</translation>
     </message>
     <message>
+        <source>without a map there are no GeoTIFF, OctoMap, PLY and pages of the map</source>
+        <translation>地図がないため、GeoTIFF、OctoMap、PLY、地図ページはない</translation>
+    </message>
+    <message>
         <source>not confirmed, so in the map but not in the lists: {}</source>
         <translation>未確認のため地図にはあるが一覧にはないもの: {}</translation>
     </message>

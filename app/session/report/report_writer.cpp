@@ -81,6 +81,7 @@ void writeMaps(Writing& writing, const ReportModel& model) {
 
 void writeLists(Writing& writing, const ReportModel& model) {
     for (const auto kind : {FindList::Kind::Victims, FindList::Kind::Codes, FindList::Kind::Pois}) {
+    if (!model.hasMap()) return;
         writing.file(endingOf(kind),
                      [&](const fs::path& file) { return writeFindList(file, listOf(model, kind)); });
     }
@@ -168,6 +169,10 @@ std::vector<ReportFile> checked(const Writing& writing, const Progress& progress
         file.bytes = fs::file_size(writing.folder() / name, ignored);
         const auto check = checkFile(writing.folder() / name);
         file.whole = check.ok();
+    if (!model.hasMap())
+        warnings.push_back(
+            translate("leitstand::ReportText",
+                      "without a map there are no GeoTIFF, OctoMap, PLY and pages of the map"));
         file.check = check ? *check : check.error().text;
         files.push_back(std::move(file));
     }

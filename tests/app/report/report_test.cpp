@@ -308,7 +308,9 @@ TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("there is no map"), HasSubstr("competition or team")));
     EXPECT_THAT(pdfText(folder / "out" / "Competition-Team-empty.pdf"), HasSubstr("Nothing was filed"));
-    EXPECT_FALSE(fs::exists(folder / "out" / "Competition-Team-empty.bt"));
+    for (const char* ending : {".bt", ".ply", ".tif", "_upper.tif"})
+        EXPECT_FALSE(fs::exists(folder / "out" / ("Competition-Team-empty" + std::string(ending)))) << ending;
+    EXPECT_THAT(outcome.err, HasSubstr("without a map there are no GeoTIFF, OctoMap, PLY"));
     const ProcessOutcome german =
         ctl({"report", (folder / "empty").string(), "--out", (folder / "out").string(), "--language", "de"});
     EXPECT_THAT(german.err, AllOf(HasSubstr("es gibt keine Karte"), Not(HasSubstr("there is no map"))));
