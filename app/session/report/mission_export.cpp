@@ -39,9 +39,10 @@ ReportFile told(const fs::path& file, std::string check) {
 }
 
 /// The file that was @p written, read again.
-Result<ReportFile> again(const Result<void>& written, const fs::path& file) {
+Result<ReportFile> again(const Result<void>& written, const fs::path& file,
+                         const FileContents& contents = {}) {
     if (!written) return written.error();
-    const auto check = checkFile(file);
+    const auto check = checkFile(file, contents);
     if (!check) return check.error();
     return told(file, *check);
 }
@@ -55,6 +56,7 @@ Result<ReportFile> exportCloud(const fs::path& out, const ReportInput& input, do
         for (const ReportScan& scan : input.scans) placed.push_back({scan.scan, scan.scanInMap});
     }
     if (const auto written = writeMapCloud(out, placed); !written) return written.error();
+    if (const auto check = checkMapCloud(out, placed); !check) return check.error();
     std::size_t points = 0;
     for (const PlacedScan& scan : placed) points += scan.scan->points.size();
     return told(out, fmt::format("{} points of {} scans", points, input.scans.size()));
@@ -85,7 +87,8 @@ Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel&
     for (const std::size_t one : robots) {
         fs::path file = out;
         if (robots.size() > 1) file.replace_filename(out.stem().string() + endings[one]);
-        auto written = again(writeTum(file, trajectoryOf(model.robots[one])), file);
+        const auto poses = trajectoryOf(model.robots[one]);
+        auto written = again(writeTum(file, poses), file, {.count = poses.size()});
         if (!written) return written.error();
         outcome.files.push_back(std::move(written).value());
     }
@@ -110,11 +113,12 @@ Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, 
     if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
     if (ending == ".bt") return one(again(writeOctomap(out, model.evidence), out));
     if (ending == ".tif") {
-        const auto drawing = drawingOf(model, options.upper ? 1 : 0, out.filename().string());
-        return one(again(writeGeoTiff(out, paintMap(drawing)), out));
+        const MapPicture map = paintMap(drawingOf(model, options.upper ? 1 : 0, out.filename().string()));
+        return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
     }
     if (ending == ".tum") return exportTrajectories(out, model, options.robot);
-    return one(again(writeFindList(out, listOf(model, listKind(out))), out));
+    const FindList list = listOf(model, listKind(out));
+    return one(again(writeFindList(out, list), out, {.count = list.finds.size()}));
 }
 
 }  // namespace

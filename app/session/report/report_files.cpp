@@ -1,7 +1,11 @@
 #include "app/session/report/report_files.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numeric>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -12,6 +16,7 @@
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
 #include "core/io/report/search_list.h"
+#include "core/io/scan_source.h"
 #include "core/mission/report/file_names.h"
 #include "core/scan/voxel_grid.h"
 
@@ -20,23 +25,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::string> checkTiff(const fs::path& file) {
+/// @p found @p what of @p file, or that it is to have others.
+Result<std::string> counted(const fs::path& file, std::size_t found, const std::string& what,
+                            const FileContents& expected) {
+    if (expected.count && *expected.count != found)
+        return Error{
+            fmt::format("{}: expected {} {}, found {}", file.string(), *expected.count, what, found)};
+    return fmt::format("{} {}", found, what);
+}
+
+Result<std::string> checkTiff(const fs::path& file, const FileContents& expected) {
     const auto map = readGeoTiff(file);
     if (!map) return map.error();
+    if (const auto& frame = expected.frame) {
+        const bool large = map->picture.width == frame->width && map->picture.height == frame->height;
+        if (!large)
+            return Error{fmt::format("{}: expected {} x {} pixels, found {} x {}", file.string(),
+                                     frame->width, frame->height, map->picture.width, map->picture.height)};
+        const double off = std::max((map->topLeft - frame->topLeft).cwiseAbs().maxCoeff(),
+                                    frame->width * std::abs(map->perPixel - frame->perPixel));
+        if (!(off < 1e-6))
+            return Error{
+                fmt::format("{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found "
+                            "x {:g}, y {:g} m with {:g} m",
+                            file.string(), frame->topLeft.x(), frame->topLeft.y(), frame->perPixel,
+                            map->topLeft.x(), map->topLeft.y(), map->perPixel)};
+    }
     return fmt::format("{} x {} pixels of {:g} cm, georeferenced", map->picture.width, map->picture.height,
                        100 * map->perPixel);
 }
 
-Result<std::string> checkSearch(const fs::path& file) {
+Result<std::string> checkSearch(const fs::path& file, const FileContents& expected) {
     const auto rows = readSearchList(file);
     if (!rows) return rows.error();
-    return fmt::format("{} rows", rows->size());
+    return counted(file, rows->size(), "rows", expected);
 }
 
-Result<std::string> checkList(const fs::path& file) {
+Result<std::string> checkList(const fs::path& file, const FileContents& expected) {
     const auto list = readFindList(file);
     if (!list) return list.error();
-    return fmt::format("{} rows", list->finds.size());
+    return counted(file, list->finds.size(), "rows", expected);
 }
 
 Result<std::string> checkOctomap(const fs::path& file) {
@@ -45,23 +73,23 @@ Result<std::string> checkOctomap(const fs::path& file) {
     return fmt::format("{:g} m, {:.1f} m3 occupied, {:.1f} m3 free", tree->cell, tree->occupied, tree->free);
 }
 
-Result<std::string> checkCloud(const fs::path& file) {
+Result<std::string> checkCloud(const fs::path& file, const FileContents& expected) {
     const auto cloud = readPly(file);
     if (!cloud) return cloud.error();
     if (cloud->scan.labels.size() != cloud->scan.points.size())
         return Error{leitstand::fill(translate("leitstand::Error", "{}: expected a label for each point"),
                                      file.string())};
-    return fmt::format("{} points with labels", cloud->scan.points.size());
+    return counted(file, cloud->scan.points.size(), "points with labels", expected);
 }
 
-Result<std::string> checkTrajectory(const fs::path& file) {
+Result<std::string> checkTrajectory(const fs::path& file, const FileContents& expected) {
     const auto poses = readTum(file);
     if (!poses) return poses.error();
-    return fmt::format("{} poses", poses->size());
+    return counted(file, poses->size(), "poses", expected);
 }
 
 /// As far as a PDF can be checked without a reader of PDFs: its frame is whole.
-Result<std::string> checkPdf(const fs::path& file) {
+Result<std::string> checkPdf(const fs::path& file, const FileContents& expected) {
     std::ifstream in(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     if (!in && bytes.empty())
@@ -81,6 +109,9 @@ Result<std::string> checkPdf(const fs::path& file) {
     for (auto page = bytes.find("/Type /Page\n"); page != std::string::npos;
          page = bytes.find("/Type /Page\n", page + 1))
         ++pages;
+    if (expected.count && pages < *expected.count)
+        return Error{
+            fmt::format("{}: expected at least {} pages, found {}", file.string(), *expected.count, pages)};
     return pages > 0 ? fmt::format("{} pages", pages) : fmt::format("{} bytes", bytes.size());
 }
 
@@ -117,21 +148,52 @@ std::vector<std::string> trajectoryEndings(const std::vector<ReportRobot>& robot
     return endings;
 }
 
-Result<std::string> checkFile(const fs::path& file) {
+FileContents contentsOf(const MapPicture& map) {
+    return {.count = {},
+            .frame = FileContents::Frame{map.picture.width, map.picture.height, map.topLeft, map.perPixel}};
+}
+
+Result<std::string> checkFile(const fs::path& file, const FileContents& expected) {
     const std::string ending = file.extension().string();
-    if (ending == ".tif") return checkTiff(file);
-    if (file.filename().string().ends_with("_searched.csv")) return checkSearch(file);
-    if (ending == ".csv") return checkList(file);
+    if (ending == ".tif") return checkTiff(file, expected);
+    if (file.filename().string().ends_with("_searched.csv")) return checkSearch(file, expected);
+    if (ending == ".csv") return checkList(file, expected);
     if (ending == ".bt") return checkOctomap(file);
-    if (ending == ".ply") return checkCloud(file);
-    if (ending == ".tum") return checkTrajectory(file);
-    if (ending == ".pdf") return checkPdf(file);
+    if (ending == ".ply") return checkCloud(file, expected);
+    if (ending == ".tum") return checkTrajectory(file, expected);
+    if (ending == ".pdf") return checkPdf(file, expected);
     if (file.filename() == "SHA256SUMS") {
         const auto names = checkChecksums(file.parent_path());
         if (!names) return names.error();
-        return fmt::format("{} files as listed", names->size());
+        return counted(file, names->size(), "files as listed", expected);
     }
     return Error{leitstand::fill(translate("leitstand::Error", "{}: is no file of a report"), file.string())};
+}
+
+Result<void> checkMapCloud(const fs::path& out, const std::vector<PlacedScan>& scans) {
+    const auto echoes = [](const Scan& scan) {
+        return static_cast<std::size_t>(std::count_if(
+            scan.points.begin(), scan.points.end(),
+            [](const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(0.0F); }));
+    };
+    const auto files = listScans({out});
+    if (!files) return files.error();
+    std::vector<std::size_t> expected;
+    for (const PlacedScan& placed : scans) expected.push_back(echoes(*placed.scan));
+    std::error_code ignored;
+    if (!fs::is_directory(out, ignored))
+        expected = {std::accumulate(expected.begin(), expected.end(), std::size_t{0})};
+    if (files->size() != expected.size())
+        return Error{
+            fmt::format("{}: expected {} scans, found {}", out.string(), expected.size(), files->size())};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const auto read = readScan((*files)[i]);
+        if (!read) return read.error();
+        if (const auto count = counted((*files)[i], echoes(read->scan), "points", {.count = expected[i]});
+            !count)
+            return count.error();
+    }
+    return {};
 }
 
 }  // namespace leitstand

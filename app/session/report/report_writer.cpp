@@ -36,6 +36,12 @@ Progress part(const Progress& progress, double begin, double end) {
             progress.stop};
 }
 
+/// A file that was @p written, and what it is to hold.
+struct Written {
+    Result<void> written;
+    FileContents contents = {};
+};
+
 /// Writes the files of one report; where one fails the others are written all the same, until nobody wants
 /// them any more.
 class Writing {
@@ -51,12 +57,15 @@ public:
             return;
         }
         const std::string name = ending == "SHA256SUMS" ? ending : m_name + ending;
-        if (const Result<void> written = write(m_folder / name); !written) {
-            if (!m_failure) m_failure = written.error();
+        if (const Written done = write(m_folder / name); !done.written) {
+            if (!m_failure) m_failure = done.written.error();
         } else {
             m_names.push_back(name);
+            m_contents.push_back(done.contents);
         }
     }
+    /// What the file of number @p index of names() is to hold.
+    [[nodiscard]] const FileContents& contents(std::size_t index) const { return m_contents[index]; }
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
     [[nodiscard]] const fs::path& folder() const { return m_folder; }
@@ -66,43 +75,54 @@ private:
     fs::path m_folder;
     std::string m_name;
     std::vector<std::string> m_names;
+    std::vector<FileContents> m_contents;
     const Progress& m_progress;
     std::optional<Error> m_failure;  ///< the first
 };
 
 void writeMaps(Writing& writing, const ReportModel& model) {
+    if (!model.hasMap()) return;
     const std::vector<std::string> endings = {".tif", "_upper.tif"};
     for (std::size_t band = 0; band < endings.size(); ++band) {
-        writing.file(endings[band], [&](const fs::path& file) {
-            return writeGeoTiff(file, paintMap(drawingOf(model, band, file.filename().string())));
+        writing.file(endings[band], [&](const fs::path& file) -> Written {
+            const MapPicture map = paintMap(drawingOf(model, band, file.filename().string()));
+            return {writeGeoTiff(file, map), contentsOf(map)};
         });
     }
 }
 
 void writeLists(Writing& writing, const ReportModel& model) {
     for (const auto kind : {FindList::Kind::Victims, FindList::Kind::Codes, FindList::Kind::Pois}) {
-    if (!model.hasMap()) return;
-        writing.file(endingOf(kind),
-                     [&](const fs::path& file) { return writeFindList(file, listOf(model, kind)); });
+        writing.file(endingOf(kind), [&](const fs::path& file) -> Written {
+            const FindList list = listOf(model, kind);
+            return {writeFindList(file, list), {.count = list.finds.size()}};
+        });
     }
 }
 
 void writeSearch(Writing& writing, const ReportModel& model) {
     if (model.search.sensors.empty()) return;
-    writing.file("_searched.csv",
-                 [&](const fs::path& file) { return writeSearchList(file, searchListOf(model)); });
+    writing.file("_searched.csv", [&](const fs::path& file) -> Written {
+        const std::vector<ListedSearch> rows = searchListOf(model);
+        return {writeSearchList(file, rows), {.count = rows.size()}};
+    });
 }
 
 void writeClouds(Writing& writing, const ReportModel& model, const ReportInput& input) {
     if (!model.hasMap()) return;
-    writing.file(".bt", [&](const fs::path& file) { return writeOctomap(file, model.evidence); });
-    writing.file(".ply",
-                 [&](const fs::path& file) { return writePly(file, labelledCloud(input.scans, CloudEdge)); });
+    writing.file(".bt",
+                 [&](const fs::path& file) -> Written { return {writeOctomap(file, model.evidence)}; });
+    writing.file(".ply", [&](const fs::path& file) -> Written {
+        const Scan cloud = labelledCloud(input.scans, CloudEdge);
+        return {writePly(file, cloud), {.count = cloud.points.size()}};
+    });
     const std::vector<std::string> endings = trajectoryEndings(model.robots);
     for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (model.robots[i].path.poses.empty()) continue;
-        writing.file(endings[i],
-                     [&](const fs::path& file) { return writeTum(file, trajectoryOf(model.robots[i])); });
+        const auto poses = trajectoryOf(model.robots[i]);
+        if (poses.empty()) continue;
+        writing.file(endings[i], [&](const fs::path& file) -> Written {
+            return {writeTum(file, poses), {.count = poses.size()}};
+        });
     }
 }
 
@@ -149,6 +169,10 @@ void tellWhatIsMissing(const ReportModel& model, bool toldOfMap, std::vector<std
     if (!model.hasMap() && !toldOfMap)
         warnings.push_back(
             translate("leitstand::ReportText", "there is no map: no scan of the mission counts"));
+    if (!model.hasMap())
+        warnings.push_back(
+            translate("leitstand::ReportText",
+                      "without a map there are no GeoTIFF, OctoMap, PLY and pages of the map"));
     if (!unconfirmed.empty())
         warnings.push_back(
             fill(translate("leitstand::ReportText", "not confirmed, so in the map but not in the lists: {}"),
@@ -167,12 +191,8 @@ std::vector<ReportFile> checked(const Writing& writing, const Progress& progress
         file.name = name;
         std::error_code ignored;
         file.bytes = fs::file_size(writing.folder() / name, ignored);
-        const auto check = checkFile(writing.folder() / name);
+        const auto check = checkFile(writing.folder() / name, writing.contents(files.size()));
         file.whole = check.ok();
-    if (!model.hasMap())
-        warnings.push_back(
-            translate("leitstand::ReportText",
-                      "without a map there are no GeoTIFF, OctoMap, PLY and pages of the map"));
         file.check = check ? *check : check.error().text;
         files.push_back(std::move(file));
     }
@@ -220,10 +240,12 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     if (options.pdf && !progress.cancelled()) {
         const ReportContent content =
             contentOf(std::move(model), source, options, outcome.warnings, progress);
-        writing.file(".pdf", [&](const fs::path& file) -> Result<void> {
+        writing.file(".pdf", [&](const fs::path& file) -> Written {
             const auto bytes = options.pdf(content);
-            if (!bytes) return bytes.error();
-            return detail::writeWhole(file, *bytes);
+            if (!bytes) return {bytes.error()};
+            // A cover, each map, and each find.
+            return {detail::writeWhole(file, *bytes),
+                    {.count = 1 + content.maps.size() + content.finds.size()}};
         });
     }
     // Not before all of the new one is there, nor after it is listed: the list of what is old would be lost.
@@ -234,7 +256,9 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
         const auto problems = earlier.remove(outcome.name, listed, victims);
         outcome.warnings.insert(outcome.warnings.end(), problems.begin(), problems.end());
     }
-    writing.file("SHA256SUMS", [&](const fs::path&) { return writeChecksums(out, listed); });
+    writing.file("SHA256SUMS", [&](const fs::path&) -> Written {
+        return {writeChecksums(out, listed), {.count = listed.size()}};
+    });
     if (writing.failure()) return *writing.failure();
     progress.done(0.9);
     outcome.files = checked(writing, progress);

@@ -1,14 +1,19 @@
 // Reading a hand-in again finds what is broken in it.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session/report/report_files.h"
+#include "core/io/ply.h"
+#include "core/io/report/geotiff.h"
 #include "tests/app/report/sample_mission.h"
+#include "tests/core/mission/report/report_scene.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -40,8 +45,8 @@ protected:
         fs::copy_file(out() / name, m_folder / name);
         return m_folder / name;
     }
-    static void expectBroken(const fs::path& file) {
-        const auto check = checkFile(file);
+    static void expectBroken(const fs::path& file, const FileContents& expected = {}) {
+        const auto check = checkFile(file, expected);
         ASSERT_FALSE(check.ok()) << file << ": " << *check;
         EXPECT_THAT(check.error().text, HasSubstr(file.filename().string())) << "names the file";
         EXPECT_GT(check.error().text.size(), file.string().size() + 5U) << "and why";
@@ -104,6 +109,70 @@ TEST_F(CheckOneFile, ATrajectoryWithABrokenLineIsBroken) {
     ASSERT_TRUE(checkFile(file));
     std::ofstream(file, std::ios::app) << "1.0 2.0 here\n";
     expectBroken(file);
+}
+
+/// @p file without its last line.
+void cutLastLine(const fs::path& file) {
+    const std::string text = readText(file);
+    fs::resize_file(file, text.rfind('\n', text.size() - 2) + 1);
+}
+
+TEST_F(CheckOneFile, AListOrATrajectoryThatEndsARowTooEarlyIsBroken) {
+    for (const char* ending : {"_pois.csv", "_searched.csv", "_kurt3d.tum"}) {
+        const fs::path file = copied(ending);
+        const std::string text = readText(file), rows = text.substr(text.find("\n\n") + 1);
+        const auto lines = static_cast<std::size_t>(std::count(rows.begin(), rows.end(), '\n'));
+        // Before the rows: an empty line and the columns, or a line that tells the columns.
+        const std::size_t whole = lines - (ending == std::string("_pois.csv") ? 2 : 1);
+        EXPECT_TRUE(checkFile(file, {.count = whole})) << ending;
+        cutLastLine(file);
+        EXPECT_TRUE(checkFile(file)) << ending << ": it can be read all the same";
+        expectBroken(file, {.count = whole});
+    }
+}
+
+TEST_F(CheckOneFile, AMapOfAnotherPlaceOrSizeIsBroken) {
+    const fs::path file = copied(".tif");
+    const auto map = readGeoTiff(file);
+    ASSERT_TRUE(map) << map.error().text;
+    EXPECT_TRUE(checkFile(file, contentsOf(*map)));
+    FileContents shifted = contentsOf(*map), larger = shifted, coarser = shifted;
+    shifted.frame->topLeft.y() += 0.01;
+    larger.frame->height += 1;
+    coarser.frame->perPixel = 0.02;
+    for (const FileContents& other : {shifted, larger, coarser}) expectBroken(file, other);
+}
+
+TEST_F(CheckOneFile, APdfWithTooFewPagesAndACloudOfOtherPointsAreBroken) {
+    const fs::path pages = copied(".pdf"), cloud = copied(".ply");
+    EXPECT_TRUE(checkFile(pages, {.count = 8})) << "a cover, two maps, five finds";
+    expectBroken(pages, {.count = 100});
+    const auto read = readPly(cloud);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_TRUE(checkFile(cloud, {.count = read->scan.points.size()}));
+    expectBroken(cloud, {.count = read->scan.points.size() + 1});
+}
+
+TEST_F(CheckOneFile, AnExportedCloudIsComparedWithItsScans) {
+    std::vector<PlacedScan> scans;
+    for (const ReportScan& one : roomScans(2)) scans.push_back({one.scan, one.scanInMap});
+    const fs::path text = m_folder / "map.xyz", folder = m_folder / "uos/";
+    for (const fs::path& out : {text, fs::path(m_folder / "map.pcd"), folder}) {
+        const auto written = writeMapCloud(out, scans);
+        ASSERT_TRUE(written) << written.error().text;
+        const auto check = checkMapCloud(out, scans);
+        EXPECT_TRUE(check) << check.error().text;
+    }
+    cutLastLine(text);
+    const auto shorter = checkMapCloud(text, scans);
+    ASSERT_FALSE(shorter);
+    EXPECT_THAT(shorter.error().text, HasSubstr("map.xyz: expected"));
+    cutLastLine(folder / "scan001.3d");
+    const auto inFolder = checkMapCloud(folder, scans);
+    ASSERT_FALSE(inFolder);
+    EXPECT_THAT(inFolder.error().text, HasSubstr("scan001.3d: expected"));
+    fs::remove(folder / "scan001.3d");
+    EXPECT_FALSE(checkMapCloud(folder, scans)) << "a scan is missing";
 }
 
 TEST_F(CheckOneFile, SumsThatAreNotTheFilesAreBroken) {
