@@ -30,6 +30,7 @@
 #include "robots/simulation/scene/scene.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
+#include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
@@ -206,6 +207,23 @@ protected:
         return out() / "Competition-Team-mission";
     }
 
+    /// The log of each session as SQLite's own program reads a copy of it, write-ahead log and all.
+    void readLogsBySqlite() const {
+        const fs::path copy = m_folder / "copy";
+        fs::copy(mission(), copy, fs::copy_options::recursive);
+        std::size_t logs = 0;
+        for (const auto& entry : fs::directory_iterator(copy)) {
+            if (entry.path().extension() != ".db3") continue;
+            const ProcessOutcome asked = askBySqlite(
+                entry.path(),
+                "PRAGMA integrity_check; SELECT count(*) > 20, count(*) = count(data) FROM messages");
+            LEITSTAND_NEEDS(asked);
+            EXPECT_EQ(asked.out, "ok\n1|1\n") << entry.path() << ": " << asked.err;
+            ++logs;
+        }
+        EXPECT_GE(logs, 2U) << "the session that was killed and the one that went on";
+    }
+
     const TestDomain m_domain;
     const TemporaryFolder m_folder;
     std::unique_ptr<DemoRobots> m_robots;
@@ -243,6 +261,7 @@ TEST_F(KilledStation, MapVictimClockAndGrantsAreBackAndReported) {
     m_live.window->findChild<ReportFeature*>()->setInterval(std::chrono::milliseconds(300));
     EXPECT_TRUE(soon([&] { return fs::exists(m_folder / "hand-in" / "SHA256SUMS"); }));
     const fs::path files = report();
+    readLogsBySqlite();
     const auto victims = readFindList(files.string() + "_victims.csv");
     ASSERT_TRUE(victims) << victims.error().text;
     EXPECT_GE(victims->finds.size(), had.victims) << "one may have been filed while it was killed";
