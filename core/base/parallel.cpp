@@ -7,6 +7,10 @@
 #include <thread>
 #include <vector>
 #else
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -39,11 +43,29 @@ void runAll(std::size_t ranges, int threads, const Range& range) {
         if (one) std::rethrow_exception(one);
     }
 }
+void beginAll() {}  // there are none that are shared
 #else
 void runAll(std::size_t ranges, int threads, const Range& range) {
     // More threads than processors compute nothing sooner, and oneTBB complains about them.
     tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, ranges, range); });
+}
+
+/// oneTBB begins a thread when there is work for it: work for all that ends when all have come, or soon.
+void beginAll() {
+    const int threads = tbb::info::default_concurrency();
+    const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    std::atomic<int> come = 0;
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(
+            0, threads,
+            [&](int) {
+                ++come;
+                while (come < threads && std::chrono::steady_clock::now() < soon) std::this_thread::yield();
+            },
+            tbb::simple_partitioner());
+    });
 }
 #endif
 
@@ -64,6 +86,10 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
         return;
     }
     runAll(ranges, used, range);
+}
+
+void beginSharedThreads() {
+    beginAll();
 }
 
 }  // namespace leitstand

@@ -15,4 +15,8 @@ namespace leitstand {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t first, std::size_t last)>& body);
 
+/// Begins the threads that parallelFor() shares work with, where they have not begun yet: a thread has the
+/// priority of the one that begins it, so whoever lowers its own does this before.
+void beginSharedThreads();
+
 }  // namespace leitstand

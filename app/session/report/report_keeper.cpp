@@ -1,5 +1,8 @@
 #include "app/session/report/report_keeper.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -8,12 +11,21 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/words.h"
 
 namespace leitstand {
 namespace {
 
 constexpr int LeastRest = 4;  // part of the interval that is waited where a report takes longer than that
+
+/// Robots are driven beside it: the calling thread computes when others need no processor. On Linux that is
+/// a matter of a thread; threads that it begins are like it.
+void giveWay() {
+    constexpr int Nice = 10;
+    beginSharedThreads();
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), Nice);
+}
 
 }  // namespace
 
@@ -36,6 +48,7 @@ struct ReportKeeper::State {
     }
 
     void run(const std::stop_token& stop) {
+        giveWay();
         auto begun = std::chrono::steady_clock::now();
         while (!stop.stop_requested()) {
             {

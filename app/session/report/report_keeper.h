@@ -11,8 +11,8 @@
 namespace leitstand {
 
 /// Keeps the hand-in of a mission that is being recorded up to date: writes it again at an interval, counted
-/// from begin to begin, and whenever it is asked, on a thread of its own. It must end before the mission is
-/// closed, whose log it reads.
+/// from begin to begin, and whenever it is asked, on a thread of its own that gives way to all others. It
+/// must end before the mission is closed, whose log it reads.
 class ReportKeeper {
 public:
     struct Settings {
