@@ -37,8 +37,9 @@ protected:
     void SetUp() override {
         writeMission("run");
         ASSERT_NO_FATAL_FAILURE(report("run"));
-        ASSERT_THAT(files(), IsSupersetOf({std::string(Unnamed) + ".tif", std::string(Unnamed) + "_qr.csv",
-                                           std::string(Unnamed) + "_victims.csv"}));
+        ASSERT_THAT(files(),
+                    IsSupersetOf({std::string(Unnamed) + "_pois.csv", std::string(Unnamed) + "_qr.csv",
+                                  std::string(Unnamed) + "_victims.csv"}));
     }
     void writeMission(const char* name) const {
         writeSampleMission(m_folder / name, {.scans = 0, .odometry = 2, .finds = false, .info = false});
@@ -99,16 +100,16 @@ TEST_F(EarlierReportTest, AFileThatWasChangedSinceStays) {
     ASSERT_NO_FATAL_FAILURE(nameIt());
     ASSERT_NO_FATAL_FAILURE(report("run"));
     EXPECT_EQ(readText(unnamed("_qr.csv")), "corrected by hand");
-    EXPECT_FALSE(fs::exists(unnamed(".tif")));
+    EXPECT_FALSE(fs::exists(unnamed("_pois.csv")));
 }
 
 TEST_F(EarlierReportTest, ALinkStaysAndWhatItLeadsToAsWell) {
-    fs::rename(unnamed(".tif"), m_folder / "elsewhere.tif");
-    fs::create_symlink(m_folder / "elsewhere.tif", unnamed(".tif"));
+    fs::rename(unnamed("_pois.csv"), m_folder / "elsewhere_pois.csv");
+    fs::create_symlink(m_folder / "elsewhere_pois.csv", unnamed("_pois.csv"));
     ASSERT_NO_FATAL_FAILURE(nameIt());
     ASSERT_NO_FATAL_FAILURE(report("run"));
-    EXPECT_TRUE(fs::exists(m_folder / "elsewhere.tif"));
-    EXPECT_TRUE(fs::is_symlink(unnamed(".tif")));
+    EXPECT_TRUE(fs::exists(m_folder / "elsewhere_pois.csv"));
+    EXPECT_TRUE(fs::is_symlink(unnamed("_pois.csv")));
     EXPECT_FALSE(fs::exists(unnamed("_qr.csv")));
 }
 
@@ -122,7 +123,7 @@ TEST_F(EarlierReportTest, AListThatLeadsOutOfItsFolderRemovesNothing) {
     ASSERT_NO_FATAL_FAILURE(nameIt());
     ASSERT_NO_FATAL_FAILURE(report("run"));
     EXPECT_EQ(readText(precious), "dear");
-    EXPECT_TRUE(fs::exists(unnamed(".tif"))) << "a list that is not ours says nothing";
+    EXPECT_TRUE(fs::exists(unnamed("_pois.csv"))) << "a list that is not ours says nothing";
 }
 
 TEST_F(EarlierReportTest, TheReportOfAnotherMissionStays) {
@@ -134,7 +135,7 @@ TEST_F(EarlierReportTest, TheReportOfAnotherMissionStays) {
     writeMission("run_2");
     ASSERT_NO_FATAL_FAILURE(report("run_2"));
     EXPECT_THAT(files(), IsSupersetOf(before));
-    EXPECT_THAT(files(), Contains(std::string(Unnamed) + "_2.tif"));
+    EXPECT_THAT(files(), Contains(std::string(Unnamed) + "_2_pois.csv"));
 }
 
 TEST_F(EarlierReportTest, WhatTheNewReportLacksGoesUnderTheSameNameToo) {
@@ -144,7 +145,7 @@ TEST_F(EarlierReportTest, WhatTheNewReportLacksGoesUnderTheSameNameToo) {
     ASSERT_TRUE(fs::exists(unnamed(".pdf")));
     ASSERT_NO_FATAL_FAILURE(report("run"));
     EXPECT_FALSE(fs::exists(unnamed(".pdf"))) << "it is of an earlier state of the mission";
-    EXPECT_TRUE(fs::exists(unnamed(".tif")));
+    EXPECT_TRUE(fs::exists(unnamed("_pois.csv")));
 }
 
 TEST_F(EarlierReportTest, AReportThatFailsTakesNothingAway) {
@@ -155,7 +156,7 @@ TEST_F(EarlierReportTest, AReportThatFailsTakesNothingAway) {
     EXPECT_THAT(files(), IsSupersetOf(before));
     const auto listed = checkChecksums(m_out);
     ASSERT_TRUE(listed) << listed.error().text;
-    EXPECT_THAT(*listed, Contains(std::string(Unnamed) + ".tif")) << "whatever is there is listed";
+    EXPECT_THAT(*listed, Contains(std::string(Unnamed) + "_pois.csv")) << "whatever is there is listed";
     fs::remove(m_out / (std::string(Named) + "_pois.csv"));
     ASSERT_NO_FATAL_FAILURE(report("run"));
     EXPECT_THAT(files(), Not(Contains(StartsWith(Unnamed)))) << "the next one that succeeds does";
