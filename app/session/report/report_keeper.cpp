@@ -22,7 +22,7 @@ constexpr int LeastRest = 4;  // part of the interval that is waited where a rep
 /// Robots are driven beside it: the calling thread computes when others need no processor. On Linux that is
 /// a matter of a thread; threads that it begins are like it.
 void giveWay() {
-    constexpr int Nice = 10;
+    constexpr int Nice = 5;  // a third of what another gets, so that the hand-in comes on a busy machine too
     beginSharedThreads();
     (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), Nice);
 }
