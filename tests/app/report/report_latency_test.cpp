@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -22,6 +24,16 @@ double secondsSince(Clock::time_point began) {
     return std::chrono::duration<double>(Clock::now() - began).count();
 }
 
+/// Processor time of the processes that have ended [s].
+double processorSeconds() {
+    rusage used{};
+    EXPECT_EQ(::getrusage(RUSAGE_CHILDREN, &used), 0);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
 TEST(ReportLatency, OfAMissionOfTwentyMinutesIsThereInTwentySeconds) {
     const TemporaryFolder folder;
     const auto mission = folder / "final", out = folder / "out";
@@ -36,11 +48,12 @@ TEST(ReportLatency, OfAMissionOfTwentyMinutesIsThereInTwentySeconds) {
     std::fflush(stdout);
 
     const auto asked = Clock::now();
+    const double before = processorSeconds();
     const ProcessOutcome report =
         runProcess(program("leitstandctl"), {"report", mission.string(), "--out", out.string(), "--json"});
-    const double took = secondsSince(asked);
+    const double took = secondsSince(asked), computed = processorSeconds() - before;
     ASSERT_EQ(report.exitCode, 0) << report.err;
-    std::printf("its report took %.1f s (asked %.0f)\n", took, AskedSeconds);
+    std::printf("its report took %.1f s, %.1f s of a processor (asked %.0f)\n", took, computed, AskedSeconds);
     const auto json = nlohmann::json::parse(report.out);
     EXPECT_EQ(json["scans"], made.keyScans) << "all of it is in the report";
     EXPECT_EQ(json["victims"], made.victims);
@@ -48,6 +61,7 @@ TEST(ReportLatency, OfAMissionOfTwentyMinutesIsThereInTwentySeconds) {
     for (const char* ending : {".tif", ".pdf", ".bt", ".ply", "_kurt3d.tum", "_crawler.tum"})
         EXPECT_TRUE(std::filesystem::exists(out / ("RoboCup2013-Deutschland1-Final_2" + std::string(ending))))
             << ending;
+    EXPECT_LE(computed, AskedSeconds) << "whatever else the machine does";
     EXPECT_LE(took, MostSeconds);
 }
 
