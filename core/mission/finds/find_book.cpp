@@ -89,6 +89,12 @@ VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std
     return sample;
 }
 
+/// Whether one may say @p one and the other @p other: signs that say different things are two, however near.
+bool mayBeOne(VictimSample::Kind kind, const std::string& one, const std::string& other) {
+    const bool sign = kind == VictimSample::Kind::Code || kind == VictimSample::Kind::Hazard;
+    return !sign || one.empty() || other.empty() || one == other;
+}
+
 /// The scan that a find hangs on is evidence, where none was frozen.
 void addScan(FrozenEvidence& frozen, const MissionState& state) {
     const auto known = state.keyScans->find(frozen.scan);
@@ -112,10 +118,11 @@ std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind) {
 }
 
 std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
-                                const Eigen::Vector3d& placeInMap, double reach) {
+                                const Eigen::Vector3d& placeInMap, const std::string& tag, double reach) {
     std::optional<FindKey> nearest;
     for (const auto& [key, entry] : *state.victims) {
         if (key.first != kind || entry.victim.status == Status::Discarded) continue;
+        if (!mayBeOne(kind, tag, entry.victim.tag)) continue;
         const double distance = (positionInMap(state, entry.victim) - placeInMap).norm();
         if (!(distance < reach)) continue;
         reach = distance;
@@ -128,15 +135,21 @@ bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     // A find that was taken back is not in the state: then nobody has filed it.
     if (candidate.victim != 0 && state.victims->contains({candidate.kind, candidate.victim})) return true;
     const Eigen::Vector3d place = positionInMap(state, candidate);
+    const std::string tag = tagOf(candidate);
     return std::any_of(state.victims->begin(), state.victims->end(), [&](const auto& find) {
-        return find.first.first == candidate.kind &&
-               (positionInMap(state, find.second.victim) - place).norm() < SameFind;
+        const VictimSample& there = find.second.victim;
+        if (find.first.first != candidate.kind || !mayBeOne(candidate.kind, tag, there.tag)) return false;
+        // What was discarded is none; what lies beside it may be one all the same.
+        const bool none = there.status == Status::Discarded && there.mergedInto == 0;
+        const bool named = !none && !tag.empty() && tag == there.tag;
+        const double reach = none ? SameDiscarded : named ? SameNamed : SameFind;
+        return (positionInMap(state, there) - place).norm() < reach;
     });
 }
 
 VictimSample filed(const MissionState& state, VictimSample::Kind kind, const FrozenEvidence& frozen,
                    const std::string& station, Time now) {
-    if (const auto known = findNear(state, kind, frozen.positionInMap)) {
+    if (const auto known = findNear(state, kind, frozen.positionInMap, frozen.tag)) {
         VictimSample sample = *changed(state, *known, station, now);
         addSigns(sample, frozen);
         addEvidence(sample, frozen.evidence);
@@ -156,12 +169,21 @@ VictimSample filed(const MissionState& state, VictimSample::Kind kind, const Fro
     return sample;
 }
 
+std::string tagOf(const CandidateSample& candidate) {
+    std::string other;
+    for (const Cue& cue : candidate.cues) {
+        if (cue.kind == "tag" && !cue.text.empty()) return cue.text;
+        if (cue.kind == "code" || cue.kind == "hazard") fill(other, cue.text);
+    }
+    return other;
+}
+
 void addCues(FrozenEvidence& frozen, const CandidateSample& candidate) {
+    fill(frozen.tag, tagOf(candidate));
     for (const Cue& cue : candidate.cues) {
         if (cue.kind == "heat" && std::isnan(frozen.heat)) frozen.heat = cue.value;
         if (cue.kind == "co2" && std::isnan(frozen.co2)) frozen.co2 = cue.value;
         if (cue.kind == "motion") frozen.motion = true;
-        if (cue.kind == "code" || cue.kind == "hazard") fill(frozen.tag, cue.text);
         const char* kind = cue.kind == "heat"       ? "thermal"
                            : cue.kind == "co2"      ? "gas"
                            : cue.kind == "sighting" ? "sighting"
@@ -221,6 +243,16 @@ std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSam
         if (one.victim != 0 && state.victims->contains({kind, one.victim})) continue;
         if ((positionInMap(state, one) - placeInMap).norm() < SameFind) near.push_back(one);
     }
+    std::stable_sort(near.begin(), near.end(), [&](const CandidateSample& a, const CandidateSample& b) {
+        return (positionInMap(state, a) - placeInMap).norm() < (positionInMap(state, b) - placeInMap).norm();
+    });
+    std::string tag;
+    std::erase_if(near, [&](const CandidateSample& one) {
+        const std::string says = tagOf(one);
+        if (!mayBeOne(kind, tag, says)) return true;
+        fill(tag, says);
+        return false;
+    });
     return near;
 }
 

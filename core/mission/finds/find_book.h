@@ -47,18 +47,26 @@ void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
 
 /// Finds nearer than this to each other are one [m].
 inline constexpr double SameFind = 0.6;
+/// ... of what was discarded: what is farther away is another thing [m].
+inline constexpr double SameDiscarded = 0.35;
+/// ... of what bears the same tag or text, and is only placed otherwise [m].
+inline constexpr double SameNamed = 1.2;
 
 /// Confidence from which a candidate is shown to people.
 inline constexpr double LeastShownConfidence = 0.5;
 
 /// The number that the next find of @p kind gets: one above all that ever were, also undone ones.
 [[nodiscard]] std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind);
-/// The find of @p kind that is nearest to @p placeInMap [m] and within @p reach [m]; not a discarded one.
+/// The find of @p kind that is nearest to @p placeInMap [m] and within @p reach [m]; not a discarded one, nor
+/// a code or a hazard sign that says something else than @p tag.
 [[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
-                                              const Eigen::Vector3d& placeInMap, double reach = SameFind);
+                                              const Eigen::Vector3d& placeInMap, const std::string& tag = {},
+                                              double reach = SameFind);
 
-/// Whether @p candidate was filed, or is where something of its kind was filed, also what was discarded
-/// since: then it is not shown beside that.
+/// What the sign of @p candidate says, or the code beside it; empty: nothing was read.
+[[nodiscard]] std::string tagOf(const CandidateSample& candidate);
+/// Whether @p candidate was filed, or is where something of its kind was filed that may say what it says,
+/// also what was discarded since: then it is not shown beside that.
 [[nodiscard]] bool isFiled(const MissionState& state, const CandidateSample& candidate);
 
 /// A new find made of @p frozen, or the one that is there already with what is new.

@@ -217,6 +217,74 @@ TEST(FindBook, ACandidateIsFiledWithTheScanThatItHangsOn) {
     EXPECT_THAT(filedFrom(mission.state, candidate, "s", Now).evidence, SizeIs(0)) << "not in the map";
 }
 
+CandidateSample codeAt(double x, const std::string& text, std::uint32_t id) {
+    CandidateSample code;
+    code.id = id;
+    code.kind = Kind::Code;
+    code.positionInMap = {x, 0.0, 0.5};
+    code.confidence = 0.95;
+    code.cues = {{.kind = "code", .robot = "kurt3d", .text = text}};
+    return code;
+}
+
+TEST(FindBook, NeighbouringSignsThatSayDifferentThingsAreTwo) {
+    Mission mission;
+    const CandidateSample one = codeAt(1.0, "yellow-1", 1), other = codeAt(1.3, "yellow-2", 2);
+    mission.say(one);
+    mission.say(other);
+    mission.say(filedFrom(mission.state, one, "s", Now));
+    EXPECT_TRUE(isFiled(mission.state, one));
+    EXPECT_FALSE(isFiled(mission.state, other)) << "it stays on the list";
+    mission.say(filedFrom(mission.state, other, "s", Now));
+    EXPECT_EQ(mission.at({Kind::Code, 1U}).tag, "yellow-1");
+    ASSERT_TRUE(mission.state.victims->contains({Kind::Code, 2U}));
+    EXPECT_EQ(mission.at({Kind::Code, 2U}).tag, "yellow-2");
+    mission.say(filedFrom(mission.state, codeAt(1.2, "yellow-1", 3), "s", Now));
+    EXPECT_THAT(*mission.state.victims, SizeIs(2)) << "the same one, read once more";
+    EXPECT_EQ(findNear(mission.state, Kind::Code, {1.2, 0.0, 0.5}), FindKey(Kind::Code, 2U))
+        << "unread, it is the nearest";
+}
+
+TEST(FindBook, WhatLiesBesideADiscardedFindIsShownAndThatItselfIsNot) {
+    Mission mission;
+    const FindKey find = mission.file(seenAt(1.0));
+    CandidateSample beside;
+    beside.id = 3;
+    beside.positionInMap = {1.5, 0.0, 0.3};
+    EXPECT_TRUE(isFiled(mission.state, beside)) << "a part of it";
+    mission.say(*withStatus(mission.state, find, Status::Discarded, "s", Now));
+    EXPECT_FALSE(isFiled(mission.state, beside));
+    CandidateSample again = beside;
+    again.positionInMap.x() = 1.2;
+    EXPECT_TRUE(isFiled(mission.state, again));
+    beside.victim = find.second;
+    EXPECT_TRUE(isFiled(mission.state, beside)) << "it was filed as that";
+}
+
+TEST(FindBook, AVictimThatBearsTheTagOfAFiledOneIsThatOne) {
+    Mission mission;
+    FrozenEvidence frozen = seenAt(1.0);
+    frozen.tag = "V-03";
+    mission.file(frozen);
+    CandidateSample feet;
+    feet.positionInMap = {1.9, 0.0, 0.2};
+    feet.cues = {{.kind = "code", .text = "yellow-1"}, {.kind = "tag", .text = "V-03"}};
+    EXPECT_EQ(tagOf(feet), "V-03") << "its own, not a code beside it";
+    EXPECT_TRUE(isFiled(mission.state, feet));
+    feet.cues = {{.kind = "tag", .text = "V-04"}};
+    EXPECT_FALSE(isFiled(mission.state, feet));
+    EXPECT_EQ(filedFrom(mission.state, feet, "s", Now).tag, "V-04");
+}
+
+TEST(FindBook, WhatIsFrozenBetweenTwoSignsIsTheNearerOne) {
+    Mission mission;
+    mission.say(codeAt(1.0, "yellow-1", 1));
+    mission.say(codeAt(1.3, "yellow-2", 2));
+    const auto near = candidatesNear(mission.state, Kind::Code, {1.25, 0.0, 0.5});
+    ASSERT_THAT(near, SizeIs(1)) << "the other one stays on the list";
+    EXPECT_EQ(tagOf(near.front()), "yellow-2");
+}
+
 TEST(FindBook, CandidatesBesideAPlaceAreThoseThatAreShownAndNoOtherFind) {
     Mission mission;
     const auto believe = [&](std::uint32_t id, double x, double confidence, std::uint32_t victim,
