@@ -141,6 +141,8 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     const auto robot = state->robots.find(frozen.robot);
     if (robot != state->robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
+    // As it drove when the operator pressed, not when its place was worked out.
+    frozen.autonomous = m_first.autonomousAt(frozen.robot, frozen.found).value_or(frozen.autonomous);
     // What the station believes to be there is the same thing.
     const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
     for (const CandidateSample& one : candidates) addCues(frozen, one);
@@ -152,7 +154,8 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
 void FindDesk::file(const CandidateSample& candidate, const FrozenEvidence& seen) {
     const std::scoped_lock filing(m_filing);
     const MissionStatePtr state = known();
-    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
+    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen,
+                                          m_first.of(candidate.id).value_or(FirstTold()));
     const bool joined = state->victims->contains({sample.kind, sample.number});
     if (const auto said = enter(sample, joined, {candidate}); !said) m_setup.tell(said.error().text);
 }

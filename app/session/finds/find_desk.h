@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/session/finds/first_told.h"
 #include "app/session/finds/freezing.h"
 #include "app/session/finds/recent_evidence.h"
 #include "app/session/job_queue.h"
@@ -53,7 +54,10 @@ public:
     FindDesk(const FindDesk&) = delete;
     FindDesk& operator=(const FindDesk&) = delete;
 
-    void take(const Event& event) { m_recent.take(event); }
+    void take(const Event& event) {
+        m_recent.take(event);
+        m_first.take(event);
+    }
     void finish();  ///< waits until all that was frozen is filed
 
     /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else, for a
@@ -108,6 +112,7 @@ private:
 
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;
+    FirstToldBook m_first;
     mutable std::mutex m_mutex;
     std::mutex m_filing;  ///< entries are made one after the other
     std::optional<FindKey> m_newest;

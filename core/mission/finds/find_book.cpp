@@ -215,10 +215,12 @@ std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
 }
 
 VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                       const std::string& station, Time now, const FrozenEvidence& seen) {
+                       const std::string& station, Time now, const FrozenEvidence& seen,
+                       const FirstTold& first) {
     FrozenEvidence frozen;
     frozen.found = seen.found == Time() ? now : seen.found;
     frozen.robot = candidate.cues.empty() ? seen.robot : candidate.cues.front().robot;
+    if (!first.robot.empty()) frozen.robot = first.robot;
     frozen.scan = candidate.scan;
     frozen.positionInScan = candidate.positionInScan;
     frozen.positionInMap = positionInMap(state, candidate);
@@ -231,6 +233,7 @@ VictimSample filedFrom(const MissionState& state, const CandidateSample& candida
     const auto robot = state.robots.find(frozen.robot);
     if (robot != state.robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
+    if (first.autonomous) frozen.autonomous = *first.autonomous;
     return filed(state, candidate.kind, frozen, station, now);
 }
 

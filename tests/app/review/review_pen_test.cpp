@@ -246,6 +246,12 @@ protected:
         WrittenMission mission(m_mission);
         writeMinute(mission);
         mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
+        m_candidate.stamp = Mission::at(64.0);  // told anew, while somebody drives it by hand
+        m_candidate.confidence = 0.9;
+        ModeSample byHand;
+        byHand.mode = "manual";
+        mission.say(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
+        mission.say(64.0, std::string(station_topic::Candidates), m_candidate);
         mission.close();
     }
     CandidateSample m_candidate;
@@ -259,7 +265,8 @@ TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
     ASSERT_TRUE(writes.state()->victims->contains(second));
     const VictimSample& filed = writes.state()->victims->at(second).victim;
     EXPECT_EQ(filed.heat.value, 33.5);
-    EXPECT_EQ(filed.found, Mission::at(31.0));
+    EXPECT_EQ(filed.found, Mission::at(31.0)) << "when it was told first";
+    EXPECT_TRUE(filed.autonomous) << "so it drove then";
     EXPECT_TRUE(filed.positionInMap.isApprox(m_candidate.positionInMap));
     EXPECT_TRUE(isFiled(*writes.state(), m_candidate)) << "it is not shown beside it";
     EXPECT_EQ(writes.state()->candidates->at(7).candidate.victim, 2U)
@@ -304,6 +311,12 @@ TEST_F(ReviewPenAndCandidateTest, WhatWasDismissedWhileItWasRecordedStaysSo) {
         writeMinute(mission);
         m_candidate.dismissed = true;
         mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
+        m_candidate.stamp = Mission::at(64.0);  // told anew, while somebody drives it by hand
+        m_candidate.confidence = 0.9;
+        ModeSample byHand;
+        byHand.mode = "manual";
+        mission.say(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
+        mission.say(64.0, std::string(station_topic::Candidates), m_candidate);
         mission.close();
     }
     ReviewPen writes(m_folder / "dismissed", {Mission::robot()}, "reviewer", "test");

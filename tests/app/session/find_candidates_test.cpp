@@ -33,6 +33,25 @@ TEST_F(FindDeskTest, ACandidateIsFiledWithItsCuesAndWithWhatItsRobotSeesThere) {
     EXPECT_THAT(m_told, testing::Contains(HasSubstr("V1 filed")));
 }
 
+TEST_F(FindDeskTest, AFindIsAutonomousWhenTheRobotDroveItselfAsItWasTold) {
+    const auto drives = [&](double when, bool autonomous) {
+        ModeSample mode;
+        mode.autonomous = autonomous;
+        m_desk->take(m_robot.event(at(when), StreamRole::Mode, "mode", mode));
+    };
+    believe();
+    drives(3.0, true);
+    m_desk->take({20, at(5.0), "", "/leitstand/candidates", std::nullopt, "", candidate()});
+    drives(8.0, false);
+    m_desk->take({21, at(9.0), "", "/leitstand/candidates", std::nullopt, "", candidate()});
+    ASSERT_TRUE(m_desk->fileCandidate(7));
+    m_desk->finish();
+    EXPECT_TRUE(find(1).autonomous) << "the operator took over to look at it";
+    m_desk->freezeAt("kurt3d", Kind::Victim, {8.0, 0.0, 0.2});
+    finish();
+    EXPECT_FALSE(find(2).autonomous);
+}
+
 TEST_F(FindDeskTest, ASecondPressWhileWhatItsRobotSeesIsLookedAtConfirmsTheCandidate) {
     believe();
     m_desk->take(m_robot.picture(at(9.0), 2));
