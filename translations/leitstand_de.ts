@@ -6599,6 +6599,10 @@ F1 listet alle Tasten</translation>
         <source>{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless</source>
         <translation>{} hat den Bremstest nicht bestanden: wird nirgendwohin geschickt, bis er besteht oder dennoch gefahren wird</translation>
     </message>
+    <message>
+        <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
+        <translation>das Protokoll der Mission antwortet nicht: ob dies geschrieben wurde, ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

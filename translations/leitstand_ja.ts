@@ -6599,6 +6599,10 @@ F1 でキー一覧</translation>
         <source>{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless</source>
         <translation>{} はブレーキテストに不合格: 合格するか、それでも操縦すると決めるまで目標へ送れない</translation>
     </message>
+    <message>
+        <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
+        <translation>ミッションの記録が応答しません: 書き込まれたかどうか分かりません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

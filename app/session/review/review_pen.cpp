@@ -1,7 +1,5 @@
 #include "app/session/review/review_pen.h"
 
-#include <chrono>
-#include <thread>
 #include <utility>
 #include <variant>
 
@@ -9,6 +7,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/review/newest_writing.h"
 #include "app/session/review/review_log.h"
+#include "app/session/review/until_written.h"
 #include "core/base/words.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
@@ -85,10 +84,8 @@ Result<void> ReviewPen::sayCandidate(const CandidateSample& candidate) {
 
 Result<void> ReviewPen::await(const std::function<bool(const MissionState&)>& has) const {
     const auto written = mission();
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (!has(*written->state()) && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-    if (const std::string problem = written->status().problem; !problem.empty()) return Error{problem};
-    return {};
+    return untilWritten([&] { return has(*written->state()); },
+                        [&]() -> std::string { return written->status().problem; });
 }
 
 Result<void> ReviewPen::note(Time at, const std::string& robot, const std::string& text) {

@@ -6,6 +6,7 @@
 #include "app/session/review/review_evidence.h"
 #include "app/session/review/review_index.h"
 #include "app/session/review/review_log.h"
+#include "app/session/review/until_written.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
 #include "tests/app/review/written_mission.h"
@@ -274,6 +275,19 @@ TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
     ASSERT_TRUE(writes.undo().ok());
     EXPECT_FALSE(isFiled(*writes.state(), m_candidate));
     EXPECT_FALSE(writes.fileCandidate(8).ok());
+}
+
+TEST(UntilWritten, WhatNobodyConfirmsIsAnErrorAndSoIsWhatTheLogComplainsOf) {
+    using std::chrono::milliseconds;
+    const auto well = [] { return std::string(); };
+    int asked = 0;
+    EXPECT_TRUE(untilWritten([&] { return ++asked == 3; }, well).ok());
+    const auto silent = untilWritten([] { return false; }, well, milliseconds(5));
+    ASSERT_FALSE(silent.ok());
+    EXPECT_THAT(silent.error().text, HasSubstr("not known whether"));
+    const auto full = untilWritten([] { return true; }, [] { return std::string("the disk is full"); });
+    ASSERT_FALSE(full.ok());
+    EXPECT_EQ(full.error().text, "the disk is full");
 }
 
 TEST_F(ReviewPenAndCandidateTest, ItIsDismissedAndThatIsTakenBack) {

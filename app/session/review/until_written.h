@@ -1,0 +1,17 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// Waits until the mission @p has what was said last. Errors, in words: the @p problem that its log tells of,
+/// or that it is not there after @p patience, when nobody can say whether it was written.
+[[nodiscard]] Result<void> untilWritten(const std::function<bool()>& has,
+                                        const std::function<std::string()>& problem,
+                                        std::chrono::nanoseconds patience = std::chrono::seconds(5));
+
+}  // namespace leitstand
