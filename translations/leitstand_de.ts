@@ -6600,6 +6600,10 @@ F1 listet alle Tasten</translation>
         <translation>{} hat den Bremstest nicht bestanden: wird nirgendwohin geschickt, bis er besteht oder dennoch gefahren wird</translation>
     </message>
     <message>
+        <source>{} has new evidence; it is confirmed already</source>
+        <translation>{} hat neue Belege; schon bestätigt</translation>
+    </message>
+    <message>
         <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
         <translation>das Protokoll der Mission antwortet nicht: ob dies geschrieben wurde, ist nicht bekannt</translation>
     </message>

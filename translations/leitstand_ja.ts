@@ -6600,6 +6600,10 @@ F1 でキー一覧</translation>
         <translation>{} はブレーキテストに不合格: 合格するか、それでも操縦すると決めるまで目標へ送れない</translation>
     </message>
     <message>
+        <source>{} has new evidence; it is confirmed already</source>
+        <translation>{} に証拠を追加 (すでに確定済み)</translation>
+    </message>
+    <message>
         <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
         <translation>ミッションの記録が応答しません: 書き込まれたかどうか分かりません</translation>
     </message>

@@ -169,9 +169,12 @@ Result<void> FindDesk::enter(const VictimSample& sample, bool joined,
         m_newest = key;
         ++m_filings;
     }
-    m_setup.tell(fill(joined ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
-                             : translate("leitstand::Station", "{} filed: press again to confirm"),
-                      nameOf(key.first, key.second)));
+    const bool confirmed = sample.status == VictimSample::Status::Confirmed;
+    m_setup.tell(
+        fill(confirmed ? translate("leitstand::Station", "{} has new evidence; it is confirmed already")
+             : joined  ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
+                       : translate("leitstand::Station", "{} filed: press again to confirm"),
+             nameOf(key.first, key.second)));
     for (const CandidateSample& one : candidates) {
         auto said = m_setup.sayCandidate(filedAs(one, sample.number, m_setup.station, m_setup.now()));
         if (!said) return said;

@@ -16,6 +16,19 @@ using Status = VictimSample::Status;
 using testing::HasSubstr;
 using testing::SizeIs;
 
+TEST_F(FindDeskTest, NobodyIsAskedToConfirmWhatIsConfirmedAlready) {
+    const auto filedAndTold = [&] {
+        m_desk->freezeAt("kurt3d", Kind::Victim, {2.0, 0.0, 0.2});
+        m_desk->finish();
+        return m_told.back();
+    };
+    EXPECT_THAT(filedAndTold(), testing::HasSubstr("press again"));
+    EXPECT_THAT(filedAndTold(), testing::HasSubstr("press again")) << "more of it, not confirmed yet";
+    ASSERT_TRUE(m_desk->confirmNewest());
+    EXPECT_THAT(filedAndTold(), testing::HasSubstr("V1 has new evidence; it is confirmed already"));
+    EXPECT_FALSE(m_desk->confirmNewest());
+}
+
 TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
     m_desk->take(m_robot.info());
     m_desk->take(m_robot.picture(at(8.5), 2));  // sharper, but the robot moved on
