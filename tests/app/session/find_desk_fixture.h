@@ -120,7 +120,7 @@ protected:
         setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
             m_asked = chosen;
             if (m_search.valid()) m_search.wait();
-            answer(m_place);
+            if (m_answers) answer(m_place);
         };
         setup.shows = [this](const std::vector<Event>& pictures, const Eigen::Vector3d& inMap,
                              FindDeskSetup::Shown answer) {
@@ -173,6 +173,7 @@ protected:
     MissionState m_state;
     std::optional<PlacedFind> m_place = PlacedFind{0, {2.0, 1.0, 0.4}, 0.1};
     std::shared_future<void> m_search;  ///< until then nothing is known of a place; none: it is known at once
+    bool m_answers = true;              ///< false: nobody says where what a picture shows is
     std::optional<Pose> m_base = Pose::Identity();
     std::optional<ChosenEvidence> m_asked;
     bool m_looksThere = true;
