@@ -537,6 +537,10 @@
         <source>decisions on scans and the map&apos;s area: %1</source>
         <translation>Entscheidungen über Scans und den Bereich der Karte: %1</translation>
     </message>
+    <message>
+        <source>tags of victims</source>
+        <translation>Schilder von Opfern</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmLine</name>
@@ -6927,6 +6931,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>done again: %1</source>
         <translation>wiederhergestellt: %1</translation>
     </message>
+    <message>
+        <source>a victim&apos;s tag</source>
+        <translation>das Schild eines Opfers</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -7474,6 +7482,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source> · %1 discarded</source>
         <translation> · %1 verworfen</translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation>Schild %1</translation>
     </message>
 </context>
 <context>

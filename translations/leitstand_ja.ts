@@ -537,6 +537,10 @@
         <source>decisions on scans and the map&apos;s area: %1</source>
         <translation>スキャンと地図範囲についての判断: %1 件</translation>
     </message>
+    <message>
+        <source>tags of victims</source>
+        <translation>被災者のタグ</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmLine</name>
@@ -6927,6 +6931,10 @@ A function of this program, no certified emergency stop.</source>
         <source>done again: %1</source>
         <translation>やり直し: %1</translation>
     </message>
+    <message>
+        <source>a victim&apos;s tag</source>
+        <translation>被災者のタグ</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::TimelineBar</name>
@@ -7474,6 +7482,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source> · %1 discarded</source>
         <translation>・破棄 %1</translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation>タグ %1</translation>
     </message>
 </context>
 <context>

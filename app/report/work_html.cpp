@@ -21,10 +21,11 @@ QString item(const QString& where, const QStringList& what) {
 }
 
 QString cueText(const std::set<std::string>& kinds) {
-    const std::array<std::pair<const char*, QString>, 5> names = {{{"heat", WorkText::tr("body heat")},
+    const std::array<std::pair<const char*, QString>, 6> names = {{{"heat", WorkText::tr("body heat")},
                                                                    {"motion", WorkText::tr("motion")},
                                                                    {"co2", WorkText::tr("CO\u2082")},
                                                                    {"code", WorkText::tr("QR codes")},
+                                                                   {"tag", WorkText::tr("tags of victims")},
                                                                    {"hazard", WorkText::tr("hazard signs")}}};
     QStringList texts;
     for (const auto& [kind, name] : names) {

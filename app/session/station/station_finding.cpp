@@ -10,6 +10,7 @@
 #include "app/session/station/mission_map.h"
 #include "app/session/station/station_state.h"
 #include "core/base/words.h"
+#include "core/io/settings/score_file.h"
 #include "core/mission/finds/find_book.h"
 #include "core/mission/station_topics.h"
 
@@ -70,6 +71,9 @@ void Station::State::search() {
     setup.earlierPoses = setup.poses();
     const MissionStatePtr now = mission->state();
     for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
+    for (const ScoreProfile& profile : scoreProfiles().profiles)
+        setup.tags.byName[profile.name] = profile.victimTags;
+    if (now->info) setup.profile = now->info->sample.profile;
     setup.onCandidate = [this](const CandidateSample& found) {
         if (const auto kept = mission->say(found, station_topic::Candidates); !kept) say(kept.error().text);
     };

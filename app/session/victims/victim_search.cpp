@@ -1,5 +1,6 @@
 #include "app/session/victims/victim_search.h"
 
+#include <utility>
 #include <variant>
 
 namespace leitstand {
@@ -63,7 +64,19 @@ bool VictimSearch::shows(const Event& picture, const Eigen::Vector3d& inMap) {
     return finder != m_finders.end() && finder->second.shows(picture, inMap);
 }
 
+TagPatterns TagsOfProfiles::of(const std::string& name) const {
+    if (const auto found = byName.find(name); found != byName.end()) return found->second;
+    return byName.empty() ? usualTags() : byName.rbegin()->second;
+}
+
+void VictimSearch::setTags(TagsOfProfiles tags, const std::string& profile) {
+    m_tags = std::move(tags);
+    m_book.tags(m_tags.of(profile));
+}
+
 void VictimSearch::take(const Event& event, bool search) {
+    if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
+        return m_book.tags(m_tags.of(info->profile));
     if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
     if (KeyScanPlaces::wants(event)) {
         if (const auto* scan = std::get_if<KeyScanSample>(&event.sample); scan != nullptr && scan->scan)

@@ -16,6 +16,13 @@
 
 namespace leitstand {
 
+/// What codes say that are tags of victims, by the profile of the score that a mission names.
+struct TagsOfProfiles {
+    std::map<std::string, TagPatterns> byName;
+    /// Of the profile @p name, else of the newest (last by name), else the usual ones.
+    [[nodiscard]] TagPatterns of(const std::string& name) const;
+};
+
 /// Searches what all robots say for victims, codes and hazards: finds cues, places them in the map and joins
 /// them into candidates. All that it knows of the map is in events too, so it does on a log what it does
 /// live. Without thread; one at a time.
@@ -35,6 +42,9 @@ public:
     [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
     /// What was told of a candidate in an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
+    /// Which codes are tags of victims; the mission's data say by which @p profile, until then it is this
+    /// one.
+    void setTags(TagsOfProfiles tags, const std::string& profile);
     /// Where something is that a robot's picture shows; empty: nobody can tell.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
     /// Whether a robot's picture shows a place [m].
@@ -52,6 +62,7 @@ private:
 
     std::map<std::string, CueFinder> m_finders;  ///< fixed
     CandidateBook m_book;
+    TagsOfProfiles m_tags;
     KeyScanPlaces m_scans;
     std::map<std::string, Event> m_unheard;  ///< sightings that came while nothing was searched, by robot
 };

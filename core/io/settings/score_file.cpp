@@ -18,9 +18,9 @@ using detail::YamlFields;
 
 // JSON is YAML in flow style: the reader of hostile YAML reads it, with line numbers.
 constexpr std::string_view Keys[] = {
-    "name",    "title",      "version",   "source",      "areas",      "points",          "hazard",
-    "code",    "object",     "area_bump", "victim_bump", "autonomous", "semi_autonomous", "operators",
-    "minutes", "unconfirmed"};
+    "name",    "title",       "version",    "source",      "areas",      "points",          "hazard",
+    "code",    "object",      "area_bump",  "victim_bump", "autonomous", "semi_autonomous", "operators",
+    "minutes", "victim_tags", "unconfirmed"};
 constexpr double MostPoints = 1e4, MostFactor = 100.0, MostMinutes = 1440.0;
 
 void readAreas(const YamlFields& fields, ScoreProfile& profile, YamlErrors& errors) {
@@ -55,6 +55,20 @@ void readUnconfirmed(const YamlFields& fields, ScoreProfile& profile) {
     }
 }
 
+void readTags(const YamlFields& fields, ScoreProfile& profile) {
+    if (!fields.has("victim_tags")) return;
+    profile.victimTags.clear();
+    for (const auto& place : fields.list("victim_tags")) {
+        const bool plain = place.value.IsScalar() && !place.value.Scalar().empty() &&
+                           place.value.Scalar().size() <= 64 && profile.victimTags.size() < 32;
+        if (!plain) {
+            fields.fail("victim_tags", "expected at most 32 patterns such as \"V-#*\"");
+            return;
+        }
+        profile.victimTags.push_back(place.value.Scalar());
+    }
+}
+
 void readAll(const YamlFields& fields, ScoreProfile& profile, YamlErrors& errors) {
     for (const std::string_view key : {"name", "version", "points"}) {
         if (!fields.has(key)) fields.fail(key, "is missing");
@@ -78,6 +92,7 @@ void readAll(const YamlFields& fields, ScoreProfile& profile, YamlErrors& errors
                                  {"count", OperatorRule::Count},
                                  {"squared_of_more", OperatorRule::SquaredOfMore}});
     fields.number("minutes", profile.minutes, 0.0, MostMinutes, " min");
+    readTags(fields, profile);
     readUnconfirmed(fields, profile);
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mission/victims/victim_tags.h"
+
 namespace leitstand {
 
 /// What a victim's report is judged by.
@@ -42,6 +44,7 @@ struct ScoreProfile {
     double areaBump = 0.0, victimBump = 0.0;        ///< what each costs
     double autonomous = 1.0, semiAutonomous = 1.0;  ///< factors on what a robot found by itself
     OperatorRule operators = OperatorRule::None;
+    TagPatterns victimTags = usualTags();  ///< codes that are tags of victims; none: no code is
     double minutes = 0.0;                  ///< length of a mission [min]; 0: not told
     std::vector<std::string> unconfirmed;  ///< keys of values for which no readable source was found
 };

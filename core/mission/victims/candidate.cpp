@@ -14,6 +14,7 @@ constexpr double Correlated = 4.0;  // so many cues of one look tell more than o
 constexpr int Rounds = 4;           // of weighing out looks that do not fit
 constexpr double Doubt = 4.0;       // squared deviations from which a look counts half
 constexpr std::size_t MostCues = 24;
+constexpr double ArmsLength = 0.3;  // so far from a body's middle its tag stands [m]
 
 /// A cue that tells a place, and not only that something is near.
 bool places(const std::string& kind) {
@@ -33,7 +34,8 @@ struct Evidence {
 }  // namespace
 
 void CandidateThing::add(const PlacedCue& cue, const ScanPlaces& scans) {
-    const bool code = cue.what != VictimSample::Kind::Victim || cue.cue.kind == "code";
+    const bool code =
+        cue.what != VictimSample::Kind::Victim || cue.cue.kind == "code" || cue.cue.kind == "tag";
     const std::string text = code || cue.cue.kind == "sighting" ? cue.cue.text : std::string();
     CandidateLook& look = looks[{cue.cue.kind, cue.cue.robot, cue.scan, text}];
     const auto scan = scans.find(cue.scan);
@@ -71,11 +73,17 @@ void CandidateThing::settle(const ScanPlaces& scans, const CandidateSettings& se
         std::uint64_t scan;
     };
     std::vector<Seen> seen;
-    const double body = what == VictimSample::Kind::Victim ? settings.body : 0.02;
+    const bool victims = what == VictimSample::Kind::Victim;
+    const auto isOf = [](const auto& look, const char* kind) { return std::get<0>(look.first) == kind; };
+    // A tag beside a victim is not the victim, but tells where to look where nothing else does.
+    const bool tagAlone =
+        victims && std::none_of(looks.begin(), looks.end(), [&](const auto& look) {
+            return places(std::get<0>(look.first)) && !isOf(look, "code") && !isOf(look, "tag");
+        });
+    const double body = !victims ? 0.02 : tagAlone ? ArmsLength : settings.body;
     for (const auto& [key, look] : looks) {
-        if (!places(std::get<0>(key))) continue;
-        // A tag beside a victim is not the victim.
-        if (what == VictimSample::Kind::Victim && std::get<0>(key) == "code") continue;
+        const std::string& kind = std::get<0>(key);
+        if (!places(kind) || (victims && kind == "code") || (victims && kind == "tag" && !tagAlone)) continue;
         const auto scan = scans.find(std::get<2>(key));
         const Pose pose = scan == scans.end() ? Pose::Identity() : scan->second;
         const Eigen::Matrix3d turn = pose.linear();
@@ -110,6 +118,15 @@ void CandidateThing::settle(const ScanPlaces& scans, const CandidateSettings& se
     }
 }
 
+double squaredDeviations(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance) {
+    const Eigen::Matrix2d flat = covariance.topLeftCorner<2, 2>();
+    const double determinant = flat.determinant();
+    if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
+    return (off.x() * (flat(1, 1) * off.x() - flat(0, 1) * off.y()) +
+            off.y() * (flat(0, 0) * off.y() - flat(1, 0) * off.x())) /
+           determinant;
+}
+
 double confidenceOf(const CandidateThing& thing, const CandidateSettings& settings) {
     std::map<std::string, Evidence> kinds;
     for (const auto& [key, look] : thing.looks) {
@@ -138,7 +155,10 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
     // Breath near by agrees with what could be a person; a lamp beside a victim stays a lamp.
     const double agrees = std::min(1.0, std::max(warm, motion) / settings.breathFrom);
     const double breath = 0.55 * agrees * counted("co2");
-    const double tag = kinds.contains("code") ? 0.2 : 0.0;
+    double tag = kinds.contains("code") ? 0.2 : 0.0;
+    if (kinds.contains("tag"))
+        tag = std::max(tag, settings.tagged * std::min(1.0, static_cast<double>(kinds.at("tag").moments) /
+                                                                settings.tagMoments));
     return 1.0 - (1.0 - warm) * (1.0 - motion) * (1.0 - breath) * (1.0 - tag);
 }
 
@@ -150,6 +170,14 @@ std::string CandidateThing::text() const {
     const auto most = std::max_element(votes.begin(), votes.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == votes.end() ? std::string() : most->first;
+}
+
+std::string CandidateThing::tag() const {
+    const CandidateLook* most = nullptr;
+    for (const auto& [key, look] : looks) {
+        if (std::get<0>(key) == "tag" && (most == nullptr || look.evidence > most->evidence)) most = &look;
+    }
+    return most == nullptr ? std::string() : most->best.text;
 }
 
 std::vector<Cue> CandidateThing::cues() const {

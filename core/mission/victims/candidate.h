@@ -57,9 +57,14 @@ struct CandidateThing {
     void settle(const ScanPlaces& scans, const CandidateSettings& settings);
     /// What its cues of it say most often; empty for victims without a tag.
     [[nodiscard]] std::string text() const;
+    /// What the tag of a victim says that was read most; empty: none was.
+    [[nodiscard]] std::string tag() const;
     [[nodiscard]] std::vector<Cue> cues() const;
     [[nodiscard]] double deviation() const;
 };
+
+/// How many squared deviations of @p covariance @p off is long, seen from above; infinite where it has none.
+[[nodiscard]] double squaredDeviations(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance);
 
 /// How sure @p thing is, by kinds of cues.
 [[nodiscard]] double confidenceOf(const CandidateThing& thing, const CandidateSettings& settings);

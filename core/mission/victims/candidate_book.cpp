@@ -24,6 +24,7 @@ double flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 struct CandidateBook::State {
     std::string station;
     CandidateSettings settings;
+    TagPatterns patterns = usualTags();
     ScanPlaces scans;
     std::vector<CandidateThing> things;  ///< by age
     std::vector<CandidateThing> gone;    ///< told, then joined with an older one: to be told once more
@@ -37,6 +38,7 @@ struct CandidateBook::State {
     [[nodiscard]] CandidateThing* standsBefore(const PlacedCue& cue);
     void put(const PlacedCue& cue, CandidateThing& thing);
     void dropSeenPast();
+    void see(const PlacedCue& cue);
     void support(const PlacedCue& cue);
     void join(CandidateThing& thing);
     void forget();
@@ -61,20 +63,20 @@ bool CandidateBook::State::isSame(const CandidateThing& thing, const Eigen::Vect
     if (thing.what == Kind::Hazard) return thing.text() == text && away < settings.sameHazard;
     if (away < settings.sameVictim) return true;
     if (away > settings.widestGate) return false;
-    const Eigen::Matrix2d both = (thing.covariance + covariance).topLeftCorner<2, 2>();
-    const Eigen::Vector2d off = (inMap - thing.inMap).head<2>();
-    const double determinant = both.determinant();
-    if (!(determinant > 0.0)) return false;
-    const double squared = (off.x() * (both(1, 1) * off.x() - both(0, 1) * off.y()) +
-                            off.y() * (both(0, 0) * off.y() - both(1, 0) * off.x())) /
-                           determinant;
-    return squared < settings.gate * settings.gate;
+    return squaredDeviations(inMap - thing.inMap, thing.covariance + covariance) <
+           settings.gate * settings.gate;
 }
 
 CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
     CandidateThing* nearest = nullptr;
+    const std::string tag = cue.cue.kind == "tag" ? cue.cue.text : std::string();
     for (CandidateThing& thing : things) {
-        if (thing.what != cue.what || !isSame(thing, cue.inMap, cue.covariance, cue.cue.text)) continue;
+        if (thing.what != cue.what) continue;
+        // The same tag is of the same victim, another one of another.
+        const std::string known = tag.empty() ? std::string() : thing.tag();
+        const bool tagged = !tag.empty() && known == tag && flat(thing.inMap, cue.inMap) < settings.sameCode;
+        if (!tagged && !known.empty()) continue;
+        if (!tagged && !isSame(thing, cue.inMap, cue.covariance, cue.cue.text)) continue;
         if (nearest == nullptr || flat(thing.inMap, cue.inMap) < flat(nearest->inMap, cue.inMap))
             nearest = &thing;
     }
@@ -145,6 +147,8 @@ void CandidateBook::State::join(CandidateThing& thing) {
         // Only when their middles are near: the gate alone would chain a row of things together.
         if (flat(other.inMap, thing.inMap) > settings.sameVictim) continue;
         if (!isSame(other, thing.inMap, thing.covariance, thing.text())) continue;
+        const std::string tag = thing.tag(), others = other.tag();
+        if (!tag.empty() && !others.empty() && tag != others) continue;
         CandidateThing& older = other.order < thing.order ? other : thing;
         CandidateThing& younger = other.order < thing.order ? thing : other;
         if (younger.victim != 0) continue;  // the operator has two of them
@@ -186,33 +190,49 @@ void CandidateBook::add(const PlacedCue& cue) {
     state.changed = true;
     if (cue.reach > 0.0) return state.support(cue);
     if (cue.cue.kind == "sighting") state.forget(cue.cue);
-    if (cue.cue.kind == "code") {
-        // The tag of a victim near by says more of the victim, and is a code all the same.
+    if (cue.cue.kind == "code" && isVictimTag(cue.cue.text, state.patterns)) {
+        // Who put it there says that a victim lies there, though nothing else may be seen of it.
+        PlacedCue tag = cue;
+        tag.cue.kind = "tag";
+        tag.what = Kind::Victim;
+        state.see(tag);
+    } else if (cue.cue.kind == "code") {
+        // A code on a victim says more of the victim, and is a code all the same.
         for (CandidateThing& thing : state.things) {
             if (thing.what != Kind::Victim || (thing.inMap - cue.inMap).norm() > state.settings.codeNear)
                 continue;
             state.put(cue, thing);
         }
     }
-    CandidateThing* thing = state.thingOf(cue);
-    if (cue.what == Kind::Victim && (thing == nullptr || thing->id == 0)) {
-        if (CandidateThing* nearer = state.standsBefore(cue)) {
+    state.see(cue);
+}
+
+/// Puts @p cue to the thing that it is of, else makes one.
+void CandidateBook::State::see(const PlacedCue& cue) {
+    CandidateThing* thing = thingOf(cue);
+    const bool past = cue.what == Kind::Victim && cue.cue.kind != "tag";
+    if (past && (thing == nullptr || thing->id == 0)) {
+        if (CandidateThing* nearer = standsBefore(cue)) {
             PlacedCue moved = cue;
-            moved.inMap = cue.from + *sharePassing(cue.from, cue.inMap, nearer->inMap, state.settings) *
+            moved.inMap = cue.from + *sharePassing(cue.from, cue.inMap, nearer->inMap, settings) *
                                          (cue.inMap - cue.from);
-            return state.put(moved, *nearer);
+            return put(moved, *nearer);
         }
     }
     if (thing == nullptr) {
         CandidateThing made;
         made.what = cue.what;
-        made.order = ++state.order;
-        state.things.push_back(std::move(made));
-        thing = &state.things.back();
+        made.order = ++order;
+        things.push_back(std::move(made));
+        thing = &things.back();
     }
-    state.put(cue, *thing);
-    state.join(*thing);
-    state.forget();
+    put(cue, *thing);
+    join(*thing);
+    forget();
+}
+
+void CandidateBook::tags(TagPatterns patterns) {
+    m_state->patterns = std::move(patterns);
 }
 
 void CandidateBook::scanAt(std::uint64_t id, const Pose& scanInMap) {

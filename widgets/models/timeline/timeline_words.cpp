@@ -46,6 +46,7 @@ QString seenText(const std::string& kind) {
     if (kind == "sound") return TimelineTexts::tr("sound");
     if (kind == "co2") return TimelineTexts::tr("CO₂");
     if (kind == "code") return TimelineTexts::tr("a code");
+    if (kind == "tag") return TimelineTexts::tr("a victim's tag");
     if (kind == "hazard") return TimelineTexts::tr("a hazard sign");
     if (kind == "object") return TimelineTexts::tr("an object");
     if (kind == "sighting") return TimelineTexts::tr("the robot's own sighting");

@@ -48,6 +48,7 @@ QString cueText(const Cue& cue) {
         return std::isnan(cue.value) ? Say::tr("CO₂") : Say::tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
     }
     if (cue.kind == "sighting") return Say::tr("the robot's own");
+    if (cue.kind == "tag") return Say::tr("tag %1").arg(QString::fromStdString(cue.text));
     return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard)
                             : QString::fromStdString(cue.text);
 }
