@@ -74,7 +74,13 @@ void VictimSearch::setTags(TagsOfProfiles tags, const std::string& profile) {
     m_book.tags(m_tags.of(profile));
 }
 
+void VictimSearch::restore(const VictimSample& find) {
+    const bool none = find.status == VictimSample::Status::Discarded && find.mergedInto == 0;
+    m_book.discarded(find.kind, find.number, none);
+}
+
 void VictimSearch::take(const Event& event, bool search) {
+    if (const auto* find = std::get_if<VictimSample>(&event.sample)) return restore(*find);
     if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
         return m_book.tags(m_tags.of(info->profile));
     if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);

@@ -42,6 +42,7 @@ public:
     [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
     /// What was told of a candidate in an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
+    void restore(const VictimSample& find);  ///< likewise of a find; after its candidates
     /// Which codes are tags of victims; the mission's data say by which @p profile, until then it is this
     /// one.
     void setTags(TagsOfProfiles tags, const std::string& profile);

@@ -47,6 +47,7 @@ VictimWatch::VictimWatch(VictimWatchSetup setup)
     : m_setup(std::move(setup)), m_search(m_setup.robots, m_setup.station) {
     m_search.follow(m_setup.earlierPoses);
     for (const CandidateSample& sample : m_setup.earlier) m_search.restore(sample);
+    for (const VictimSample& find : m_setup.earlierFinds) m_search.restore(find);
     m_search.setTags(m_setup.tags, m_setup.profile);
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

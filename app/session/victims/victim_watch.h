@@ -26,6 +26,7 @@ struct VictimWatchSetup {
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; after an undo
     std::vector<ScanPose> earlierPoses;            ///< of the mission's earlier sessions
     std::vector<CandidateSample> earlier;          ///< likewise
+    std::vector<VictimSample> earlierFinds;        ///< likewise
     TagsOfProfiles tags;                           ///< of victims
     std::string profile;                           ///< of the score, as the mission's data have it by now
 };

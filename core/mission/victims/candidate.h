@@ -42,6 +42,7 @@ struct CandidateThing {
     std::uint32_t victim = 0;
     bool dismissed = false;  ///< by whoever; it stays so
     bool withdrawn = false;  ///< told, and not believed any more
+    bool discarded = false;  ///< filed, and the find was discarded
     std::uint64_t order = 0;
     // as told last
     Time told{};
@@ -59,6 +60,8 @@ struct CandidateThing {
     [[nodiscard]] std::string text() const;
     /// What the tag of a victim says that was read most; empty: none was.
     [[nodiscard]] std::string tag() const;
+    /// A person has seen that it is none.
+    [[nodiscard]] bool isRuledOut() const { return dismissed || discarded; }
     [[nodiscard]] std::vector<Cue> cues() const;
     [[nodiscard]] double deviation() const;
 };

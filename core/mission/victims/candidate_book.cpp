@@ -9,6 +9,7 @@
 #include "core/mission/victims/behind.h"
 #include "core/mission/victims/candidate.h"
 #include "core/mission/victims/dismissal.h"
+#include "core/mission/victims/ruled_out.h"
 
 namespace leitstand {
 namespace {
@@ -38,6 +39,7 @@ struct CandidateBook::State {
     [[nodiscard]] CandidateThing* standsBefore(const PlacedCue& cue);
     void put(const PlacedCue& cue, CandidateThing& thing);
     void dropSeenPast();
+    void dropRuledOut();
     void see(const PlacedCue& cue);
     void support(const PlacedCue& cue);
     void join(CandidateThing& thing);
@@ -77,6 +79,9 @@ CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
         const bool tagged = !tag.empty() && known == tag && flat(thing.inMap, cue.inMap) < settings.sameCode;
         if (!tagged && !known.empty()) continue;
         if (!tagged && !isSame(thing, cue.inMap, cue.covariance, cue.cue.text)) continue;
+        if (!tagged && thing.what == Kind::Victim && thing.isRuledOut() &&
+            !isOfRuledOut(cue, thing, settings))
+            continue;
         if (nearest == nullptr || flat(thing.inMap, cue.inMap) < flat(nearest->inMap, cue.inMap))
             nearest = &thing;
     }
@@ -88,7 +93,7 @@ CandidateThing* CandidateBook::State::standsBefore(const PlacedCue& cue) {
     CandidateThing* nearest = nullptr;
     double least = 1.0;
     for (CandidateThing& thing : things) {
-        if (thing.what != Kind::Victim || thing.id == 0 || thing.dismissed || thing.withdrawn) continue;
+        if (thing.what != Kind::Victim || thing.id == 0 || thing.isRuledOut() || thing.withdrawn) continue;
         const auto share = sharePassing(cue.from, cue.inMap, thing.inMap, settings);
         if (!share || *share >= least) continue;
         least = *share;
@@ -108,7 +113,7 @@ void CandidateBook::State::dropSeenPast() {
     const auto isOf = [this](const CandidateThing& far) {
         return std::any_of(things.begin(), things.end(), [&](const CandidateThing& one) {
             const bool sure = one.id != 0 || one.confidence >= settings.tell;
-            return &one != &far && one.what == Kind::Victim && sure && !one.dismissed && !one.withdrawn &&
+            return &one != &far && one.what == Kind::Victim && sure && !one.isRuledOut() && !one.withdrawn &&
                    isSeenPast(far, one, scans, settings);
         });
     };
@@ -126,13 +131,25 @@ void CandidateBook::State::dropSeenPast() {
     }
 }
 
+/// What would be told anew of a thing that a person ruled out.
+void CandidateBook::State::dropRuledOut() {
+    const auto isAgain = [this](const CandidateThing& made) {
+        if (made.id != 0 || made.what != Kind::Victim || made.confidence < settings.tell) return false;
+        return std::any_of(things.begin(), things.end(), [&](const CandidateThing& thing) {
+            return thing.what == Kind::Victim && thing.isRuledOut() && isRuledOutAgain(made, thing, settings);
+        });
+    };
+    for (auto one = things.begin(); one != things.end();) one = isAgain(*one) ? things.erase(one) : one + 1;
+}
+
 void CandidateBook::State::support(const PlacedCue& cue) {
-    // The one that it is most likely of, alone: a lamp beside a victim does not breathe.
+    // The one that it is most likely of, alone: a lamp beside a victim does not breathe, nor what was ruled
+    // out.
     CandidateThing* best = nullptr;
     double most = 0.0;
     for (CandidateThing& thing : things) {
         const double away = flat(thing.inMap, cue.inMap);
-        if (thing.what != Kind::Victim || away > cue.reach) continue;
+        if (thing.what != Kind::Victim || thing.isRuledOut() || away > cue.reach) continue;
         const double likely = thing.confidence / (0.5 + away);
         if (likely <= most) continue;
         most = likely;
@@ -143,7 +160,8 @@ void CandidateBook::State::support(const PlacedCue& cue) {
 
 void CandidateBook::State::join(CandidateThing& thing) {
     for (CandidateThing& other : things) {
-        if (&other == &thing || other.what != thing.what || other.dismissed != thing.dismissed) continue;
+        if (&other == &thing || other.what != thing.what || other.isRuledOut() != thing.isRuledOut())
+            continue;
         // Only when their middles are near: the gate alone would chain a row of things together.
         if (flat(other.inMap, thing.inMap) > settings.sameVictim) continue;
         if (!isSame(other, thing.inMap, thing.covariance, thing.text())) continue;
@@ -235,6 +253,12 @@ void CandidateBook::tags(TagPatterns patterns) {
     m_state->patterns = std::move(patterns);
 }
 
+void CandidateBook::discarded(VictimSample::Kind kind, std::uint32_t number, bool discarded) {
+    for (CandidateThing& thing : m_state->things) {
+        if (number != 0 && thing.what == kind && thing.victim == number) thing.discarded = discarded;
+    }
+}
+
 void CandidateBook::scanAt(std::uint64_t id, const Pose& scanInMap) {
     State& state = *m_state;
     const auto known = state.scans.find(id);
@@ -263,6 +287,7 @@ void CandidateBook::take(const CandidateSample& sample) {
             thing.last.victim = sample.victim;
             thing.last.dismissed = sample.dismissed;
         }
+        if (thing.victim != sample.victim) thing.discarded = false;
         thing.victim = sample.victim;
         thing.dismissed = isDismissal(sample, state.settings);
         return;
@@ -344,6 +369,7 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
 std::vector<CandidateSample> CandidateBook::due(Time now) {
     State& state = *m_state;
     state.dropSeenPast();
+    state.dropRuledOut();
     std::vector<CandidateSample> samples;
     for (CandidateThing& thing : std::exchange(state.gone, {})) {
         thing.dismissed = true;

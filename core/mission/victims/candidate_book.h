@@ -35,6 +35,8 @@ struct CandidateSettings {
     double codeNear = 0.5;      ///< a code so near to a victim is on it, or beside it [m]
     double tagged = 0.6;        ///< how sure the tag of a victim alone makes that it lies there
     int tagMoments = 3;         ///< half seconds in which a tag was read until it counts in full
+    double ruledOut = 0.35;     ///< of what a person ruled out, what is so near is that thing [m] ...
+    double ruledOutGate = 2.0;  ///< ... or within so many deviations
     std::size_t most = 500;     ///< candidates; beyond, the least sure that was not told goes
 };
 
@@ -59,6 +61,9 @@ public:
     void take(const CandidateSample& sample);
     /// What codes say that are tags of victims.
     void tags(TagPatterns patterns);
+    /// Whether the find that candidates were filed as, of that kind and number, is none: what lies beside it
+    /// may be.
+    void discarded(VictimSample::Kind kind, std::uint32_t number, bool discarded);
     /// Candidates that are new or changed, at most each @ref CandidateSettings::interval.
     [[nodiscard]] std::vector<CandidateSample> due(Time now);
 
