@@ -20,8 +20,10 @@ namespace leitstand::simulation::test {
 struct VictimTruth {
     int element = 0;  ///< number in the arena
     bool warm = false, hidden = false;
-    int looks = 0;       ///< infrared pictures in which its skin was, from nearer than 4 m
-    int closeLooks = 0;  ///< pictures of the left camera from nearer than 1.2 m
+    int looks = 0;     ///< infrared pictures in which its skin was, from nearer than 4 m
+    int tagLooks = 0;  ///< pictures of the left camera in which its tag was large enough to be read
+    /// Whether it was to be found: by its warmth, or, where it is cold, by its tag.
+    [[nodiscard]] bool isAsked() const;
 };
 
 /// A robot in an arena whose samples are mapped and searched for victims as at a station, in one process.
@@ -32,6 +34,7 @@ public:
     DrivenWorld driven;
     std::unique_ptr<VictimSearch> search;
     std::map<std::uint32_t, CandidateSample> candidates;  ///< newest by id
+    std::map<std::uint32_t, CandidateSample> stood;       ///< as each stood last, also those taken back
     std::vector<VictimTruth> victims;
     std::function<void(const Event&)> onEvent;  ///< told of all that the search is given; may be empty
     int updates = 0;                            ///< of candidates
@@ -45,6 +48,8 @@ private:
     void map(const Event& event);
     void give(const Event& event);
     void look(const Event& event);
+    void lookForSkin(const Pose& camera);
+    void lookForTags(const Pose& camera);
     [[nodiscard]] Event eventOf(const HardwareSample& sample);
 
     RobotDescription m_robot;
@@ -63,6 +68,8 @@ private:
 /// How well the search did.
 struct SearchResult {
     int lookedAt = 0, found = 0, falseOnes = 0, codes = 0, codesWrong = 0, hazards = 0, hazardsWrong = 0;
+    int coldLookedAt = 0, coldFound = 0;  ///< of these, cold ones whose tags were looked at
+    int falseEver = 0;   ///< candidates that were told beside no victim, also those taken back
     double worst = 0.0;  ///< of those found [m]
 };
 /// Compares with the truth and prints a table.
