@@ -86,7 +86,7 @@ void CoverageMap::look(const SearchView& view, const Pose& scanInMap) {
 void CoverageMap::scan(const ShotDensity& shots, const Pose& scanInMap) {
     const Eigen::Vector3d from = scanInMap.translation();
     const Eigen::Matrix3d mapInScan = scanInMap.linear().transpose();
-    sweep(SearchSensor::Scanner, {from, m_settings.farthest}, [&](const Eigen::Vector3d& body) {
+    sweep(SearchSensor::Scanner, {from, m_settings.scannerReach}, [&](const Eigen::Vector3d& body) {
         const Eigen::Vector3d away = body - from;
         const double points =
             shots.about(mapInScan * away) * m_settings.bodyArea / std::max(0.01, away.squaredNorm());

@@ -8,15 +8,17 @@ namespace leitstand {
 
 /// When a place counts as searched: where a body that lies there would be seen.
 struct CoverageSettings {
-    double cell = 0.1;          ///< of the grid, at least [m]
-    double bodyMiddle = 0.15;   ///< of a body that lies, above the floor [m]
-    double bodyArea = 0.15;     ///< that a scanner sees of it, 0.5 m x 0.3 m [m2]
-    double bodySide = 0.4;      ///< that cameras see of it [m]
-    double scannerPoints = 20;  ///< of a scan of the map that have to be on it
-    double cameraPixels = 24;   ///< that it has to span
-    double infraredPixels = 8;  ///< likewise
-    double farthest = 8.0;      ///< of anything [m]
-    double sure = 4.0;          ///< so many times what is needed is as good as it gets
+    double cell = 0.1;           ///< of the grid, at least [m]
+    double bodyMiddle = 0.15;    ///< of a body that lies, above the floor [m]
+    double bodyArea = 0.15;      ///< that a scanner sees of it, 0.5 m x 0.3 m [m2]
+    double bodySide = 0.4;       ///< that cameras see of it [m]
+    double scannerPoints = 20;   ///< of a scan of the map that have to be on it
+    double cameraPixels = 24;    ///< that it has to span
+    double infraredPixels = 8;   ///< likewise
+    double scannerReach = 8.0;   ///< beyond, a scan is not looked at [m]
+    double cameraReach = 5.0;    ///< beyond, nobody looks for motion, codes and placards [m]
+    double infraredReach = 6.0;  ///< beyond, nobody looks for warmth [m]
+    double sure = 4.0;           ///< so many times what is needed is as good as it gets
 
     double lowest = 0.12;       ///< what is higher above the floor is in the way [m]
     double robotHeight = 0.65;  ///< what is lower too is in the robots' way [m]

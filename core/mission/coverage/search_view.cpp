@@ -89,9 +89,11 @@ std::optional<SearchField> fieldOf(const CameraInfoSample& camera) {
 }
 
 double SearchView::range(const CoverageSettings& settings) const {
-    const double pixels = sensor == SearchSensor::Infrared ? settings.infraredPixels : settings.cameraPixels;
-    if (!(pixels > 0.0)) return settings.farthest;
-    return std::min(settings.farthest, settings.bodySide * field.pixelsPerRadian / pixels);
+    const bool infrared = sensor == SearchSensor::Infrared;
+    const double pixels = infrared ? settings.infraredPixels : settings.cameraPixels;
+    const double reach = infrared ? settings.infraredReach : settings.cameraReach;
+    if (!(pixels > 0.0)) return reach;
+    return std::min(reach, settings.bodySide * field.pixelsPerRadian / pixels);
 }
 
 }  // namespace leitstand

@@ -62,6 +62,18 @@ TEST(CoverageMap, ABodyHasToSpanEnoughPixels) {
               viewFrom({0, 0, 0}, 0).range(far));
 }
 
+TEST(CoverageMap, WhatIsFartherThanAnybodyLooksIsNotSearchedHoweverManyPixelsItSpans) {
+    const auto through = [](SearchSensor sensor) {  // the door
+        return coverageOf({viewFrom({-3.8, 1.5, 0.5}, 0.0, 0.0, sensor)});
+    };
+    const auto camera = through(SearchSensor::Camera), infrared = through(SearchSensor::Infrared);
+    EXPECT_TRUE(sees(*camera, SearchSensor::Camera, 0.8, 1.5)) << "4.6 m";
+    EXPECT_FALSE(sees(*camera, SearchSensor::Camera, 1.8, 1.5))
+        << "5.6 m: codes and motion are not looked for";
+    EXPECT_TRUE(sees(*infrared, SearchSensor::Infrared, 1.8, 1.5));
+    EXPECT_FALSE(sees(*infrared, SearchSensor::Infrared, 2.6, 1.5)) << "6.4 m: nor is warmth";
+}
+
 TEST(CoverageMap, AScannerSearchesWhereItsPointsAreDenseEnough) {
     const auto map = coverageOf({});
     EXPECT_TRUE(sees(*map, SearchSensor::Scanner, -1.5, 0.5));
