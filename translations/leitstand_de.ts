@@ -1259,10 +1259,6 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>Opfer neben der Wahrheit</translation>
     </message>
     <message>
-        <source>From each filed victim to the nearest true one, seen from above</source>
-        <translation>Von jedem erfassten Opfer zum nächsten wahren, von oben gesehen</translation>
-    </message>
-    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
@@ -1387,6 +1383,23 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>moved %1 at most</source>
         <translation>höchstens %1 verschoben</translation>
+    </message>
+    <message>
+        <source>Victims found</source>
+        <translation>Gefundene Opfer</translation>
+    </message>
+    <message>
+        <source>True victims that were filed, each find counting for one; missed: those that were not; false: finds within %1 m of no victim, or of one that was filed already</source>
+        <translation>Wahre Opfer, die erfasst wurden, jedes für einen Fund; verfehlt: die übrigen; falsch: Funde ohne Opfer in %1 m Umkreis oder von einem schon erfassten</translation>
+    </message>
+    <message>
+        <source>%1, missed %2, false %3</source>
+        <comment>victims found</comment>
+        <translation>%1, verfehlt %2, falsch %3</translation>
+    </message>
+    <message>
+        <source>From each victim that was found to where it truly is, seen from above</source>
+        <translation>Von jedem gefundenen Opfer zu seinem wahren Ort, von oben gesehen</translation>
     </message>
 </context>
 <context>

@@ -1259,10 +1259,6 @@ The blue line is the horizon.</source>
         <translation>被災者の真値との差</translation>
     </message>
     <message>
-        <source>From each filed victim to the nearest true one, seen from above</source>
-        <translation>登録した被災者から最も近い真の被災者まで、上から見て</translation>
-    </message>
-    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
@@ -1387,6 +1383,23 @@ The blue line is the horizon.</source>
     <message>
         <source>moved %1 at most</source>
         <translation>移動は最大 %1</translation>
+    </message>
+    <message>
+        <source>Victims found</source>
+        <translation>発見した被災者</translation>
+    </message>
+    <message>
+        <source>True victims that were filed, each find counting for one; missed: those that were not; false: finds within %1 m of no victim, or of one that was filed already</source>
+        <translation>登録された実際の被災者 (発見1件につき1人)。見逃し: 登録されなかった人。誤り: %1 m 以内に被災者がいない、またはすでに登録済みの人の発見</translation>
+    </message>
+    <message>
+        <source>%1, missed %2, false %3</source>
+        <comment>victims found</comment>
+        <translation>%1、見逃し %2、誤り %3</translation>
+    </message>
+    <message>
+        <source>From each victim that was found to where it truly is, seen from above</source>
+        <translation>発見した各被災者から実際の位置まで (真上から見た距離)</translation>
     </message>
 </context>
 <context>

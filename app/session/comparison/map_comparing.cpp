@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <map>
 #include <system_error>
 #include <thread>
@@ -59,7 +58,8 @@ std::optional<TrajectoryError> errorOf(const MapComparison& whole, const Recorde
 std::optional<FindsError> findsOf(const MissionState& state, const MapComparison& whole,
                                   const RecordedTruth& truth, const Pose& mapInWorld,
                                   Pose ComparedScan::*pose) {
-    FindsError error;
+    if (truth.victims.empty()) return std::nullopt;
+    std::vector<Eigen::Vector3d> places;
     for (const auto& [key, kept] : *state.victims) {
         const VictimSample& find = kept.victim;
         if (find.kind != VictimSample::Kind::Victim || find.status == VictimSample::Status::Discarded)
@@ -67,18 +67,10 @@ std::optional<FindsError> findsOf(const MissionState& state, const MapComparison
         const auto scan = std::find_if(whole.scans.begin(), whole.scans.end(),
                                        [&](const ComparedScan& one) { return one.id == find.scan; });
         const bool hangs = find.scan != 0 && scan != whole.scans.end();
-        const Eigen::Vector3d place = mapInWorld * (hangs ? Eigen::Vector3d(*scan.*pose * find.positionInScan)
-                                                          : positionInMap(state, find));
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const Eigen::Vector3d& victim : truth.victims)
-            nearest = std::min(nearest, (victim - place).head<2>().norm());
-        ++error.finds;
-        error.mean += nearest;
-        error.worst = std::max(error.worst, nearest);
+        places.push_back(mapInWorld * (hangs ? Eigen::Vector3d(*scan.*pose * find.positionInScan)
+                                             : positionInMap(state, find)));
     }
-    if (error.finds == 0 || truth.victims.empty()) return std::nullopt;
-    error.mean /= error.finds;
-    return error;
+    return compareFinds(places, truth.victims);
 }
 
 }  // namespace

@@ -72,8 +72,9 @@ std::string figuresText(const char* key, const MapFigures& figures) {
     }
     if (figures.finds) {
         const FindsError& error = *figures.finds;
-        text +=
-            fmt::format("  finds: {}\n", listOf({static_cast<double>(error.finds), error.mean, error.worst}));
+        text += fmt::format("  finds: {}\n",
+                            listOf({static_cast<double>(error.finds), error.mean, error.worst,
+                                    static_cast<double>(error.missed), static_cast<double>(error.wrong)}));
     }
     return text.empty() ? text : fmt::format("{}:\n{}", key, text);
 }
@@ -112,13 +113,25 @@ bool readAmounts(const YamlFields& fields, std::string_view key, int& count, dou
     return true;
 }
 
+/// What files had before finds were told apart (three numbers) is left out: it means something else.
+std::optional<FindsError> readFinds(const YamlFields& fields) {
+    std::vector<double> values;
+    if (!fields.has("finds") || fields.list("finds").size() == 3) return std::nullopt;
+    if (!fields.numbers("finds", values, 5, Far, "")) return std::nullopt;
+    FindsError finds{static_cast<int>(values[0]), values[1], values[2], static_cast<int>(values[3]),
+                     static_cast<int>(values[4])};
+    const bool none = std::any_of(values.begin(), values.end(), [](double one) { return one < 0.0; });
+    if (!none && finds.wrong <= finds.finds) return finds;
+    fields.fail("finds", "expected counts and amounts, none below 0, and no more wrong finds than finds");
+    return std::nullopt;
+}
+
 void readFigures(const YamlFields& fields, std::string_view key, MapFigures& figures, YamlErrors& errors) {
     if (!fields.has(key)) return;
     const YamlFields of(fields.at(key), MapKeys, errors);
     TrajectoryError truth;
     if (readAmounts(of, "truth", truth.poses, truth.position, truth.rotation)) figures.truth = truth;
-    FindsError finds;
-    if (readAmounts(of, "finds", finds.finds, finds.mean, finds.worst)) figures.finds = finds;
+    figures.finds = readFinds(of);
 }
 
 void readScan(const YamlPlace& place, MapComparison& whole, std::set<int>& seen, YamlErrors& errors) {

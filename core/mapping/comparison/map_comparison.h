@@ -9,6 +9,7 @@
 #include "core/base/pose.h"
 #include "core/base/progress.h"
 #include "core/base/time.h"
+#include "core/mapping/comparison/found_victims.h"
 #include "core/mapping/comparison/trajectory_error.h"
 #include "core/mapping/map.h"
 #include "core/mapping/registration_settings.h"
@@ -34,12 +35,6 @@ struct ComparedScan {
     std::optional<ScanFit> fitRecorded{}, fitAgain{};  ///< empty: a robot's first, or it has no points
 };
 
-/// How far finds are from the nearest true victim.
-struct FindsError {
-    int finds = 0;
-    double mean = 0.0, worst = 0.0;  ///< in the plane [m]
-};
-
 /// A map in figures.
 struct MapFigures {
     int uncertain = 0;                       ///< scans
@@ -47,7 +42,7 @@ struct MapFigures {
     double path = 0.0;                       ///< way of the robots from scan to scan [m]
     std::optional<double> seconds{};         ///< that registering took; empty: nobody knows
     std::optional<TrajectoryError> truth{};  ///< empty: the mission does not hold it
-    std::optional<FindsError> finds{};       ///< likewise, or there are no victims filed
+    std::optional<FindsError> finds{};       ///< likewise, or not of its victims
 };
 
 /// The map of a mission as it was recorded beside that which other settings make of the same scans.

@@ -81,6 +81,9 @@ TEST_F(MapComparingTest, TellsHowFarBothMapsAreFromARecordedTruth) {
     EXPECT_NEAR(made->recorded.truth->rotation, 0.0, 1e-6);
     ASSERT_TRUE(made->recorded.finds);
     EXPECT_EQ(made->recorded.finds->finds, 1);
+    EXPECT_EQ(made->recorded.finds->found(), 1);
+    EXPECT_EQ(made->recorded.finds->missed, 0);
+    EXPECT_EQ(made->recorded.finds->wrong, 0);
     EXPECT_NEAR(made->recorded.finds->mean, 0.3, 1e-6);
     EXPECT_NEAR(made->recorded.path, 2.0, 1e-6);
 }

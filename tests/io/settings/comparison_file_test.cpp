@@ -30,7 +30,7 @@ MapComparison sample() {
     }
     whole.again.seconds = 1.25;
     whole.recorded.truth = TrajectoryError{.poses = 3, .position = 0.031, .rotation = 0.01};
-    whole.again.finds = FindsError{.finds = 2, .mean = 0.2, .worst = 0.3};
+    whole.again.finds = FindsError{.finds = 2, .mean = 0.2, .worst = 0.3, .missed = 4, .wrong = 1};
     sumUp(whole);
     return whole;
 }
@@ -68,6 +68,8 @@ TEST(ComparisonFile, ComesBackAsItWasWritten) {
     EXPECT_EQ(after->again.seconds, 1.25);
     EXPECT_EQ(after->recorded.truth.value().poses, 3);
     EXPECT_EQ(after->again.finds.value().worst, 0.3);
+    EXPECT_EQ(after->again.finds.value().missed, 4);
+    EXPECT_EQ(after->again.finds.value().found(), 1);
     EXPECT_FALSE(after->again.truth || after->recorded.finds);
     EXPECT_THAT(readComparison(folder / "none.yaml").error().text, HasSubstr("none.yaml: cannot be opened"));
 }

@@ -67,10 +67,13 @@ TEST(ComparisonRows, ErrorsAgainstTheTruthStandWhereItIsKnown) {
     MapComparison whole = comparison();
     whole.recorded.truth = TrajectoryError{.poses = 3, .position = 0.031, .rotation = degrees(0.4)};
     whole.again.truth = TrajectoryError{.poses = 3, .position = 0.042, .rotation = degrees(0.6)};
-    whole.recorded.finds = FindsError{.finds = 2, .mean = 0.1, .worst = 0.15};
+    whole.recorded.finds = FindsError{.finds = 3, .mean = 0.1, .worst = 0.15, .missed = 4, .wrong = 1};
+    whole.again.finds = FindsError{.finds = 1, .missed = 6, .wrong = 1};
     const TextTable table = figuresOf(whole);
     EXPECT_EQ(rowOf(table, "Off the truth"), QStringList({"Off the truth", "31.0 mm", "42.0 mm"}));
     EXPECT_EQ(rowOf(table, "Turned off the truth").size(), 3);
+    EXPECT_EQ(rowOf(table, "Victims found"),
+              QStringList({"Victims found", "2, missed 4, false 1", "0, missed 6, false 1"}));
     EXPECT_EQ(rowOf(table, "Victims off the truth"),
               QStringList({"Victims off the truth", "100.0 mm, at most 150.0 mm", "–"}));
 }

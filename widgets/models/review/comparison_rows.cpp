@@ -42,12 +42,25 @@ void addTruth(TextTable& table, const MapComparison& whole) {
     add(Say::tr("Turned off the truth"), Say::tr("The same of their attitudes"),
         [](const TrajectoryError& error) { return degreesText(error.rotation); });
     if (!whole.recorded.finds && !whole.again.finds) return;
-    const auto finds = [](const FindsError& error) {
-        return ofTwo(millimetres(error.mean), millimetres(error.worst));
+    const auto addFinds = [&](const QString& name, const QString& hint, auto text) {
+        table.rows.push_back(
+            {{name, optionalText(whole.recorded.finds, text), optionalText(whole.again.finds, text)}, hint});
     };
-    table.rows.push_back({{Say::tr("Victims off the truth"), optionalText(whole.recorded.finds, finds),
-                           optionalText(whole.again.finds, finds)},
-                          Say::tr("From each filed victim to the nearest true one, seen from above")});
+    addFinds(Say::tr("Victims found"),
+             Say::tr("True victims that were filed, each find counting for one; missed: those that were not; "
+                     "false: finds within %1 m of no victim, or of one that was filed already")
+                 .arg(numberText(FoundReach, 0)),
+             [](const FindsError& error) {
+                 return Say::tr("%1, missed %2, false %3", "victims found")
+                     .arg(error.found())
+                     .arg(error.missed)
+                     .arg(error.wrong);
+             });
+    addFinds(Say::tr("Victims off the truth"),
+             Say::tr("From each victim that was found to where it truly is, seen from above"),
+             [](const FindsError& error) {
+                 return error.found() == 0 ? None : ofTwo(millimetres(error.mean), millimetres(error.worst));
+             });
 }
 
 }  // namespace
