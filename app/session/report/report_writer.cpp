@@ -148,7 +148,7 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     const ScoreProfiles profiles = scoreProfiles();
     if (const ScoreProfile* profile = profiles.find(model.facts.profile)) {
         content.profile = *profile;
-        content.score = score(*profile, source.input().state);
+        content.score = score(*profile, source.input().state, footprintsOf(source.robots()));
         if (!model.facts.profile.empty() && profile->name != model.facts.profile) {
             warnings.push_back(leitstand::fill(
                 translate("leitstand::ReportText", "the score's profile \"{}\" is not there: \"{}\" is used"),

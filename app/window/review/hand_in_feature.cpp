@@ -80,7 +80,8 @@ void HandInFeature::showScore() {
     if (profile == nullptr) return;
     const MissionClock clock = clockAt(mission.clock ? std::optional(mission.clock->sample) : std::nullopt,
                                        m_bridge.reviewed()->now);
-    m_score->show(scoreText(*profile, score(*profile, mission), withLength(clock, profile->minutes)));
+    m_score->show(scoreText(*profile, score(*profile, mission, footprintsOf(m_bridge.robots())),
+                            withLength(clock, profile->minutes)));
 }
 
 }  // namespace leitstand

@@ -9,8 +9,6 @@
 namespace leitstand {
 namespace {
 
-constexpr double VictimReach = 0.6;  // of a robot's middle to a victim that it touches [m]
-
 bool told(const VictimSign& sign) {
     return sign.state != VictimSign::State::Unknown;
 }
@@ -93,21 +91,19 @@ std::vector<Eigen::Vector3d> victimPlaces(const MissionState& state) {
     return places;
 }
 
-bool touchesVictim(const Contact& contact, const std::optional<Pose>& odometryInMap,
-                   const std::vector<Eigen::Vector3d>& victims) {
-    if (!contact.baseInOdom || !odometryInMap) return false;
-    const Eigen::Vector3d robot = (*odometryInMap * *contact.baseInOdom).translation();
-    return std::any_of(victims.begin(), victims.end(), [&](const Eigen::Vector3d& victim) {
-        return (victim - robot).head<2>().norm() < VictimReach;
-    });
-}
-
-void countBumps(const MissionState& state, ScoreResult& result) {
+void countBumps(const MissionState& state, const Footprints& footprints, ScoreResult& result) {
     const auto victims = victimPlaces(state);
     for (const auto& [name, robot] : state.robots) {
+        const auto known = footprints.find(name);
+        const std::vector<Eigen::Vector2d> footprint =
+            known == footprints.end() ? std::vector<Eigen::Vector2d>() : known->second;
         for (const Contact& contact : robot->contacts) {
+            const auto odometry = victims.empty() ? std::nullopt : odomInMap(state, name, contact.received);
             const bool victim =
-                !victims.empty() && touchesVictim(contact, odomInMap(state, name, contact.received), victims);
+                contact.baseInOdom && odometry &&
+                std::any_of(victims.begin(), victims.end(), [&](const Eigen::Vector3d& one) {
+                    return touches(*odometry * *contact.baseInOdom, footprint, contact.bumper, one);
+                });
             (victim ? result.victimBumps : result.areaBumps) += contact.hits;
         }
     }
@@ -153,7 +149,7 @@ std::optional<Pose> odomInMap(const MissionState& state, const std::string& robo
     return known->second->place->sample.odomInMap;
 }
 
-ScoreResult score(const ScoreProfile& profile, const MissionState& state) {
+ScoreResult score(const ScoreProfile& profile, const MissionState& state, const Footprints& footprints) {
     ScoreResult result;
     result.operators = operatorsOf(state);
     result.divisor = divisorOf(profile.operators, result.operators);
@@ -162,7 +158,7 @@ ScoreResult score(const ScoreProfile& profile, const MissionState& state) {
         result.finds.push_back(scored(profile, state, wholeFind(state, key).value_or(victim.victim)));
         result.sum += result.finds.back().total;
     }
-    countBumps(state, result);
+    countBumps(state, footprints, result);
     result.penalty = static_cast<double>(result.areaBumps) * profile.areaBump +
                      static_cast<double>(result.victimBumps) * profile.victimBump;
     result.score = (result.sum - result.penalty) / result.divisor;

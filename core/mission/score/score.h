@@ -8,6 +8,7 @@
 #include "core/base/time.h"
 #include "core/mission/mission_state.h"
 #include "core/mission/score/score_profile.h"
+#include "core/mission/score/touches.h"
 
 namespace leitstand {
 
@@ -59,8 +60,9 @@ struct ScoreResult {
 };
 
 /// Estimates the score of @p state by @p profile. The map counts as good: only judges can tell. A contact
-/// counts as one with a victim where the robot stood within 0.6 m of a confirmed one.
-[[nodiscard]] ScoreResult score(const ScoreProfile& profile, const MissionState& state);
+/// counts as one with a victim where the robot touches() a confirmed one.
+[[nodiscard]] ScoreResult score(const ScoreProfile& profile, const MissionState& state,
+                                const Footprints& footprints = {});
 
 /// How far the robot found @p find by itself.
 [[nodiscard]] Autonomy autonomyOf(const VictimSample& find);

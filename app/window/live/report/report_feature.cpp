@@ -155,7 +155,8 @@ void ReportFeature::show(const LiveMoment& moment) {
     if (profile == nullptr) return;
     // Where nobody set a length, the rules' own counts.
     const MissionClock clock = withLength(m_context.bridge.station().clock().now(), profile->minutes);
-    m_score->show(scoreText(*profile, score(*profile, *moment.mission), clock));
+    m_score->show(scoreText(
+        *profile, score(*profile, *moment.mission, footprintsOf(m_context.bridge.robots())), clock));
 }
 
 }  // namespace leitstand
