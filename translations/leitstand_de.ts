@@ -454,6 +454,10 @@
         <source>minutes of a mission</source>
         <translation>Minuten einer Mission</translation>
     </message>
+    <message>
+        <source>The profile has no weight for the area “%1”: its finds count once.</source>
+        <translation>Das Profil hat kein Gewicht für den Bereich „%1“: Funde dort zählen einfach.</translation>
+    </message>
 </context>
 <context>
     <name>WorkText</name>
@@ -6321,6 +6325,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>%1: confirm</source>
         <translation>%1: bestätigen</translation>
+    </message>
+    <message>
+        <source>area “%1” has no weight in these rules</source>
+        <translation>Bereich „%1“ hat in diesen Regeln kein Gewicht</translation>
     </message>
 </context>
 <context>

@@ -454,6 +454,10 @@
         <source>minutes of a mission</source>
         <translation>ミッションの分数</translation>
     </message>
+    <message>
+        <source>The profile has no weight for the area “%1”: its finds count once.</source>
+        <translation>プロファイルにはエリア「%1」の重みがありません: そこでの発見は1倍です。</translation>
+    </message>
 </context>
 <context>
     <name>WorkText</name>
@@ -6321,6 +6325,10 @@ F1 でキー一覧</translation>
     <message>
         <source>%1: confirm</source>
         <translation>%1: 確認する</translation>
+    </message>
+    <message>
+        <source>area “%1” has no weight in these rules</source>
+        <translation>エリア「%1」はこの規則では重みなし</translation>
     </message>
 </context>
 <context>

@@ -115,6 +115,12 @@ QString scoreHtml(const ReportContent& content) {
                          .arg(number(result.divisor))
                          .arg(result.operators)
                          .arg(number(result.score)));
+    for (const std::string& area : result.unweighed) {
+        html += QStringLiteral("<p>%1</p>")
+                    .arg(ScoreText::tr(
+                             "The profile has no weight for the area \u201c%1\u201d: its finds count once.")
+                             .arg(safe(area)));
+    }
     if (!profile.unconfirmed.empty()) {
         QStringList keys;
         for (const std::string& key : profile.unconfirmed) keys += keyText(key);

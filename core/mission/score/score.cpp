@@ -74,6 +74,7 @@ ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const 
     const std::string& area = sample.area.empty() && state.info ? state.info->sample.area : sample.area;
     const auto weight = profile.areas.find(area);
     if (weight != profile.areas.end()) find.weight = weight->second;
+    if (weight == profile.areas.end()) find.unweighed = area;
     find.autonomy = autonomyOf(sample);
     find.factor = factorOf(profile, find.autonomy);
     find.total = find.confirmed ? find.points * find.weight * find.factor : 0.0;
@@ -157,6 +158,9 @@ ScoreResult score(const ScoreProfile& profile, const MissionState& state, const 
         if (victim.victim.status == VictimSample::Status::Discarded) continue;
         result.finds.push_back(scored(profile, state, wholeFind(state, key).value_or(victim.victim)));
         result.sum += result.finds.back().total;
+    }
+    for (const ScoredFind& find : result.finds) {
+        if (!find.unweighed.empty()) result.unweighed.insert(find.unweighed);
     }
     countBumps(state, footprints, result);
     result.penalty = static_cast<double>(result.areaBumps) * profile.areaBump +

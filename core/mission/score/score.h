@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct ScoredFind {
     std::vector<ScoredItem> items;  ///< of victims only
     double points = 0.0;            ///< unweighted
     double weight = 1.0;            ///< of its area
+    std::string unweighed;          ///< its area, where the profile has no weight for it
     Autonomy autonomy = Autonomy::Teleoperated;
     double factor = 1.0;  ///< of its autonomy
     double total = 0.0;   ///< points x weight x factor
@@ -56,6 +58,7 @@ struct ScoreResult {
     double divisor = 1.0;
     double sum = 0.0;                 ///< of the finds
     double score = 0.0;               ///< (sum - penalty) / divisor
+    std::set<std::string> unweighed;  ///< areas of finds that the profile has no weight for: they count as 1
     std::vector<ScoreAdvice> advice;  ///< largest gain first
 };
 

@@ -52,6 +52,16 @@ TEST(ScoreText, SaysWhatEachBringsWhatItCostsAndByWhichRules) {
     EXPECT_TRUE(text.left.isEmpty());
 }
 
+TEST(ScoreText, SaysWhereAnAreaChangesNothing) {
+    auto profile = rules();
+    profile.areas.clear();
+    const auto text = scoreText(profile, score(profile, mission()), {});
+    ASSERT_THAT(text.finds, SizeIs(5));
+    EXPECT_EQ(text.finds[0].what.toStdString(), "V1");
+    EXPECT_EQ(text.finds[2].what.toStdString(), "area “yellow” has no weight in these rules");
+    EXPECT_EQ(text.finds[2].points.toStdString(), "× 1");
+}
+
 TEST(ScoreText, SaysWhatMoreWouldBringAndHowLongThereIs) {
     const auto profile = rules();
     MissionClock clock;

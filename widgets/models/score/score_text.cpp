@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "widgets/models/numbers.h"
+#include "widgets/models/victims/victim_choices.h"
 
 namespace leitstand {
 namespace {
@@ -53,6 +54,13 @@ QString itemsText(const std::vector<ScoredItem>& items) {
     return texts.join(QStringLiteral(", "));
 }
 
+QString areaText(const std::string& area) {
+    for (const VictimChoice& one : areaChoices()) {
+        if (one.word == area) return one.text;
+    }
+    return QString::fromStdString(area);
+}
+
 ScoreLine lineOf(const ScoredFind& find) {
     QString what = QString::fromStdString(find.name);
     if (!find.confirmed) return {Say::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
@@ -75,6 +83,10 @@ ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, cons
         text.left = minutes >= 0 ? Say::tr("%1 min left").arg(minutes) : Say::tr("time is over");
     }
     for (const ScoredFind& find : result.finds) text.finds.push_back(lineOf(find));
+    for (const std::string& area : result.unweighed) {
+        text.finds.push_back({Say::tr("area “%1” has no weight in these rules").arg(areaText(area)),
+                              QStringLiteral("× 1"), Tone::Muted});
+    }
     const auto bumps = [&](std::uint64_t count, double each, const QString& what) {
         if (count > 0 && each > 0.0)
             text.finds.push_back(

@@ -128,6 +128,15 @@ TEST(Score, ContactsNearAConfirmedVictimAreWithTheVictim) {
     EXPECT_DOUBLE_EQ(result.score, 15.0);
 }
 
+TEST(Score, AnAreaThatTheRulesDoNotWeighIsNamed) {
+    ScoreProfile flat = rules();
+    flat.areas.clear();
+    const auto result = score(flat, missionOf({whole(1, "red"), whole(2, "")}));
+    EXPECT_EQ(result.unweighed, std::set<std::string>{"red"});
+    EXPECT_DOUBLE_EQ(result.finds[0].weight, 1.0);
+    EXPECT_TRUE(score(rules(), missionOf({whole(1, "red")})).unweighed.empty());
+}
+
 TEST(Score, OdometryLiesWhereTheScanBeforeTheMomentSaid) {
     MissionState state;
     for (std::uint64_t id : {1, 2}) {
