@@ -29,6 +29,10 @@ VictimSample asWritten(const ReviewPen& pen, const VictimSample& shown) {
     return found == written->victims->end() ? shown : found->second.victim;
 }
 
+FindKey keyOf(const VictimSample& find) {
+    return {find.kind, find.number};
+}
+
 }  // namespace
 
 FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
@@ -139,14 +143,31 @@ void FindsFeature::show() {
     m_panel->show(rows);
     enable();
     const auto find = chosen();
-    const VictimSample* const known = find ? newest(*find) : nullptr;
-    m_form->show(known == nullptr ? std::nullopt : std::optional(*known));
+    if (find != m_corrected) m_corrected.reset();
+    showForm(inForm(find));
     emit findsChanged();
+}
+
+std::optional<VictimSample> FindsFeature::inForm(const std::optional<FindKey>& find) const {
+    if (!find) return std::nullopt;
+    if (find == m_corrected) {
+        const VictimSample* const known = newest(*find);
+        return known == nullptr ? std::nullopt : std::optional(*known);
+    }
+    const MissionState& shown = state();
+    const auto known = shown.victims->find(*find);
+    return known == shown.victims->end() ? std::nullopt : std::optional(known->second.victim);
+}
+
+void FindsFeature::showForm(const std::optional<VictimSample>& find) {
+    m_form->show(find);  // may tell what was being typed of the one before
+    m_shown = find;
 }
 
 void FindsFeature::tellWritten(const QString& done, const QString& problem) {
     const bool failed = !problem.isEmpty();
-    if (failed) m_form->show(std::nullopt);  // then as the mission has it, not as it was wished
+    if (failed) showForm(std::nullopt);  // then as the mission has it, not as it was wished
+    if (const auto asked = std::exchange(m_asked, std::nullopt); asked && !failed) m_corrected = asked;
     emit told(failed ? problem : done);
     if (!failed) emit marksChanged(m_bridge.pen().marks());
     show();
@@ -200,19 +221,22 @@ void FindsFeature::openForm(const FindKey& find) {
     if (known == nullptr) return emit told(tr("The mission took this find back later"));
     if (!m_context.panes.isPaneVisible(QStringLiteral("form")))
         m_context.panes.visibility(QStringLiteral("form"))->trigger();
-    m_form->show(*known);
+    m_corrected = find;
+    showForm(*known);
     m_form->nextField(1);
 }
 
 void FindsFeature::correct(const VictimSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
+    const FindKey find = keyOf(corrected);
+    const VictimSample* const known = newest(find);
+    if (known == nullptr) return emit told(tr("The mission took this find back later"));
+    // What the form showed may be of long ago: only what was changed there is wished.
+    const VictimSample before = m_shown && keyOf(*m_shown) == find ? *m_shown : *known;
+    m_asked = find;
     m_bridge.write(
-        [corrected](ReviewPen& pen) {
-            const VictimSample written = asWritten(pen, corrected);
-            VictimSample whole = corrected;
-            whole.status = written.status;
-            whole.mergedInto = written.mergedInto;
-            return pen.correct(whole);
+        [before, corrected, known = *known](ReviewPen& pen) {
+            return pen.correct(withEdits(asWritten(pen, known), before, corrected));
         },
         tr("%1 corrected (as finished)").arg(name));
 }

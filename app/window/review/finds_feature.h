@@ -53,6 +53,9 @@ private:
     void merge(const FindKey& find);
     [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
     void openForm(const FindKey& find);
+    /// What the form shows of @p find: as it was at the moment that is shown, the newest once it is edited.
+    [[nodiscard]] std::optional<VictimSample> inForm(const std::optional<FindKey>& find) const;
+    void showForm(const std::optional<VictimSample>& find);
     void correct(const VictimSample& corrected);  ///< as the form has it
     void note(Time at, const QString& text);
     void tellWritten(const QString& done, const QString& problem);
@@ -63,6 +66,9 @@ private:
     ReviewBridge& m_bridge;
     VictimsPanel* m_panel;
     VictimForm* m_form;
+    std::optional<VictimSample> m_shown;  ///< by the form, before it is edited
+    std::optional<FindKey> m_asked,
+        m_corrected;  ///< find whose correction is being written; whose newest is shown
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;

@@ -329,6 +329,22 @@ std::optional<VictimSample> filledIn(const MissionState& state, const VictimSamp
     return sample;
 }
 
+VictimSample withEdits(VictimSample newest, const VictimSample& before, const VictimSample& after) {
+    const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    for (VictimSign VictimSample::*sign : {&VictimSample::form, &VictimSample::motion, &VictimSample::heat,
+                                           &VictimSample::sound, &VictimSample::co2}) {
+        const VictimSign &from = before.*sign, &to = after.*sign;
+        if (from.state != to.state) (newest.*sign).state = to.state;
+        if (from.text != to.text) (newest.*sign).text = to.text;
+        if (!isSame(from.value, to.value)) (newest.*sign).value = to.value;
+    }
+    for (std::string VictimSample::*words :
+         {&VictimSample::situation, &VictimSample::tag, &VictimSample::area, &VictimSample::text}) {
+        if (before.*words != after.*words) newest.*words = after.*words;
+    }
+    return newest;
+}
+
 std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find) {
     const VictimSample* known = leitstand::find(state, find);
     if (known == nullptr) return std::nullopt;

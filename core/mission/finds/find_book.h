@@ -122,6 +122,11 @@ constexpr double MergeReach = 2.0;
 [[nodiscard]] std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
                                                    const std::string& station, Time now);
 
+/// @p newest with what an operator fills in as @p after has it, where that is another than @p before has: the
+/// form may have been filled in over what was known long ago.
+[[nodiscard]] VictimSample withEdits(VictimSample newest, const VictimSample& before,
+                                     const VictimSample& after);
+
 /// @p find with what the finds that were merged into it tell beyond it: signs, situation, tag, evidence;
 /// empty when the mission does not have it.
 [[nodiscard]] std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find);

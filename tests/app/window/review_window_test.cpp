@@ -9,6 +9,9 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "app/session/review/review_index.h"
+#include "app/session/review/review_log.h"
+#include "app/session/review/review_pen.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/pane_docks.h"
@@ -248,6 +251,34 @@ TEST_F(ReviewWindowTest, AVictimIsCorrectedByItsForm) {
     EXPECT_NE(m_window->mapView().picture(), marked) << "its mark goes at once, though nothing is played";
     find<QToolButton>("review.undo").click();
     EXPECT_TRUE(soon([&] { return found(0, 1) == "confirmed"; }));
+}
+
+TEST_F(ReviewWindowTest, TheFormShowsWhatWasKnownThenAndTheNewestOnceItIsEdited) {
+    TearDown();
+    {
+        const auto log = ReviewLog::open(m_mission).value();
+        VictimSample named = indexOf(*log)->finished->victims->begin()->second.victim;
+        named.tag = "V-02";
+        ReviewPen earlier(m_mission, {Mission::robot()}, "review-elsewhere", "test");
+        ASSERT_TRUE(earlier.correct(named).ok());
+    }
+    m_bridge = ReviewBridge::open(m_mission).value();
+    openWindow();
+    goTo(30.0);
+    ASSERT_TRUE(soon([&] { return finds() == 1; }));
+    find<QTableView>("finds").selectRow(0);
+    m_window->panes().visibility(QStringLiteral("form"))->trigger();
+    auto& tag = find<QLineEdit>("tag");
+    ASSERT_TRUE(soon([&] { return tag.isEnabled(); }));
+    EXPECT_EQ(tag.text().toStdString(), "") << "nobody had read it by then";
+    auto& situation = find<QComboBox>("situation");
+    situation.setCurrentIndex(situation.findData(QStringLiteral("trapped")));
+    EXPECT_TRUE(soon([&] { return tag.text() == QStringLiteral("V-02"); }));
+    EXPECT_EQ(situation.currentData().toString().toStdString(), "trapped");
+    const VictimSample written = m_bridge->pen().state()->victims->begin()->second.victim;
+    EXPECT_EQ(written.situation, "trapped");
+    EXPECT_EQ(written.tag, "V-02") << "what was known later stays";
+    EXPECT_EQ(written.status, VictimSample::Status::Confirmed);
 }
 
 TEST_F(ReviewWindowTest, AVictimIsMovedOnTheMapAndMergedOnlyWithWhatIsThere) {

@@ -285,6 +285,24 @@ TEST(FindBook, WhatIsFrozenBetweenTwoSignsIsTheNearerOne) {
     EXPECT_EQ(tagOf(near.front()), "yellow-2");
 }
 
+TEST(FindBook, WhatIsEditedOverAnOldFormLeavesWhatWasFilledInSince) {
+    VictimSample before, newest, after;
+    before.heat.value = 33.0;
+    newest = after = before;
+    newest.tag = "V-02";
+    newest.heat = {SignState::Present, "face", 34.0};
+    newest.status = Status::Confirmed;
+    after.situation = "trapped";
+    after.sound.state = SignState::Absent;
+    const VictimSample whole = withEdits(newest, before, after);
+    EXPECT_EQ(whole.situation, "trapped");
+    EXPECT_EQ(whole.sound.state, SignState::Absent);
+    EXPECT_EQ(whole.tag, "V-02");
+    EXPECT_EQ(whole.heat.value, 34.0);
+    EXPECT_EQ(whole.heat.text, "face");
+    EXPECT_EQ(whole.status, Status::Confirmed);
+}
+
 TEST(FindBook, CandidatesBesideAPlaceAreThoseThatAreShownAndNoOtherFind) {
     Mission mission;
     const auto believe = [&](std::uint32_t id, double x, double confidence, std::uint32_t victim,
