@@ -31,6 +31,17 @@ TEST(ScoreFile, ReadsWhatItNamesAndKeepsTheRest) {
     EXPECT_EQ(profile->unconfirmed, std::vector<std::string>{"points"});
 }
 
+TEST(ScoreFile, TellsWhichCodesAreTagsOfVictims) {
+    const auto tags = [](const std::string& more) {
+        const auto profile =
+            parseScoreProfile(R"({"name": "x", "version": "2", "points": {})" + more + "}", "x.json");
+        return profile ? profile->victimTags : TagPatterns{profile.error().text};
+    };
+    EXPECT_EQ(tags(R"(, "victim_tags": ["doll-*"])"), TagPatterns{"doll-*"});
+    EXPECT_EQ(tags(R"(, "victim_tags": [])"), TagPatterns());
+    EXPECT_EQ(tags(""), usualTags());
+}
+
 TEST(ScoreFile, MistakesAreToldWithTheirPlace) {
     const auto error = [](const std::string& text) {
         const auto profile = parseScoreProfile(text, "x.json");
@@ -47,6 +58,13 @@ TEST(ScoreFile, MistakesAreToldWithTheirPlace) {
                 HasSubstr("operators"));
     EXPECT_THAT(error(R"({"name": "x", "version": "1", "points": {}, "unconfirmed": [{"a": 1}]})"),
                 HasSubstr("unconfirmed"));
+    const auto tags = [&](const std::string& list) {
+        return error(R"({"name": "x", "version": "1", "points": {}, "victim_tags": )" + list + "}");
+    };
+    EXPECT_EQ(tags(R"(["V-*", "doll ##"])"), "none");
+    for (const char* list : {R"([""])", R"([["V"]])", R"([{"a": 1}])"})
+        EXPECT_THAT(tags(list), HasSubstr("victim_tags")) << list;
+    EXPECT_THAT(tags("[\"" + std::string(65, 'V') + "\"]"), HasSubstr("victim_tags"));
     EXPECT_NE(error(std::string(Least).substr(0, 30)), "none");
     EXPECT_NE(error(std::string(1'000'000, '[')), "none");
     EXPECT_NE(error(std::string("\0\x01\xff", 3)), "none");
