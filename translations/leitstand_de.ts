@@ -2306,6 +2306,18 @@ Funk: %4 %5</translation>
         <source>{}: table {}</source>
         <translation>{}: Tabelle {}</translation>
     </message>
+    <message>
+        <source>{}: expected {} entries, found {}</source>
+        <translation>{}: erwartet wurden {} Einträge, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{}: expected {} x {} pixels, found {} x {}</source>
+        <translation>{}: erwartet wurden {} x {} Pixel, gefunden {} x {}</translation>
+    </message>
+    <message>
+        <source>{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found x {:g}, y {:g} m with {:g} m</source>
+        <translation>{}: erwartet wurde die Ecke bei x {:g}, y {:g} m mit Pixeln von {:g} m, gefunden x {:g}, y {:g} m mit {:g} m</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>

@@ -2306,6 +2306,18 @@ Link: %4 %5</source>
         <source>{}: table {}</source>
         <translation>{}: 表 {}</translation>
     </message>
+    <message>
+        <source>{}: expected {} entries, found {}</source>
+        <translation>{}: {} 件のはずが {} 件</translation>
+    </message>
+    <message>
+        <source>{}: expected {} x {} pixels, found {} x {}</source>
+        <translation>{}: {} x {} 画素のはずが {} x {}</translation>
+    </message>
+    <message>
+        <source>{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found x {:g}, y {:g} m with {:g} m</source>
+        <translation>{}: 角は x {:g}, y {:g} m、画素 {:g} m のはずが x {:g}, y {:g} m、{:g} m</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>

@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 Result<std::string> counted(const fs::path& file, std::size_t found, const std::string& what,
                             const FileContents& expected) {
     if (expected.count && *expected.count != found)
-        return Error{
-            fmt::format("{}: expected {} {}, found {}", file.string(), *expected.count, what, found)};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: expected {} entries, found {}"),
+                                     file.string(), *expected.count, found)};
     return fmt::format("{} {}", found, what);
 }
 
@@ -40,16 +40,17 @@ Result<std::string> checkTiff(const fs::path& file, const FileContents& expected
     if (const auto& frame = expected.frame) {
         const bool large = map->picture.width == frame->width && map->picture.height == frame->height;
         if (!large)
-            return Error{fmt::format("{}: expected {} x {} pixels, found {} x {}", file.string(),
-                                     frame->width, frame->height, map->picture.width, map->picture.height)};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: expected {} x {} pixels, found {} x {}"), file.string(),
+                frame->width, frame->height, map->picture.width, map->picture.height)};
         const double off = std::max((map->topLeft - frame->topLeft).cwiseAbs().maxCoeff(),
                                     frame->width * std::abs(map->perPixel - frame->perPixel));
         if (!(off < 1e-6))
-            return Error{
-                fmt::format("{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found "
-                            "x {:g}, y {:g} m with {:g} m",
-                            file.string(), frame->topLeft.x(), frame->topLeft.y(), frame->perPixel,
-                            map->topLeft.x(), map->topLeft.y(), map->perPixel)};
+            return Error{leitstand::fill(translate("leitstand::Error",
+                                                   "{}: expected its corner at x {:g}, y {:g} m with pixels "
+                                                   "of {:g} m, found x {:g}, y {:g} m with {:g} m"),
+                                         file.string(), frame->topLeft.x(), frame->topLeft.y(),
+                                         frame->perPixel, map->topLeft.x(), map->topLeft.y(), map->perPixel)};
     }
     return fmt::format("{} x {} pixels of {:g} cm, georeferenced", map->picture.width, map->picture.height,
                        100 * map->perPixel);
