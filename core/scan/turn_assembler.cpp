@@ -96,6 +96,10 @@ bool TurnAssembler::continues(const CloudSample& cloud) const {
            pause >= -LongestGap;
 }
 
+bool TurnAssembler::takesTooLong(const CloudSample& cloud) const {
+    return endOf(cloud) - m_slices.front().cloud.header.stamp > m_settings.longestTime;
+}
+
 void TurnAssembler::gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom) {
     if (!m_slices.empty() && m_slices.back().sensorInOdom && sensorInOdom) {
         m_way += distanceBetween(*m_slices.back().sensorInOdom, *sensorInOdom);
@@ -111,18 +115,17 @@ bool TurnAssembler::movedTooFar() const {
 std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& track) {
     const std::vector<double> headings = headingsOfSlice(cloud);
     const std::optional<Pose> sensorInOdom = takeMotionOut(cloud, track);
-    if (headings.empty()) {
-        if (cloud.organised() && !m_slices.empty() && cloud.columns == m_slices.front().cloud.columns &&
-            std::none_of(cloud.points.begin(), cloud.points.end(),
-                         [](const Eigen::Vector3f& point) { return point.allFinite(); })) {
-            gather(std::move(cloud), sensorInOdom);  // a slice that saw nothing belongs to its turn
-            return std::nullopt;
-        }
+    // A slice that saw nothing belongs to its turn.
+    const bool blind = headings.empty() && !m_slices.empty() && cloud.organised() &&
+                       cloud.columns == m_slices.front().cloud.columns &&
+                       std::none_of(cloud.points.begin(), cloud.points.end(),
+                                    [](const Eigen::Vector3f& point) { return point.allFinite(); });
+    if (headings.empty() && !blind) {
         m_ended = TurnEnd::Sweep;
         return wholeSweep(cloud, sensorInOdom);
     }
     std::optional<Scan> complete;
-    if (!m_slices.empty() && !continues(cloud)) complete = finish();
+    if (!m_slices.empty() && (!continues(cloud) || takesTooLong(cloud))) complete = finish();
     for (const double heading : headings) {
         if (m_lastHeading) m_turned += std::abs(wrapped(heading - *m_lastHeading));
         m_lastHeading = heading;
@@ -132,7 +135,7 @@ std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& tra
     // Whether the last raw scan repeats the first one's direction is the scanner's affair: a step short of a
     // turn is a turn.
     const double step = m_turned / std::max(1, m_rows - 1);
-    if (complete) return complete;
+    if (complete || blind) return complete;
     if (m_turned >= FullTurn - 1.25 * step) return take(TurnEnd::Turn);
     return movedTooFar() ? take(TurnEnd::Distance) : std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -19,6 +20,8 @@ struct TurnSettings {
     double longestWay = std::numeric_limits<double>::infinity();  ///< of the sensor within a turn [m] ...
     double mostTurned = std::numeric_limits<double>::infinity();  ///< ... and how far it may have turned
                                                                   ///< [rad]; beyond, the turn ends there
+    /// Beyond, it breaks off: the drive is stuck, or the window is covered.
+    std::chrono::nanoseconds longestTime = std::chrono::seconds(10);
 };
 
 /// Why a scan ends where it does.
@@ -26,7 +29,7 @@ enum class TurnEnd : std::uint8_t {
     Turn,      ///< the scanner has seen all directions
     Sweep,     ///< the cloud was a whole sweep
     Distance,  ///< the robot moved farther than TurnSettings allow
-    Break,     ///< no more slices came, or others than before
+    Break,     ///< no more slices came, or others than before, or they make no turn
 };
 
 /// Puts what a 3D scanner sends together to scans. A cloud that is a whole sweep is a scan by itself. Slices
@@ -57,6 +60,7 @@ private:
     };
     [[nodiscard]] std::optional<Scan> take(TurnEnd end);
     [[nodiscard]] bool continues(const CloudSample& cloud) const;
+    [[nodiscard]] bool takesTooLong(const CloudSample& cloud) const;  ///< the turn, with it
     [[nodiscard]] bool movedTooFar() const;
     void gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom);
     void forget();

@@ -37,6 +37,17 @@ Time stampOf(int slice) {
     return Time(std::chrono::milliseconds(100 * slice));
 }
 
+/// What a covered scanner sends.
+CloudSample blindSlice(Time stamp) {
+    CloudSample slice;
+    slice.header = {stamp, "laser"};
+    slice.rows = RowsASlice;
+    slice.columns = Columns;
+    slice.points.assign(static_cast<std::size_t>(RowsASlice) * Columns,
+                        Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    return slice;
+}
+
 /// How far points lie beyond the room's walls of 8 x 6 x 2.6 m: those of a smeared turn do [m].
 double beyondTheWalls(const Scan& scan, const Pose& sensorInRoom) {
     double worst = 0.0;
@@ -159,15 +170,48 @@ TEST(TurnAssembler, ARadioGapEndsATurnThatIsHalfThere) {
 }
 
 TEST(TurnAssembler, SlicesWithoutAnyEchoAreNotScans) {
-    CloudSample nothing;
-    nothing.rows = RowsASlice;
-    nothing.columns = Columns;
-    nothing.points.assign(static_cast<std::size_t>(RowsASlice) * Columns,
-                          Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
     const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
     TurnAssembler assembler;
     EXPECT_FALSE(assembler.add(sliceOf(turn, 0, stampOf(0)), turn.sensorInOdom));
-    EXPECT_FALSE(assembler.add(nothing, turn.sensorInOdom));
+    EXPECT_FALSE(assembler.add(blindSlice(stampOf(1)), turn.sensorInOdom));
+}
+
+TEST(TurnAssembler, AYawDriveThatIsStuckEndsTheTurnAfterTenSeconds) {
+    const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
+    CloudSample stuck = sliceOf(turn, 0, {});
+    for (int row = 1; row < stuck.rows; ++row)
+        std::copy_n(stuck.points.begin(), Columns, stuck.points.begin() + std::ptrdiff_t(row) * Columns);
+    TurnAssembler assembler(TurnSettings{.leastTurn = 0.0});
+    std::vector<Scan> scans;
+    for (int slice = 0; slice < 250; ++slice) {
+        stuck.header.stamp = stampOf(slice);
+        if (auto scan = assembler.add(stuck, turn.sensorInOdom)) {
+            EXPECT_EQ(assembler.ended(), TurnEnd::Break);
+            scans.push_back(std::move(*scan));
+        }
+    }
+    ASSERT_EQ(scans.size(), 2U);
+    for (const Scan& scan : scans) EXPECT_EQ(scan.end - scan.start, std::chrono::seconds(10));
+    EXPECT_GT(scans[1].start, scans[0].end) << "no slice is in both";
+}
+
+TEST(TurnAssembler, ACoveredWindowEndsTheTurnAndTheNextOneBeginsWhenItIsOpen) {
+    const Scan turn = turnAt(poseFrom({0, 0, 1}, 0, 0, 0));
+    TurnAssembler assembler(TurnSettings{.leastTurn = 0.0});
+    std::vector<Scan> scans;
+    int slice = 0;
+    const auto give = [&](const CloudSample& cloud) {
+        if (auto scan = assembler.add(cloud, turn.sensorInOdom)) scans.push_back(std::move(*scan));
+    };
+    for (; slice < 10; ++slice) give(sliceOf(turn, slice * RowsASlice, stampOf(slice)));
+    for (; slice < 150; ++slice) give(blindSlice(stampOf(slice)));
+    ASSERT_EQ(scans.size(), 1U);
+    EXPECT_EQ(assembler.ended(), TurnEnd::Break);
+    EXPECT_EQ(scans[0].end - scans[0].start, std::chrono::seconds(10));
+    for (int first = 0; first < Rows; first += RowsASlice, ++slice)
+        give(sliceOf(turn, first, stampOf(slice)));
+    ASSERT_EQ(scans.size(), 2U);
+    EXPECT_EQ(assembler.ended(), TurnEnd::Turn);
 }
 
 }  // namespace
