@@ -91,7 +91,8 @@ void StationAlarms::addOfStation(const MissionState& mission, std::vector<AlarmC
                           .severity = AlarmSeverity::Attention,
                           .text = scans == 1 ? fmt::format(alarm_says::UncertainScan, scans)
                                              : fmt::format(alarm_says::UncertainScans, scans),
-                          .value = static_cast<double>(scans)});
+                          .value = static_cast<double>(scans),
+                          .count = scans});
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -53,6 +54,7 @@ struct AlarmCause {
     std::string text = {};  ///< whole, with numbers, in English: for the log
     double value = std::numeric_limits<double>::quiet_NaN();  ///< as the key says
     std::string note = {};                                    ///< likewise; may be empty
+    std::size_t count = 0;  ///< of what it stands for: one more than was acknowledged is news
 };
 
 /// An alarm as the operator has it.

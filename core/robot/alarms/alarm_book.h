@@ -27,7 +27,8 @@ struct AlarmChange {
 /// The alarms of a mission: raised, acknowledged, ended. Pure: no clock, no thread.
 ///
 /// One whose severity rises, or that comes again after it ended, is raised anew and has to be acknowledged
-/// anew. One that said "act" stays, ended, until it is acknowledged; others go some seconds after their end.
+/// anew; so is one that was acknowledged when its count rises. One that said "act" stays, ended, until it is
+/// acknowledged; others go some seconds after their end.
 class AlarmBook {
 public:
     explicit AlarmBook(const AlarmTiming& timing = {}) : m_timing(timing) {}

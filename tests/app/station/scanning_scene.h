@@ -32,16 +32,17 @@ protected:
         event.sample = std::move(sample);
         for (Station* station : m_hearing) station->mapping().take(event);
     }
-    /// It drives on by 0.4 m and looks around; @p slip: its odometry is wrong by that.
+    /// It drives on by 0.4 m and looks around; @p slip: its odometry is wrong by that from then on.
     void scan(const Pose& slip = Pose::Identity()) {
         const auto baseInRoom = [](double way) { return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0); };
+        const Pose before = m_slip;
         for (int i = 1; i <= 20; ++i) {
             m_time += std::chrono::milliseconds(100);
+            m_slip = before * interpolated(Pose::Identity(), slip, i / 20.0);
             OdometrySample odometry;
             odometry.header = {m_time, "odom"};
             odometry.childFrame = "base_link";
-            odometry.baseInOdom =
-                baseInRoom(m_way + 0.4 * i / 20.0) * interpolated(Pose::Identity(), slip, i / 20.0);
+            odometry.baseInOdom = baseInRoom(m_way + 0.4 * i / 20.0) * m_slip;
             say(odometry, StreamRole::Odometry);
         }
         m_way += 0.4;
@@ -69,6 +70,7 @@ protected:
     const RobotDescription m_description = scanningRobot();
     std::vector<Station*> m_hearing;
     Time m_time = Time(std::chrono::seconds(1'700'000'000));
+    Pose m_slip = Pose::Identity();
     double m_way = 0.0;
     unsigned m_seed = 0;
 };

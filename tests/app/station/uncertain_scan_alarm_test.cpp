@@ -66,5 +66,21 @@ TEST_F(UncertainScanAlarm, IsRaisedAndEndsWhenTheScanIsRejectedOrAccepted) {
     EXPECT_TRUE(m_station->mapping().scans()->scans.back().counts());
 }
 
+TEST_F(UncertainScanAlarm, IsRaisedAgainByAnotherScanAfterItWasAcknowledged) {
+    ASSERT_TRUE(holdsMap(*m_station)) << words();
+    scan();
+    scan();
+    ASSERT_TRUE(scans(2)) << words();
+    scan(poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25)));
+    ASSERT_TRUE(raised()) << words();
+    m_station->alarms().acknowledge(alarm()->cause.id);
+    ASSERT_TRUE(waitUntil([&] { return logged() == State::Acknowledged; })) << words();
+    scan();
+    ASSERT_TRUE(scans(4)) << words();
+    EXPECT_TRUE(raised()) << words();
+    EXPECT_EQ(alarm()->cause.value, 2.0) << "scans";
+    EXPECT_FALSE(alarm()->acknowledged);
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -76,6 +76,25 @@ TEST_F(AlarmBookTest, AcknowledgedItIsQuietUntilItComesAgainOrGetsWorse) {
     EXPECT_FALSE(m_book.alarms()[0].acknowledged);
 }
 
+TEST_F(AlarmBookTest, OneMoreThanWasAcknowledgedIsRaisedAgainOneLessIsNot) {
+    const auto scans = [](std::size_t count) {
+        AlarmCause cause = look();
+        cause.count = count;
+        return cause;
+    };
+    until(1'000, {scans(1)});
+    m_book.acknowledge(Battery, wallAt(m_now));
+    EXPECT_TRUE(until(5'000, {scans(1)}).empty());
+    EXPECT_EQ(until(6'000, {scans(2)}), std::vector{Kind::Raised});
+    EXPECT_EQ(m_book.attentions(), 2u) << "it is told";
+    EXPECT_FALSE(m_book.alarms()[0].acknowledged);
+    m_book.acknowledge(Battery, wallAt(m_now));
+    EXPECT_TRUE(until(7'000, {scans(1)}).empty());
+    EXPECT_TRUE(m_book.alarms()[0].acknowledged);
+    EXPECT_EQ(until(8'000, {scans(2)}), std::vector{Kind::Raised}) << "another one";
+    EXPECT_TRUE(until(9'000, {scans(3)}).empty()) << "it stands there, to be looked at";
+}
+
 TEST_F(AlarmBookTest, TheNewestIsAcknowledgedFirst) {
     until(1'000, {look()});
     until(2'000, {look(), act()});
