@@ -161,6 +161,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
         key.reduced = std::make_shared<const PackedCloud>(ready.reduced);
+        state.cropped.fit(key);  // what was cropped before was seen from the guess
         update.keyScan = KeyScanSample{now, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;

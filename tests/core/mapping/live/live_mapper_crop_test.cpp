@@ -89,6 +89,22 @@ TEST(LiveMapperCrop, AScanThatIsMovedIsCroppedFromWhereItStandsAlsoAfterARestart
     EXPECT_EQ(again[3], 0U);
 }
 
+TEST(LiveMapperCrop, AScanIsCroppedFromWhereItFitsNotFromWhereOdometryPutIt) {
+    MappedRoom room;
+    room.drive(3);
+    const MapCrop area = narrowArea();
+    room.mapper.setCrop(area);
+    const Pose place = poseFrom({-0.2, 0.15, 0.9}, 0, 0, degrees(9));
+    const MapUpdate update = room.add(place, poseFrom({0, 0.15, 0}, 0, 0, degrees(3)));
+    ASSERT_TRUE(update.keyScan);
+    EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
+    const Localisation& here = update.localisation;
+    ASSERT_GT(distanceBetween(here.baseInMap, here.guessInMap), 0.1) << "odometry was wrong";
+    const auto counted = outside(*room.mapper.map(), area);
+    EXPECT_EQ(counted[1], 0U);
+    EXPECT_EQ(counted[3], 0U);
+}
+
 TEST(LiveMapperCrop, AnAreaWithoutAnyOfTheMapLeavesRobotsWhereTheyAre) {
     MappedRoom room;
     room.drive(3);
