@@ -21,7 +21,7 @@ struct LiveKeyScan {
     Pose sensorInBase = Pose::Identity();
     ScanPose pose;                      ///< and how sure that is
     std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none
-    Time entered{};                     ///< station's clock
+    Time entered{};                     ///< station's clock; another one for each scan
     std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
     int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
     std::shared_ptr<const PackedCloud> reduced;  ///< for registration, with normals; scan's frame

@@ -10,7 +10,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double SamePlace = 0.1;  ///< so near the local map is the same [m]
+constexpr double SamePlace = 0.1;             ///< so near the local map is the same [m]
+constexpr std::chrono::seconds ClockStep(1);  ///< a station's clock that goes back farther was set
 
 }  // namespace
 
@@ -73,6 +74,12 @@ bool LiveMapper::State::enters(const RobotTrack& robot, const Pose& scanInMap, d
 bool LiveMapper::State::empty() const {
     return std::none_of(map.scans.begin(), map.scans.end(),
                         [](const LiveKeyScan& scan) { return scan.counts(); });
+}
+
+Time LiveMapper::State::entering(Time now) {
+    const bool behind = now <= entered && entered - now < ClockStep;
+    entered = behind ? entered + std::chrono::nanoseconds(1) : now;
+    return entered;
 }
 
 LiveMapper::LiveMapper(std::string station, LiveSettings settings)
@@ -157,12 +164,13 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (live.extrapolated || live.bridged)
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
-        key.entered = now;
+        key.entered = state.entering(now);
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
         key.reduced = std::make_shared<const PackedCloud>(ready.reduced);
         state.cropped.fit(key);  // what was cropped before was seen from the guess
-        update.keyScan = KeyScanSample{now, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
+        update.keyScan =
+            KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
         state.map.scans.push_back(std::move(key));

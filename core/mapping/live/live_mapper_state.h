@@ -47,6 +47,8 @@ struct LiveMapper::State {
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
+    /// When a scan enters that came to be registered @p now: scans of one batch differ in it.
+    [[nodiscard]] Time entering(Time now);
     [[nodiscard]] LiveKeyScan* find(std::uint64_t id);
     /// Puts scans to where and how @p poses say, and robots along with them.
     void apply(std::span<const ScanPose> poses);
@@ -59,6 +61,7 @@ struct LiveMapper::State {
     LiveMap map;
     CroppedScans cropped;  ///< what of its scans is in the map
     std::uint64_t nextId = 1;
+    Time entered{};  ///< the newest scan
     LocalMap local;
     Pose localPlace = Pose::Identity();
     bool localStale = true;

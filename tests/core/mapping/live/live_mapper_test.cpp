@@ -204,6 +204,21 @@ TEST(LiveMapper, AfterARewindTheRobotGoesOnFromWhatIsLeft) {
     EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
 }
 
+TEST(LiveMapper, ARewindToOneOfSeveralScansThatCameAtOnceSetsAsideThoseAfterIt) {
+    MappedRoom room;
+    for (int i = 0; i < 4; ++i)  // after a radio gap
+        room.log.say(
+            room.mapper.add(scanAt(Begin * poseFrom({0.4 * i, 0, 0}, 0, 0, 0), 1U + unsigned(i)), room.now));
+    ASSERT_EQ(room.poses().size(), 4U);
+    LiveMapper again = room.log.readAgain();
+    for (LiveMapper* mapper : {&room.mapper, &again}) {
+        ASSERT_TRUE(mapper->rewind(mapper->map()->scans[1].entered, room.now));
+        const LiveMapPtr map = mapper->map();
+        for (const LiveKeyScan& scan : map->scans)
+            EXPECT_EQ(scan.pose.trust, scan.id <= 2 ? ScanTrust::Certain : ScanTrust::SetAside) << scan.id;
+    }
+}
+
 TEST(LiveMapper, TheMapComesAgainFromTheLog) {
     MappedRoom room;
     room.drive(5);
