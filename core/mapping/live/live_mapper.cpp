@@ -122,6 +122,11 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         return update;
     }
     ReadyScan ready = readyScan(live, robot.body, guess, state.settings, others);
+    if (first && !canBegin(live, ready.reduced, state.settings.fit)) {
+        here.trust = ScanTrust::Uncertain;
+        here.doubts = static_cast<std::uint8_t>(ScanDoubt::Points);
+        return update;
+    }
     Match match;
     match.scanInMap = guess;
     double fresh = 1.0;

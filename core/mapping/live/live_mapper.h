@@ -73,9 +73,9 @@ public:
     /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
 
-    /// Registers @p scan. The first one defines the map: level, with its position and heading. Scans of
-    /// another robot do not enter before it is placed. @p others: other robots, wherever they were in the
-    /// map while it was taken; they are left out.
+    /// Registers @p scan. The first one that is whole enough defines the map: level, with its position and
+    /// heading. Scans of another robot do not enter before it is placed. @p others: other robots, wherever
+    /// they were in the map while it was taken; they are left out.
     [[nodiscard]] MapUpdate add(const LiveScan& scan, Time now, std::span<const PlacedBody> others = {});
 
     /// The operator's decisions on the key scan @p id; errors name it where the map does not have it.

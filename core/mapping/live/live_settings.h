@@ -34,6 +34,7 @@ struct FitSettings {
     double turnOfWay = degrees(5);      ///< ... [rad / m]
     double leastCertainty = 0.02;       ///< IcpResult::certainty
     int leastPoints = 200;              ///< after reduction
+    double leastSeen = degrees(270);    ///< of directions, by a cut-off turn that a map begins with [rad]
 };
 
 /// When a scan enters the map (design, section 3).

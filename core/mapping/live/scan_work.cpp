@@ -1,6 +1,9 @@
 #include "core/mapping/live/scan_work.h"
 
 #include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -116,6 +119,18 @@ PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
     all = voxelGrid(all, Finer * settings.reduce, VoxelPoint::Centroid);
     all.normals = knnNormals(all.points, 12);
     return voxelGrid(all, settings.reduce, VoxelPoint::Centroid);
+}
+
+bool canBegin(const LiveScan& live, const PointCloud& reduced, const FitSettings& fit) {
+    if (static_cast<int>(reduced.size()) < fit.leastPoints) return false;
+    if (live.end == TurnEnd::Turn || live.end == TurnEnd::Sweep) return true;
+    std::bitset<36> seen;  // directions
+    for (const Eigen::Vector3f& point : live.scan->points) {
+        if (!point.allFinite()) continue;
+        const double turns = std::atan2(point.y(), point.x()) / (2.0 * std::numbers::pi) + 0.5;
+        seen.set(std::min(static_cast<std::size_t>(turns * double(seen.size())), seen.size() - 1));
+    }
+    return degrees(360) * double(seen.count()) / double(seen.size()) >= fit.leastSeen;
 }
 
 Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share) {

@@ -51,6 +51,10 @@ struct Match {
     std::uint8_t doubts = 0;  ///< bits of ScanDoubt
 };
 
+/// Whether a map may begin with @p live, of which @p reduced is to be matched: it is of a whole turn or
+/// sweep, or nearly so, and has enough points.
+[[nodiscard]] bool canBegin(const LiveScan& live, const PointCloud& reduced, const FitSettings& fit);
+
 /// How a robot came from the scan before to this one.
 struct Step {
     bool measured = false;         ///< by odometry: the match must not jump against it

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/mapping/live/scan_doubts.h"
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+namespace {
+
+const Pose Start = poseFrom({-1.4, 0, 0.9}, 0, 0, 0);
+
+/// What was left of @p live after @p seen of its turn [rad].
+LiveScan cutOff(LiveScan live, double seen, TurnEnd end) {
+    Scan scan = *live.scan;
+    for (Eigen::Vector3f& point : scan.points) {
+        const double heading = std::atan2(point.y(), point.x()) + degrees(180);
+        if (!(heading <= seen)) point.setConstant(std::numeric_limits<float>::quiet_NaN());
+    }
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    live.end = end;
+    return live;
+}
+
+/// @p live with its first @p points only.
+LiveScan almostEmpty(LiveScan live, std::ptrdiff_t points) {
+    Scan scan = *live.scan;
+    std::fill(scan.points.begin() + points, scan.points.end(),
+              Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    return live;
+}
+
+TEST(LiveMapperEntry, AMapBeginsWithNoFragment) {
+    for (const TurnEnd end : {TurnEnd::Break, TurnEnd::Distance}) {
+        MappedRoom room;
+        const MapUpdate fragment = room.add(cutOff(scanAt(Start, 1), degrees(200), end));
+        EXPECT_FALSE(fragment.keyScan || fragment.poses);
+        EXPECT_EQ(fragment.localisation.trust, ScanTrust::Uncertain);
+        EXPECT_TRUE(room.mapper.map()->scans.empty());
+        EXPECT_FALSE(room.mapper.fix("kurt3d")) << "there is no map to be in";
+        const Pose next = Start * poseFrom({0.5, 0, 0}, 0, 0, degrees(20));
+        const MapUpdate whole = room.add(next);
+        ASSERT_TRUE(whole.keyScan);
+        EXPECT_EQ(whole.localisation.trust, ScanTrust::Certain);
+        EXPECT_TRUE(whole.keyScan->scanInMap.isApprox(Pose::Identity(), 1e-6)) << "it makes the frame";
+    }
+    MappedRoom room;
+    EXPECT_TRUE(room.add(cutOff(scanAt(Start, 1), degrees(300), TurnEnd::Distance)).keyScan);
+    EXPECT_TRUE(
+        room.add(cutOff(scanAt(Start * poseFrom({0.4, 0, 0}, 0, 0, 0), 2), degrees(200), TurnEnd::Distance))
+            .keyScan)
+        << "where there is a map it is a scan like others";
+}
+
+TEST(LiveMapperEntry, AMapBeginsWithASweepThatLooksAheadOnly) {
+    MappedRoom room;
+    EXPECT_TRUE(room.add(cutOff(scanAt(Start, 1), degrees(180), TurnEnd::Sweep)).keyScan);
+}
+
+TEST(LiveMapperEntry, AMapBeginsWithNoScanThatSawNextToNothing) {
+    MappedRoom room;
+    EXPECT_FALSE(room.add(almostEmpty(scanAt(Start, 1), 100)).keyScan) << "a covered window";
+    EXPECT_TRUE(room.mapper.map()->scans.empty());
+    EXPECT_TRUE(room.add(Start).keyScan);
+}
+
+TEST(LiveMapperEntry, WhenAllWasRejectedAFragmentBeginsNothingEither) {
+    MappedRoom room;
+    room.drive(2);
+    for (const std::uint64_t id : {1U, 2U}) room.log.say(room.mapper.reject(id, room.now).value());
+    const Pose next = Start * poseFrom({0.9, 0, 0}, 0, 0, 0);
+    EXPECT_FALSE(room.add(cutOff(scanAt(next, 8), degrees(200), TurnEnd::Break)).keyScan);
+    EXPECT_FALSE(room.add(almostEmpty(scanAt(next, 9), 100)).keyScan);
+    EXPECT_EQ(room.mapper.map()->scans.size(), 2U);
+    const MapUpdate whole = room.add(next);
+    ASSERT_TRUE(whole.keyScan);
+    EXPECT_EQ(whole.localisation.trust, ScanTrust::Certain);
+    EXPECT_LT(distanceBetween(whole.keyScan->scanInMap, Start.inverse() * next), 0.03)
+        << "odometry goes on from where the rejected ones were";
+}
+
+}  // namespace
+}  // namespace leitstand::test
