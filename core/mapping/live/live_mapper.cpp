@@ -76,6 +76,13 @@ bool LiveMapper::State::empty() const {
                         [](const LiveKeyScan& scan) { return scan.counts(); });
 }
 
+bool LiveMapper::State::awaitsDecision(const std::string& robot) const {
+    const auto newest = std::find_if(map.scans.rbegin(), map.scans.rend(), [&](const LiveKeyScan& scan) {
+        return scan.scan->robot == robot && scan.pose.trust != ScanTrust::SetAside;
+    });
+    return newest != map.scans.rend() && newest->pose.trust == ScanTrust::Uncertain;
+}
+
 Time LiveMapper::State::entering(Time now) {
     const bool behind = now <= entered && entered - now < ClockStep;
     entered = behind ? entered + std::chrono::nanoseconds(1) : now;
@@ -152,7 +159,9 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         return update;
     // The ground of scans that do not fit stays new.
     const bool stillLost = match.doubts != 0 && robot.lost;
-    if (first || !robot.known || state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh)) {
+    // Also of a robot that stands the operator learns that it is lost; once, not whenever it is in doubt.
+    const bool nowLost = match.doubts != 0 && !robot.lost && !state.awaitsDecision(scan.robot);
+    if (first || !robot.known || nowLost || state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh)) {
         LiveKeyScan key;
         key.id = here.keyScan = state.nextId++;
         key.scan = keptOf(ready.scan);

@@ -47,6 +47,8 @@ struct LiveMapper::State {
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
+    /// Whether the newest scan of @p robot that is not set aside is uncertain.
+    [[nodiscard]] bool awaitsDecision(const std::string& robot) const;
     /// When a scan enters that came to be registered @p now: scans of one batch differ in it.
     [[nodiscard]] Time entering(Time now);
     [[nodiscard]] LiveKeyScan* find(std::uint64_t id);

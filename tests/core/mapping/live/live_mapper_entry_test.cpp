@@ -84,5 +84,26 @@ TEST(LiveMapperEntry, WhenAllWasRejectedAFragmentBeginsNothingEither) {
         << "odometry goes on from where the rejected ones were";
 }
 
+/// Of a scanner that a hand covers, but for a part.
+LiveScan covered(const Pose& sensorInRoom, unsigned seed) {
+    return almostEmpty(scanAt(sensorInRoom, seed), 300);
+}
+
+TEST(LiveMapperEntry, AStandingRobotThatIsLostTellsSoOnce) {
+    MappedRoom room;
+    room.drive(3);
+    const Pose here = room.last;
+    EXPECT_FALSE(room.add(here).keyScan) << "it stands, and fits";
+    const MapUpdate lost = room.add(covered(here, 20));
+    ASSERT_TRUE(lost.keyScan && lost.poses);
+    EXPECT_EQ(lost.poses->poses[0].trust, ScanTrust::Uncertain);
+    EXPECT_FALSE(room.add(covered(here, 21)).keyScan) << "still";
+    EXPECT_FALSE(room.add(here).keyScan) << "it fits again";
+    EXPECT_FALSE(room.add(covered(here, 22)).keyScan) << "one waits there to be decided on";
+    room.add(here);
+    room.log.say(room.mapper.reject(lost.keyScan->id, room.now).value());
+    EXPECT_TRUE(room.add(covered(here, 23)).keyScan) << "after that was decided it is news";
+}
+
 }  // namespace
 }  // namespace leitstand::test
