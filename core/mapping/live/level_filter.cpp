@@ -14,6 +14,9 @@ constexpr double Fast = 0.25;            ///< ... and when it disagrees wholly: 
 constexpr double Agrees = degrees(0.6);  ///< up to here
 constexpr double Disagrees = degrees(2.0);
 constexpr std::chrono::seconds LongestStep(1);  ///< between measurements; beyond, the filter begins anew
+constexpr std::chrono::milliseconds BackwardStep(500);  ///< stamps that go back farther are no disorder
+constexpr std::chrono::seconds ForwardStep(5);          ///< stamps that go ahead farther are doubted at first
+constexpr std::chrono::seconds StrayFits(1);            ///< a doubted one is right when the next is so near
 
 double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
@@ -28,14 +31,31 @@ Eigen::Vector3d carried(const Eigen::Vector3d& up, const Eigen::Vector3d& turnin
 
 }  // namespace
 
+void LevelFilter::begin(const Entry& entry) {
+    m_entries.push_back(entry);
+    m_settled = {};
+}
+
 void LevelFilter::add(Time stamp, const std::optional<Eigen::Vector3d>& up,
                       const std::optional<Eigen::Vector3d>& turning) {
     if ((up && !(up->allFinite() && up->norm() > 0.0)) || (turning && !turning->allFinite())) return;
     const Eigen::Vector3d rate = turning.value_or(Eigen::Vector3d::Zero());
+    const std::optional<Entry> here = up ? std::optional(Entry{stamp, up->normalized(), rate}) : std::nullopt;
+    if (!m_entries.empty()) {
+        const auto ahead = stamp - m_entries.back().stamp;
+        if (ahead < -BackwardStep || ahead > ForwardStep) {
+            const bool confirmed = m_stray && stamp > m_stray->stamp && stamp - m_stray->stamp <= StrayFits;
+            if (!confirmed) {
+                if (here) m_stray = here;
+                return;
+            }
+            if (ahead < -BackwardStep) m_entries.clear();
+            begin(*m_stray);
+        }
+        m_stray.reset();
+    }
     if (m_entries.empty() || stamp - m_entries.back().stamp > LongestStep) {
-        if (!up) return;
-        m_entries.push_back({stamp, up->normalized(), rate});
-        m_settled = {};
+        if (here) begin(*here);
         return;
     }
     const Entry& last = m_entries.back();

@@ -105,13 +105,16 @@ void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
     }
     if (imu.angularVelocity) turning = inBase * *imu.angularVelocity;
     m_level.add(imu.header.stamp, up, turning);
+    const auto newest = m_level.newest();
+    m_hasUnit = m_hasUnit || newest;
     if (turning)
         m_gyro.add(imu.header.stamp,
                    turning->dot(m_level.at(imu.header.stamp).value_or(Eigen::Vector3d::UnitZ())));
     // Where no odometry comes that would have it forget.
-    if (m_entries.empty() || imu.header.stamp - m_entries.back().stamp > Memory) {
-        m_level.forgetBefore(imu.header.stamp - Memory);
-        m_gyro.forgetBefore(imu.header.stamp - Memory);
+    const Time now = newest.value_or(imu.header.stamp);
+    if (m_entries.empty() || now - m_entries.back().stamp > Memory) {
+        m_level.forgetBefore(now - Memory);
+        m_gyro.forgetBefore(now - Memory);
     }
 }
 

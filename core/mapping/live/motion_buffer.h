@@ -57,6 +57,8 @@ public:
     [[nodiscard]] Travel travelled(Time from, Time to) const;
     /// The direction upwards in base_link, by the inertial unit; empty without one.
     [[nodiscard]] std::optional<Eigen::Vector3d> up(Time stamp) const { return m_level.at(stamp); }
+    /// Whether a unit ever told it: then the odometry's level is no substitute, it may know no slopes.
+    [[nodiscard]] bool hasUnit() const { return m_hasUnit; }
     /// Rises when the robot's clock jumped back: what was told before is of another time.
     [[nodiscard]] int clockJumps() const { return m_clockJumps; }
     /// The number of the odometry at @p stamp: rises when it began anew, so that its frame is another one.
@@ -80,6 +82,7 @@ private:
     std::optional<Entry> m_stray;  ///< its stamp does not fit the others: a jump, if the next one fits it
     LevelFilter m_level;
     TurnGyro m_gyro;
+    bool m_hasUnit = false;
     int m_clockJumps = 0;
     int m_frame = 0;
 };

@@ -146,7 +146,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
         live.levelKnown = true;
     } else if (scan->hasOdometry) {
         live.up = scan->sensorInOdom.linear().transpose() * Eigen::Vector3d::UnitZ();
-        live.levelKnown = true;
+        live.levelKnown = !m_motion.hasUnit();
     }
     if (m_lastEnd) {
         const Travel travel = m_motion.travelled(*m_lastEnd, scan->end);

@@ -163,6 +163,40 @@ TEST(LevelFilter, IsCalmerThanTheUnitAndFollowsARamp) {
     EXPECT_LT(inDegrees(worstOnRamp), 1.0);
 }
 
+/// What a unit at rest says, pitched by @p pitch.
+void rest(MotionBuffer& buffer, int from, int to, double pitch) {
+    ImuSample imu;
+    imu.orientation = Eigen::Quaterniond(poseFrom({0, 0, 0}, 0, pitch, 0).linear());
+    for (int ms = from; ms < to; ms += 50) {
+        imu.header.stamp = at(ms);
+        buffer.add(imu, Pose::Identity());
+    }
+}
+
+TEST(LevelFilter, OneStampOfTheFutureIsLeftOut) {
+    for (const int ahead : {2'000, 60'000, 3'600'000}) {
+        MotionBuffer buffer;
+        rest(buffer, 0, 5'000, degrees(10));
+        rest(buffer, 5'000 + ahead, 5'001 + ahead, 0.0);
+        rest(buffer, 5'000, 8'000, degrees(10));
+        const auto up = buffer.up(at(7'900));
+        ASSERT_TRUE(up) << ahead;
+        EXPECT_NEAR(inDegrees(std::asin(-up->x())), 10.0, 0.1) << ahead;
+        EXPECT_TRUE(ahead < 5'000 || buffer.up(at(2'000))) << "what was measured before stays";
+    }
+}
+
+TEST(LevelFilter, AUnitWhoseClockWasSetGoesOn) {
+    for (const int jump : {-80'000, -3'000, 3'000, 3'600'000}) {
+        MotionBuffer buffer;
+        rest(buffer, 0, 5'000, degrees(10));
+        rest(buffer, 5'000 + jump, 8'000 + jump, degrees(-5));
+        const auto up = buffer.up(at(7'900 + jump));
+        ASSERT_TRUE(up) << jump;
+        EXPECT_NEAR(inDegrees(std::asin(-up->x())), -5.0, 0.1) << jump;
+    }
+}
+
 TEST(LevelFilter, TakesGravityWhereThereIsNoOrientation) {
     MotionBuffer buffer;
     ImuSample imu;

@@ -291,5 +291,22 @@ TEST(ScanCutter, TheInertialUnitTellsTheLevel) {
     EXPECT_LT(angleBetween(scans[0].scan->sensorInOdom, tilted), 1e-6) << "odometry knows no slopes";
 }
 
+TEST(ScanCutter, WhereTheInertialUnitFallsSilentNobodyKnowsTheLevel) {
+    ScanCutter cutter("kurt3d");
+    Operation operation(cutter);
+    const SliceMaker maker;
+    ImuSample imu;
+    imu.orientation = Eigen::Quaterniond(poseFrom({0, 0, 0}, 0, degrees(-8), 0).linear());
+    for (int i = 0; i < 10; ++i) {
+        imu.header = {maker.stampOf(0) + i * milliseconds(50), "imu"};
+        cutter.add(imu, Pose::Identity(), operation.now);
+    }
+    live(operation, maker, 0, 30);
+    const auto scans = all(operation);
+    ASSERT_EQ(scans.size(), 2U);
+    EXPECT_FALSE(scans[1].levelKnown) << "odometry knows no slopes";
+    EXPECT_TRUE(scans[1].up.isApprox(Eigen::Vector3d::UnitZ())) << "but there is nothing better";
+}
+
 }  // namespace
 }  // namespace leitstand::test
