@@ -6,18 +6,16 @@
 #include <variant>
 
 #include "app/session/log/sequencer.h"
-#include "core/mapping/live/motion_buffer.h"
 #include "core/perception/laser_points.h"
 #include "core/perception/robot_profile.h"
+#include "core/scan/motion_compensation.h"
 
 namespace leitstand {
 namespace {
 
-/// Odometry older than this is not asked for any more: scans come late after a radio gap.
-constexpr std::chrono::seconds Kept(90);
 constexpr double SmearedBy = 0.3;                                           ///< in a turn, driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
-constexpr std::chrono::nanoseconds Jump = std::chrono::seconds(5);          ///< of a clock, backwards
+constexpr std::chrono::milliseconds LongestHeld(150);                       ///< for odometry
 constexpr double Silence = 1.0;     ///< of odometry, in which a robot may have started again [s]
 constexpr double Zero = 0.05;       ///< a robot that has just started is no farther from it [m, rad]
 constexpr double LaserShown = 2.0;  ///< after its turn came [s]: nothing of it is kept
@@ -50,6 +48,15 @@ CloudSample cloudOf(const Scan& scan, Time end) {
     return cloud;
 }
 
+/// Stamp of the last shot of what a scanner saw.
+Time endOf(const Sample& sample) {
+    if (const auto* cloud = std::get_if<CloudSample>(&sample)) return leitstand::endOf(*cloud);
+    const auto* const ranges = std::get_if<RangesSample>(&sample);
+    if (ranges == nullptr || ranges->ranges.empty()) return {};
+    const double last = std::max(0.0, ranges->timeStep * double(ranges->ranges.size() - 1));
+    return ranges->header.stamp + std::chrono::nanoseconds(static_cast<std::int64_t>(last * 1e9));
+}
+
 }  // namespace
 
 RobotSight::RobotSight(const RobotDescription& robot)
@@ -70,36 +77,82 @@ void RobotSight::take(const Event& event) {
 void RobotSight::take(const Event& event, SteadyTime now) {
     const std::lock_guard lock(m_mutex);
     if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
-        if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture->content.bytes, now);
-        if (event.role == StreamRole::Thermal) m_thermal[event.sensor].arrived(picture->content.bytes, now);
-        return;
-    }
-    m_poses.add(event);
-    const auto base = [this](Time at) { return m_poses.baseInOdom(at); };
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
-        const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
-        // The robot began anew, on a clock that jumped or on its own: what was around is not there any more.
-        if (m_newest && (stamp < *m_newest - Jump || hasLeapt(*odometry, stamp))) {
-            m_scan.clear();
-            m_lasers.clear();
-        }
-        if (m_newest && stamp < *m_newest && stamp >= *m_newest - Jump) return;
-        m_newest = stamp;
-        m_arrived = now;
-        m_base = odometry->baseInOdom;
-        m_poses.forgetBefore(stamp - Kept);
-    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        takePicture(event, *picture, now);
+    } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        m_poses.add(event);
+        m_poses.forgetBefore(Time::max());  // m_motion has them
+        OdometrySample stamped = *odometry;
+        if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
+        takeOdometry(std::move(stamped), now);
+    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+        ImuSample turning;
+        turning.header = imu->header;
+        if (turning.header.stamp == Time{}) turning.header.stamp = event.received;
+        turning.angularVelocity = imu->angularVelocity;
+        m_motion.add(turning, m_poses.inBase(event.sensor, imu->header.frame));
+    } else if (std::holds_alternative<CloudSample>(event.sample) ||
+               std::holds_alternative<RangesSample>(event.sample)) {
         m_scanned = now;
-        m_scan.add(*cloud, m_poses.inBase(event.sensor, cloud->header.frame), base);
-    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
-        m_scanned = now;
-        const Pose laser = m_poses.inBase(event.sensor, ranges->header.frame);
-        m_scan.add(*ranges, laser, base);
-        m_lasers[event.topic] = {laserPoints(*ranges, laser, base), now};
+        m_held.push_back({event, now});
     } else if (const auto* joints = std::get_if<JointSample>(&event.sample);
                joints != nullptr && event.role == StreamRole::Joints) {
         m_joints = *joints;
         m_jointsCame = now;
+    } else {
+        m_poses.add(event);
+    }
+    placeHeld(now);
+}
+
+void RobotSight::takePicture(const Event& event, const PictureSample& picture, SteadyTime now) {
+    if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture.content.bytes, now);
+    if (event.role == StreamRole::Thermal) m_thermal[event.sensor].arrived(picture.content.bytes, now);
+}
+
+void RobotSight::takeOdometry(OdometrySample odometry, SteadyTime now) {
+    const Time stamp = odometry.header.stamp;
+    const Pose base = odometry.baseInOdom;
+    const int jumps = m_motion.clockJumps();
+    m_motion.add(odometry);
+    const bool jumped = m_motion.clockJumps() != jumps;
+    // One stamp that does not fit is doubted until the next one agrees with it.
+    if (!m_motion.covers(stamp) || (!jumped && m_newest && stamp < *m_newest)) return;
+    // The robot began anew, on a clock that jumped or on its own: what was around is not there any more.
+    if (m_newest && (jumped || hasLeapt(odometry, stamp))) {
+        m_scan.clear();
+        m_lasers.clear();
+        m_held.clear();
+        m_begun = stamp;
+    }
+    m_newest = stamp;
+    m_arrived = now;
+    m_base = base;
+}
+
+void RobotSight::placeHeld(SteadyTime now) {
+    while (!m_held.empty()) {
+        const Held& next = m_held.front();
+        const bool waited = now - next.came >= LongestHeld || now < next.came;
+        if (!waited && !m_motion.covers(endOf(next.event.sample))) return;
+        place(next);
+        m_held.pop_front();
+    }
+}
+
+void RobotSight::place(const Held& held) {
+    const Event& event = held.event;
+    const auto base = [this](Time at) -> std::optional<Pose> {
+        if (m_begun && at < *m_begun) return std::nullopt;
+        const auto motion = m_motion.at(at);
+        if (!motion || motion->source == MotionSource::Bridged) return std::nullopt;
+        return motion->baseInOdom;
+    };
+    if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        m_scan.add(*cloud, m_poses.inBase(event.sensor, cloud->header.frame), base);
+    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+        const Pose laser = m_poses.inBase(event.sensor, ranges->header.frame);
+        m_scan.add(*ranges, laser, base);
+        m_lasers[event.topic] = {laserPoints(*ranges, laser, base), held.came};
     }
 }
 

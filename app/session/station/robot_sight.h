@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "app/session/scans/sensor_poses.h"
+#include "core/mapping/live/motion_buffer.h"
 #include "core/mission/event.h"
 #include "core/perception/picture_watch.h"
 #include "core/perception/virtual_scan.h"
@@ -17,7 +19,8 @@
 namespace leitstand {
 
 /// What is around one robot: its virtual 2D scan out of what it said, and how old what its driver sees is.
-/// Any thread.
+/// What its scanners see waits for odometry that covers it, 150 ms at most; then its motion is guessed from
+/// the last speed. Any thread.
 class RobotSight {
 public:
     explicit RobotSight(const RobotDescription& robot);
@@ -48,7 +51,16 @@ public:
     [[nodiscard]] double spaceAhead() const;
 
 private:
-    [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;  ///< under the mutex
+    /// What a scanner saw, and when it came.
+    struct Held {
+        Event event;
+        SteadyTime came = {};
+    };
+    void takePicture(const Event& event, const PictureSample& picture, SteadyTime now);  ///< under the mutex
+    void takeOdometry(OdometrySample odometry, SteadyTime now);                          ///< likewise
+    void placeHeld(SteadyTime now);                                                      ///< likewise
+    void place(const Held& held);                                                        ///< likewise
+    [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;             ///< likewise
     /// Whether the odometry began anew since the newest that came.
     [[nodiscard]] bool hasLeapt(const OdometrySample& odometry, Time stamp) const;
     void addLasers(VirtualScanView& view, SteadyTime now) const;  ///< likewise
@@ -58,6 +70,9 @@ private:
     mutable std::mutex m_mutex;
     SensorPoses m_poses;
     VirtualScan m_scan;
+    MotionBuffer m_motion;           ///< level as the odometry says
+    std::deque<Held> m_held;         ///< that wait for odometry, as they came
+    std::optional<Time> m_begun;     ///< robot's clock: what is older is of an odometry before this one
     std::optional<Time> m_newest;    ///< odometry, robot's clock
     SteadyTime m_arrived = {};       ///< of it
     Pose m_base = Pose::Identity();  ///< in odom, then

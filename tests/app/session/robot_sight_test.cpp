@@ -1,5 +1,6 @@
 #include "app/session/station/robot_sight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -127,6 +128,110 @@ TEST(RobotSight, ARobotThatStartedAgainBringsNoObstaclesAlong) {
     EXPECT_EQ(aheadAfter(2.0, there, Pose::Identity()), Free) << "it started again";
     EXPECT_EQ(aheadAfter(0.1, there, poseFrom({-2.0, 0, 0}, 0, 0, 0)), Free) << "no robot is so fast";
     EXPECT_NEAR(aheadAfter(2.0, Pose::Identity(), Pose::Identity()), BoardAt, 0.15) << "it stood";
+}
+
+std::chrono::milliseconds ms(int count) {
+    return std::chrono::milliseconds(count);
+}
+
+/// A robot, what it says, and when that comes.
+struct Saying {
+    void odometry(int stamp, const Pose& base, int comes) {
+        OdometrySample sample;
+        sample.header = {Stamp + ms(stamp), "odom"};
+        sample.childFrame = "base_link";
+        sample.baseInOdom = base;
+        sight.take(eventOf(StreamRole::Odometry, {}, sample), begin + ms(comes));
+    }
+    void gyro(int stamp, double rate, int comes) {
+        ImuSample sample;
+        sample.header = {Stamp + ms(stamp), "base_link"};
+        sample.angularVelocity = Eigen::Vector3d(0, 0, rate);
+        sight.take(eventOf(StreamRole::Imu, "imu", sample), begin + ms(comes));
+    }
+    /// A board straight ahead of where the robot is when it stands at odom's zero, as seen from @p base.
+    void board(int stamp, const Pose& base, int comes) {
+        CloudSample cloud = boardOver(0.3);
+        cloud.header.stamp = Stamp + ms(stamp);
+        const Pose laser = poseFrom({0, 0, 0.5}, 0, 0, 0);
+        const Eigen::Isometry3f seen = (laser.inverse() * base.inverse() * laser).cast<float>();
+        for (Eigen::Vector3f& point : cloud.points) point = seen * point;
+        sight.take(eventOf(StreamRole::Points, "scanner", cloud), begin + ms(comes));
+    }
+    /// Something else.
+    void joints(int comes) { sight.take(eventOf(StreamRole::Joints, {}, JointSample{}), begin + ms(comes)); }
+    /// Where the middle of the board is seen, in odom [degrees], while the robot is at @p heading [rad].
+    [[nodiscard]] double middleOfBoard(int at, double heading) const {
+        const auto view = sight.view(begin + ms(at));
+        if (!view) return 1e9;
+        double sum = 0.0;
+        int count = 0;
+        for (const VirtualSector& sector : view->sectors) {
+            if (!sector.inner) continue;
+            sum += std::remainder(std::atan2(sector.inner->y(), sector.inner->x()) + heading, 2.0 * M_PI);
+            ++count;
+        }
+        return count > 0 ? inDegrees(sum / count) : 1e9;
+    }
+    const RobotDescription description = robotOf(1.2);
+    RobotSight sight{description};
+    SteadyTime begin = SteadyTime(std::chrono::seconds(5'000));
+};
+
+Pose headed(double heading) {
+    return poseFrom({0, 0, 0}, 0, 0, heading);
+}
+
+TEST(RobotSight, WhatItSeesWaitsForOdometryThatComesALittleLate) {
+    Saying robot;
+    const auto headingAt = [](int stamp) { return degrees(0.09) * std::max(0, stamp); };  // it begins to turn
+    for (int stamp = -500; stamp <= 0; stamp += 50) robot.odometry(stamp, headed(0), stamp + 100);
+    robot.board(100, headed(headingAt(100)), 110);
+    EXPECT_EQ(robot.sight.view(robot.begin + ms(110))->nearest(degrees(-40), degrees(40)), Free)
+        << "it waits";
+    for (int stamp = 50; stamp <= 150; stamp += 50)
+        robot.odometry(stamp, headed(headingAt(stamp)), stamp + 100);
+    EXPECT_NEAR(robot.middleOfBoard(250, headingAt(150)), 0.0, 1.0);
+}
+
+TEST(RobotSight, WhereOdometryComesTooLateTheMotionGoesOn) {
+    for (const bool gyros : {false, true}) {
+        Saying robot;
+        // With gyros it begins to turn as the odometry falls silent.
+        const auto headingAt = [&](int stamp) {
+            return degrees(0.09) * (gyros ? std::max(0, stamp) : stamp);
+        };
+        for (int stamp = -500; stamp <= 0; stamp += 50)
+            robot.odometry(stamp, headed(headingAt(stamp)), stamp + 10);
+        for (int stamp = -500; gyros && stamp <= 400; stamp += 20)
+            robot.gyro(stamp, stamp > 0 ? degrees(90) : 0.0, stamp + 10);
+        robot.board(400, headed(headingAt(400)), 410);
+        robot.joints(600);
+        robot.odometry(450, headed(headingAt(450)), 900);
+        EXPECT_NEAR(robot.middleOfBoard(900, headingAt(450)), 0.0, 2.0) << gyros;
+    }
+}
+
+TEST(RobotSight, AClockThatWasSetBackMixesNoEarlierPlacesIn) {
+    Saying robot;
+    const auto driven = [](int stamp) { return poseFrom({1e-4 * (stamp + 60'000), 0, 0}, 0, 0, 0); };
+    for (int stamp = -60'000; stamp <= 0; stamp += 50) robot.odometry(stamp, driven(stamp), stamp);
+    robot.board(0, headed(0), 0);
+    const auto ahead = [&](int at) {
+        return robot.sight.view(robot.begin + ms(at))->nearest(degrees(-6), degrees(6));
+    };
+    EXPECT_NEAR(ahead(0), BoardAt, 0.1);
+    robot.odometry(-40'000, driven(0), 50);
+    robot.odometry(100, driven(0), 100);
+    EXPECT_NEAR(ahead(100), BoardAt, 0.1) << "one stamp is no clock";
+    for (int passed = 25; passed <= 2'000; passed += 50) {
+        robot.odometry(-40'000 + passed, driven(0), 100 + passed);
+        if (passed % 500 == 25) robot.board(-40'000 + passed, headed(0), 100 + passed);
+        if (passed == 75) {
+            EXPECT_EQ(ahead(175), Free) << "what was around is of another time";
+        }
+    }
+    EXPECT_NEAR(ahead(2'100), BoardAt, 0.1);
 }
 
 TEST(RobotSight, HasWhatALaserMeasuredAsItCameAndNotForLong) {
