@@ -212,6 +212,21 @@ TEST(Ranges, NeedAnglesAndMatchingLists) {
     EXPECT_THAT(errorOf(wrong, StreamRole::Ranges), HasSubstr("range_max"));
 }
 
+TEST(Ranges, OfATurnThatTakesForEverAreRefused) {
+    wire::sensor_msgs::LaserScan message;
+    message.ranges.assign(1000, 1.0F);
+    message.angle_increment = 0.001F;
+    message.range_max = 10.0F;
+    for (const float good : {0.0F, 1e-4F, -1e-4F, 0.05F}) {
+        message.time_increment = good;
+        EXPECT_EQ(errorOf(message, StreamRole::Ranges), "none") << good;
+    }
+    for (const float bad : {0.07F, -0.07F, 1e30F, -1e30F, std::numeric_limits<float>::infinity(), NaN}) {
+        message.time_increment = bad;
+        EXPECT_THAT(errorOf(message, StreamRole::Ranges), HasSubstr("time_increment")) << bad;
+    }
+}
+
 TEST(Odometry, MustBeNumbers) {
     wire::nav_msgs::Odometry message;
     message.pose.pose.orientation.w = 1.0;

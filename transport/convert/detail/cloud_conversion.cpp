@@ -1,4 +1,5 @@
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "transport/convert/detail/cloud_column.h"
@@ -11,6 +12,7 @@ namespace {
 using wire::sensor_msgs::PointCloud2;
 using wire::sensor_msgs::PointField;
 constexpr float NoEcho = std::numeric_limits<float>::quiet_NaN();
+constexpr double LongestTurn = 60.0;  ///< of a plane laser [s]
 
 std::size_t valueSize(unsigned datatype) {
     constexpr std::size_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
@@ -152,6 +154,9 @@ RangesSample fromWire(const wire::sensor_msgs::LaserScan& from, const Source&, C
                    "expected {} or none, found {}", from.ranges.size(), from.intensities.size());
     checks.require(from.range_min <= from.range_max, "range_max", "expected at least {}, found {}",
                    from.range_min, from.range_max);
+    const double turn = std::abs(double{from.time_increment}) * static_cast<double>(from.ranges.size());
+    checks.require(turn <= LongestTurn, "time_increment", "expected {} s for all {} rays at most, found {} s",
+                   LongestTurn, from.ranges.size(), turn);
     return {checks.header(from.header),
             checks.finite("angle_min", from.angle_min),
             checks.finite("angle_increment", from.angle_increment),
