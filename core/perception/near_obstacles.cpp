@@ -26,6 +26,9 @@ void NearObstacles::add(const One& one) {
         *same = one;
     } else if (m_all.size() < Most) {
         m_all.push_back(one);
+    } else {
+        *std::min_element(m_all.begin(), m_all.end(),
+                          [](const One& a, const One& b) { return a.at < b.at; }) = one;
     }
 }
 

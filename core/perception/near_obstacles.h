@@ -10,7 +10,8 @@
 namespace leitstand {
 
 /// Obstacles close to a robot, which its scanner cannot see any more once they are beside its wheels: they
-/// stay until a raw scan looks through where they were, or for half a minute.
+/// stay until a raw scan looks through where they were, or for half a minute; of more than a thousand the
+/// newest.
 class NearObstacles {
 public:
     struct One {

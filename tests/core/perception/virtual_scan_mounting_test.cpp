@@ -168,6 +168,14 @@ TEST(NearObstacles, StayUntilTheyAreLookedThroughOrOld) {
     EXPECT_EQ(near.all().size(), 1U) << "one was beside the robot's own edge";
 }
 
+TEST(NearObstacles, OfTooManyTheNewestStay) {
+    NearObstacles near;
+    for (int i = 0; i < 1'200; ++i)
+        near.add({{0.05 * (i % 40), 0.05 * (i / 40)}, 0.2, atSecond(0.01 * i), {}});
+    EXPECT_EQ(near.all().size(), 1'000U);
+    for (const NearObstacles::One& one : near.all()) ASSERT_GE(one.at, atSecond(0.01 * 200));
+}
+
 /// A sweep of a scanner whose plane is tilted about y: rows of half a degree, points of 1 degree to the
 /// sides.
 CloudSample tilted(const VirtualWorld& world, Time start, std::mt19937& random) {
