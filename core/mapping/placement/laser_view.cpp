@@ -76,10 +76,11 @@ LaserView laserView(const RangesSample& ranges, const Pose& laserInBase, const M
     const double height = (view.tilt * laserInBase).translation().z();
     view.low = std::max(Ground, height - Below);
     view.high = height + Above;
+    const double farthest = ranges.rangeMax > 0.0 ? ranges.rangeMax : Farthest;  // 0: it does not tell
     Thinned kept(view);
     for (std::size_t i = 0; i < ranges.ranges.size(); ++i) {
         const double range = double{ranges.ranges[i]}, ray = static_cast<double>(i);
-        if (!std::isfinite(range) || range < ranges.rangeMin || range > ranges.rangeMax) continue;
+        if (!(range > 0.0 && range >= ranges.rangeMin && range <= farthest)) continue;
         const double angle = ranges.angleMin + ray * ranges.angleStep;
         const Pose base = interpolated(begin, end, rays > 1.0 ? ray / (rays - 1.0) : 1.0);
         const Eigen::Vector3d inLaser(range * std::cos(angle), range * std::sin(angle), 0.0);

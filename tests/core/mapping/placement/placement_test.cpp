@@ -104,6 +104,17 @@ TEST(LaserView, AQuickTurnAndATiltAreTakenOut) {
     EXPECT_NEAR(inDegrees(std::acos(found.baseInMap.linear()(2, 2))), std::hypot(3.0, 5.0), 0.5);
 }
 
+TEST(LaserView, ALaserThatDoesNotTellHowFarItSeesIsTakenAsItIs) {
+    const FlatWorld world = FlatWorld::nook();
+    RangesSample ranges = world.ranges(There, Time(1000s));
+    const std::size_t points = laserView(ranges, FlatWorld::laserInBase(), {}).points.size();
+    ranges.rangeMax = ranges.rangeMin = 0.0;
+    ranges.ranges.push_back(0.0F);
+    ranges.ranges.push_back(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(laserView(ranges, FlatWorld::laserInBase(), {}).points.size(), points);
+    EXPECT_GT(points, 20U);
+}
+
 /// What a 3D scanner on a robot at @p baseInMap has of @p world: walls and floor with noise, a ceiling, and
 /// rays that nothing answered.
 LiveScan scanIn(const FlatWorld& world, const Pose& baseInMap) {
