@@ -59,13 +59,24 @@ RobotPlaceSample LaserRobot::taken(const MapFix& fix, RobotPlaceSample::Cause ca
     return sample;
 }
 
+void LaserRobot::wasAt(Time stamp) {
+    const auto motion = m_tracker.motion().at(stamp);
+    if (!motion) return;
+    const int frame = m_tracker.motion().frameAt(stamp);
+    if (m_begin && frame != m_frame) {
+        m_before = m_before * (m_begin->inverse() * m_newest);
+        m_begin.reset();
+    }
+    if (!m_begin) m_begin = motion->baseInOdom;
+    m_frame = frame;
+    m_newest = motion->baseInOdom;
+}
+
 std::optional<RobotPlaceSample> LaserRobot::see(LaserView view, const LiveMapPtr& map, Time now,
                                                 std::span<const Disc> others) {
     const Time stamp = view.stamp;
     m_view = std::move(view);
-    if (!m_begin) {
-        if (const auto motion = m_tracker.motion().at(stamp)) m_begin = motion->baseInOdom;
-    }
+    wasAt(stamp);
     if (!map || map->scans.empty()) return std::nullopt;
     if (m_resumed) return resumed(map, now);
     if (!m_tracker.placed() || !m_localiser.due(stamp, m_tracker.motion())) return std::nullopt;
@@ -84,12 +95,12 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
     if (!wantsSlot() || !m_view || !map || map->scans.empty()) return std::nullopt;
     // It was told that it is not there; as the map grows, it may be found after all.
     const bool grown = map != m_tried && m_tries < MostTries;
-    if (!grown && m_view->stamp - m_triedAt < TryAgain) return std::nullopt;
+    const auto since = m_view->stamp - m_triedAt;  // less than nothing where its clock was set back
+    if (!grown && since >= std::chrono::seconds(0) && since < TryAgain) return std::nullopt;
     m_triedAt = m_view->stamp;
     m_tried = map;
-    const auto here = m_tracker.motion().at(m_view->stamp);
-    Pose guess = otherInMap * m_settings.placement.slotInOther;
-    if (here && m_begin) guess = guess * (m_begin->inverse() * here->baseInOdom);
+    Pose guess = otherInMap * m_settings.placement.slotInOther * m_before;
+    if (m_begin) guess = guess * (m_begin->inverse() * m_newest);
     Placement found =
         placeRobot(*m_view, localAt(map, guess), guess, m_settings.placement.slot, m_settings.placement);
     if (found.certain && contradicted(found.baseInMap, others)) {

@@ -64,6 +64,8 @@ public:
         6;  ///< beside the other robot, with a new map or some seconds later; then it is told
 
 private:
+    /// Where it was by its odometry at @p stamp.
+    void wasAt(Time stamp);
     /// Whether what it sees speaks against @p baseInMap, in the local map.
     [[nodiscard]] bool contradicted(const Pose& baseInMap, std::span<const Disc> others) const;
     [[nodiscard]] const LocalMap& localAt(const LiveMapPtr& map, const Pose& place);
@@ -77,7 +79,11 @@ private:
     LaserLocaliser m_localiser;
     MapCrop m_crop;
     std::optional<LaserView> m_view;  ///< newest
-    std::optional<Pose> m_begin;      ///< base_link in odom when it was heard first
+    /// base_link in odom when it was heard first, of the odometry of number m_frame, ...
+    std::optional<Pose> m_begin;
+    Pose m_newest = Pose::Identity();  ///< ... and at its newest view,
+    Pose m_before = Pose::Identity();  ///< and what it drove by those before, which began anew
+    int m_frame = 0;
     std::optional<RobotPlaceSample> m_resumed;
     bool m_put = false;  ///< by the operator, and not found since
     Time m_triedAt{};    ///< robot's clock
