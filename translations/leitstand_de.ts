@@ -6565,6 +6565,10 @@ F1 listet alle Tasten</translation>
         <translation>vom Operator dorthin gesetzt; sein Laser sagt nichts</translation>
     </message>
     <message>
+        <source>put there by the operator; its next scan tells where it stands</source>
+        <translation>vom Operator dorthin gesetzt; sein nächster Scan zeigt, wo er steht</translation>
+    </message>
+    <message>
         <source>put there by the operator, but {}</source>
         <translation>vom Operator dorthin gesetzt, aber {}</translation>
     </message>

@@ -6565,6 +6565,10 @@ F1 でキー一覧</translation>
         <translation>オペレータが配置、レーザでは確認できない</translation>
     </message>
     <message>
+        <source>put there by the operator; its next scan tells where it stands</source>
+        <translation>オペレータが配置、次のスキャンで位置が決まる</translation>
+    </message>
+    <message>
         <source>put there by the operator, but {}</source>
         <translation>オペレータが配置したが {}</translation>
     </message>

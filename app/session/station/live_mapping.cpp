@@ -81,7 +81,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
         if (earlier.shared) m_mapper.beginBlock();
         for (auto& [name, robot] : m_robots) {
             const auto place = earlier.places.find(name);
-            if (place != earlier.places.end()) robot.laser.restore(place->second);
+            if (place != earlier.places.end() && !m_mapper.fix(name)) robot.laser.restore(place->second);
         }
         followFixes();
         tellMap();

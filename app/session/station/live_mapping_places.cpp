@@ -117,7 +117,10 @@ void LiveMapping::follow(const RobotPlaceSample& place) {
 void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
     post([this, name, baseInMap](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);
-        if (mapper.fix(name)) return mapper.place(name, baseInMap);
+        if (const auto fix = mapper.fix(name)) {
+            mapper.place(name, baseInMap);
+            return tellPlace(robot.laser.putUntilScan(baseInMap, fix->stamp, stationTime()));
+        }
         tellPlace(robot.laser.place(baseInMap, m_map, stationTime()));
     });
 }

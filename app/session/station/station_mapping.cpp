@@ -114,6 +114,8 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     const bool before = std::exchange(certain[place.robot], place.certain);
     if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
     using Cause = RobotPlaceSample::Cause;
+    const std::string how = placement_says::inWindowsLanguage(place.how);
+    if (place.how == placement_says::PutUntilScan) return tell(fmt::format("{}: {}", place.robot, how));
     const std::string what =
         place.cause == Cause::Tracked
             ? (place.certain ? translate("leitstand::Station", "its laser fits the map again")
@@ -124,7 +126,7 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
                   "leitstand::Station",
                   "not found beside the other robot: put it to where it stands, or let the other one see it")
             : translate("leitstand::Station", "not found there");
-    tell(fmt::format("{}: {}: {}", place.robot, what, placement_says::inWindowsLanguage(place.how)));
+    tell(fmt::format("{}: {}: {}", place.robot, what, how));
 }
 
 void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {

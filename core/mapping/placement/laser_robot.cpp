@@ -181,6 +181,20 @@ RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map,
     return taken(fix, RobotPlaceSample::Cause::Operator, overlap, now);
 }
 
+RobotPlaceSample LaserRobot::putUntilScan(const Pose& baseInMap, Time measured, Time now) const {
+    RobotPlaceSample sample;
+    sample.stamp = now;
+    sample.station = m_station;
+    sample.robot = m_tracker.now().robot;
+    sample.cause = RobotPlaceSample::Cause::Operator;
+    sample.measured = measured;
+    sample.baseInMap = sample.odomInMap = baseInMap;
+    if (const auto motion = m_tracker.motion().at(measured))
+        sample.odomInMap = baseInMap * motion->baseInOdom.inverse();
+    sample.how = placement_says::PutUntilScan;
+    return sample;
+}
+
 void LaserRobot::restore(const RobotPlaceSample& place) {
     m_resumed = place;
     m_tracker.correct({place.measured, place.baseInMap, 0.0, false, placement_says::WhereLeft});

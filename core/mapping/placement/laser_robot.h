@@ -45,6 +45,9 @@ public:
     /// The operator put it to @p baseInMap: looked for about there; where it is not found it stands there,
     /// uncertain.
     [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap, const LiveMapPtr& map, Time now);
+    /// The same for the log only: the operator put it there, its own next 3D scan tells where it stands.
+    /// @p measured: the newest scan's moment, its clock.
+    [[nodiscard]] RobotPlaceSample putUntilScan(const Pose& baseInMap, Time measured, Time now) const;
     /// What belongs into the map: once it is placed, what its laser sees outside says nothing of where it is.
     void setCrop(MapCrop crop) { m_crop = std::move(crop); }
     /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its

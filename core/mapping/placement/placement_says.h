@@ -28,6 +28,8 @@ constexpr auto SeenBy =
 constexpr auto AgainstMap = translatable("leitstand::Station", "it would see things where the map has none");
 constexpr auto PutBlindly =
     translatable("leitstand::Station", "put there by the operator; its laser says nothing");
+constexpr auto PutUntilScan =
+    translatable("leitstand::Station", "put there by the operator; its next scan tells where it stands");
 constexpr auto PutBut = translatable("leitstand::Station", "put there by the operator, but {}");
 constexpr auto WhereLeftBut =
     translatable("leitstand::Station", "where it was when the station was left: {}");
@@ -35,10 +37,10 @@ constexpr auto WhereLeft = translatable("leitstand::Station", "where it was when
 constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");
 
 /// The most special first.
-inline constexpr auto All =
-    std::to_array<const char*>({FoundAgain, PutBut, WhereLeftBut, SeenBy, TooFewPoints, FromGuess, TooLittle,
-                                LittleInMap, OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere, AgainstMap,
-                                PutBlindly, WhereLeft, OdometryAnew, Because, InMap, LaserInMap});
+inline constexpr auto All = std::to_array<const char*>(
+    {FoundAgain,   PutBut,    WhereLeftBut,  SeenBy,        TooFewPoints, FromGuess,  TooLittle,
+     LittleInMap,  OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere,    AgainstMap, PutBlindly,
+     PutUntilScan, WhereLeft, OdometryAnew,  Because,       InMap,        LaserInMap});
 
 /// @p how in the window's language; what is not known stays as it is.
 [[nodiscard]] std::string inWindowsLanguage(const std::string& how);
