@@ -81,7 +81,7 @@ void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
     const std::string& name = scan.scan->robot;
     if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
     // Without a plane laser its 3D scans do as well.
-    if (!robot.tracker.placed()) seeing(name, robot, laserView(scan), now);
+    if (!robot.tracker.placed() || robot.laser.resumes()) seeing(name, robot, laserView(scan), now);
     if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
 }
 

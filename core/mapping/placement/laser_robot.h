@@ -56,6 +56,8 @@ public:
     /// As another station, which makes the map, has it now.
     void follow(const RobotPlaceSample& place);
 
+    /// Whether its place is the log's, and not looked at since.
+    [[nodiscard]] bool resumes() const { return m_resumed.has_value(); }
     [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
     [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && !m_put; }
     /// Whether placeSeen() is of use.

@@ -139,6 +139,29 @@ TEST_F(ScanningRobots, TheSecondOneEntersFromItsSlotAlsoWhenTheStationStartsAgai
     EXPECT_TRUE(stands("crawler", Slot));
 }
 
+TEST_F(ScanningRobots, OneThatDroveOnWhileTheStationWasAwayIsFoundWhereItsOdometryWentTo) {
+    begin();
+    scan("kurt3d", KurtBegins);
+    ASSERT_TRUE(enters("kurt3d"));
+    EarlierMap earlier{m_scans, m_poses, {}};
+    RobotPlaceSample place;  // as the log has it; none of its scans came in
+    place.robot = "crawler";
+    place.cause = RobotPlaceSample::Cause::Operator;
+    place.measured = m_time;
+    place.baseInMap = place.odomInMap = inMap(Slot);
+    place.certain = true;
+    place.certainty = 0.9;
+    earlier.places.emplace("crawler", place);
+    m_mapping->end();
+    m_scans.clear();
+    begin(earlier);
+    const Pose way = poseFrom({2.2, 0.2, 0}, 0, 0, degrees(70));
+    m_time += 60s;
+    scan("crawler", Slot * way, way);
+    EXPECT_TRUE(enters("crawler"));
+    EXPECT_TRUE(stands("crawler", Slot * way)) << placeOf("crawler").how;
+}
+
 TEST_F(ScanningRobots, WhereTheOperatorPutTheOneThatMakesTheMapIsInTheLog) {
     begin();
     scan("kurt3d", KurtBegins);
