@@ -5635,6 +5635,14 @@ F1 listet alle Tasten</translation>
 <context>
     <name>leitstand::RobotMark</name>
     <message>
+        <source>place certain to %1</source>
+        <translation>Ort zu %1 sicher</translation>
+    </message>
+    <message>
+        <source>place uncertain, %1</source>
+        <translation>Ort ungewiss, %1</translation>
+    </message>
+    <message>
         <source>place uncertain</source>
         <translation>Ort ungewiss</translation>
     </message>
@@ -6567,6 +6575,18 @@ F1 listet alle Tasten</translation>
     <message>
         <source>put there by the operator; its next scan tells where it stands</source>
         <translation>vom Operator dorthin gesetzt; sein nächster Scan zeigt, wo er steht</translation>
+    </message>
+    <message>
+        <source>its scan fits the map</source>
+        <translation>sein Scan passt zur Karte</translation>
+    </message>
+    <message>
+        <source>its scan does not fit</source>
+        <translation>sein Scan passt nicht</translation>
+    </message>
+    <message>
+        <source>its newest key scan</source>
+        <translation>sein neuester Schlüsselscan</translation>
     </message>
     <message>
         <source>put there by the operator, but {}</source>

@@ -5635,6 +5635,14 @@ F1 でキー一覧</translation>
 <context>
     <name>leitstand::RobotMark</name>
     <message>
+        <source>place certain to %1</source>
+        <translation>位置の確度 %1</translation>
+    </message>
+    <message>
+        <source>place uncertain, %1</source>
+        <translation>位置不確実、確度 %1</translation>
+    </message>
+    <message>
         <source>place uncertain</source>
         <translation>位置不確実</translation>
     </message>
@@ -6567,6 +6575,18 @@ F1 でキー一覧</translation>
     <message>
         <source>put there by the operator; its next scan tells where it stands</source>
         <translation>オペレータが配置、次のスキャンで位置が決まる</translation>
+    </message>
+    <message>
+        <source>its scan fits the map</source>
+        <translation>スキャンが地図と一致</translation>
+    </message>
+    <message>
+        <source>its scan does not fit</source>
+        <translation>スキャンが地図と合わない</translation>
+    </message>
+    <message>
+        <source>its newest key scan</source>
+        <translation>最新のキースキャン</translation>
     </message>
     <message>
         <source>put there by the operator, but {}</source>

@@ -120,6 +120,7 @@ signals:
     void becameSettled();
 
 protected:
+    bool event(QEvent* event) override;  ///< a robot under the pointer tells how sure its place is
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;

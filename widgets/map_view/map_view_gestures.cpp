@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <QHelpEvent>
 #include <QMouseEvent>
+#include <QStringList>
+#include <QToolTip>
 
 #include "widgets/map_view/map_view_state.h"
 #include "widgets/models/map/robot_marks.h"
@@ -15,6 +18,7 @@ void MapView::setRobots(std::vector<RobotMark> robots) {
     const bool same =
         std::equal(robots.begin(), robots.end(), m_state->robots.begin(), m_state->robots.end(), sameMark);
     m_state->robots = std::move(robots);
+    m_state->describe();
     if (same) return;
     std::vector<SceneRobot> team;
     for (const RobotMark& robot : m_state->robots)
@@ -46,8 +50,36 @@ void MapView::setGround(double height) {
 void MapView::setHint(const QString& text) {
     if (text == m_state->hint) return;
     m_state->hint = text;
-    setAccessibleDescription(text);
+    m_state->describe();
     update();
+}
+
+void MapView::State::describe() {
+    QStringList lines = {hint, detailsOf(robots)};
+    lines.removeAll(QString());
+    const QString text = lines.join(QLatin1Char('\n'));
+    if (text != view.accessibleDescription()) view.setAccessibleDescription(text);
+}
+
+const RobotMark* MapView::State::robotAt(const QPointF& position) const {
+    constexpr double Near = 24.0;  // of its middle, from floor to top [pixels]
+    for (const RobotMark& robot : robots) {
+        const auto floor = view.project(robot.baseInMap.translation());
+        const auto top = view.project(robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
+        if (!floor || !top) continue;
+        // Its letter stands above it.
+        const QRectF about = QRectF(*floor, *top).normalized().adjusted(-Near, -2 * Near, Near, Near);
+        if (about.contains(position)) return &robot;
+    }
+    return nullptr;
+}
+
+bool MapView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto& help = static_cast<const QHelpEvent&>(*event);
+    const RobotMark* const robot = m_state->robotAt(QPointF(help.pos()));
+    QToolTip::showText(help.globalPos(), robot != nullptr ? robot->details : QString(), this);
+    return true;
 }
 
 void MapView::startPose(const RobotMark& robot) {

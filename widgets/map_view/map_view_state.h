@@ -29,6 +29,9 @@ struct MapView::State {
     void measureAt(const QPoint& position);
     /// The floor under @p position: scanned floor there, else the ground's plane.
     [[nodiscard]] std::optional<Eigen::Vector3d> groundAt(const QPointF& position) const;
+    /// The robot that is drawn at @p position; null: none.
+    [[nodiscard]] const RobotMark* robotAt(const QPointF& position) const;
+    void describe();  ///< to screen readers
     void moveBy(MapDrag how, const QPointF& pull);
     /// What gestures do with the mouse; false: nothing, the camera has it.
     bool pressGesture(const QMouseEvent& event);

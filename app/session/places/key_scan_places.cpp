@@ -3,12 +3,14 @@
 #include <limits>
 #include <variant>
 
+#include "core/mapping/placement/placement_says.h"
+
 namespace leitstand {
 
 PlaceOfRobot KeyScanPlaces::Scan::fix(double certainty) const {
     return {robot,
             {end, scanInMap * sensorInBase.inverse(), certainty, counts,
-             counts ? "its scan fits the map" : "its scan does not fit"}};
+             counts ? placement_says::FitsMap : placement_says::DoesNotFit}};
 }
 
 bool KeyScanPlaces::wants(const Event& event) {

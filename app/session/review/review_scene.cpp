@@ -10,6 +10,7 @@
 #include "app/session/review/reviewed_streams.h"
 #include "app/session/station/live_mapping.h"
 #include "app/session/station/mission_map.h"
+#include "core/mapping/placement/placement_says.h"
 #include "core/perception/virtual_scan.h"
 
 namespace leitstand {
@@ -39,7 +40,7 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
             continue;
         anchors.push_back(
             {scan.entry.stamp, scan.pose.scanInMap * points->second.scan->sensorInOdom.inverse(),
-             scan.pose.trust == ScanTrust::Certain, scan.pose.certainty, "its newest key scan"});
+             scan.pose.trust == ScanTrust::Certain, scan.pose.certainty, placement_says::NewestKeyScan});
     }
     if (const auto places = index.places.find(robot.name); anchors.empty() && places != index.places.end()) {
         for (const RobotPlaceSample& place : places->second) {

@@ -7,6 +7,7 @@
 
 #include "app/session/log/sequencer.h"
 #include "core/mapping/live/scan_doubts.h"
+#include "core/mapping/placement/placement_says.h"
 
 namespace leitstand {
 
@@ -197,7 +198,7 @@ void LiveMapping::followFixes() {
         robot.followed = fix;
         const bool certain = fix->doubts == 0;
         robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
-                               certain ? "its scan fits the map" : inWords(fix->doubts)});
+                               certain ? placement_says::FitsMap : inWords(fix->doubts)});
     }
 }
 

@@ -34,6 +34,9 @@ constexpr auto PutBut = translatable("leitstand::Station", "put there by the ope
 constexpr auto WhereLeftBut =
     translatable("leitstand::Station", "where it was when the station was left: {}");
 constexpr auto WhereLeft = translatable("leitstand::Station", "where it was when the station was left");
+constexpr auto FitsMap = translatable("leitstand::Station", "its scan fits the map");
+constexpr auto DoesNotFit = translatable("leitstand::Station", "its scan does not fit");
+constexpr auto NewestKeyScan = translatable("leitstand::Station", "its newest key scan");
 constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");
 
 /// The most special first.

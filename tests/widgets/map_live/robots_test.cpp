@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QApplication>
+#include <QHelpEvent>
 #include <QLineF>
 #include <QSignalSpy>
+#include <QToolTip>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +94,27 @@ TEST(RobotsOnTheMap, HaveTrails) {
     EXPECT_GT(countPixels(view->picture(), Trail), 10) << "from scan to scan";
     view->setRobots({kurt3d(onFloor(3, 0, 0))});
     EXPECT_GT(countPixels(view->picture(), Trail), 80);
+}
+
+TEST(RobotsOnTheMap, TellUnderThePointerAndToScreenReadersHowSureTheirPlaceIs) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    RobotMark robot = kurt3d(onFloor(1, 0, 0));
+    robot.details = QStringLiteral("Kurt3D: place certain to 83 %");
+    view->setRobots({robot});
+    view->setHint(QStringLiteral("Draw its place"));
+    EXPECT_EQ(view->accessibleDescription(), QStringLiteral("Draw its place\nKurt3D: place certain to 83 %"));
+    const auto told = [&](const QPoint& at) {
+        QHelpEvent help(QEvent::ToolTip, at, view->mapToGlobal(at));
+        QApplication::sendEvent(&*view, &help);
+        return QToolTip::text();
+    };
+    const QPoint there = view.at({1, 0, RoomFloor}).toPoint();
+    EXPECT_EQ(told(there + QPoint(150, 0)), QString());
+    EXPECT_EQ(told(there), robot.details);
+    robot.details = QStringLiteral("Kurt3D: place uncertain, 12 %");
+    view->setHint({});
+    view->setRobots({robot});
+    EXPECT_EQ(view->accessibleDescription(), robot.details);
 }
 
 TEST(RobotsOnTheMap, InDoubtHaveADashedAmberRing) {

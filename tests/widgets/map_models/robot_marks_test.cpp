@@ -56,6 +56,25 @@ TEST(RobotMarks, DoubtIsARingThatGrows) {
     EXPECT_THAT(some->note.toStdString(), HasSubstr("uncertain"));
 }
 
+TEST(RobotMarks, TellHowSureThePlaceIsAndWhy) {
+    const auto details = [](RobotInMap place, const char* how, LinkState link = LinkState::Connected) {
+        place.how = how;
+        QString text = robotMarkOf(Kurt, tracked(), place, linked(link), false)->details;
+        return text.replace(QChar(0x202F), QLatin1Char(' ')).toStdString();
+    };
+    EXPECT_EQ(details(placed(true, 0.834), "its scan fits the map"),
+              "Kurt3D: place certain to 83 %: its scan fits the map");
+    EXPECT_EQ(details(placed(false, 0.12), "its laser fits 9 cm from where its tracks say"),
+              "Kurt3D: place uncertain, 12 %: its laser fits 9 cm from where its tracks say");
+    EXPECT_EQ(details(placed(false, 0.0), "little overlap with the map, a jump against the odometry"),
+              "Kurt3D: place uncertain, 0 %: little overlap, jump")
+        << "in the words of the list of scans";
+    EXPECT_EQ(details(placed(true, 1.0), ""), "Kurt3D: place certain to 100 %");
+    EXPECT_THAT(details(placed(true, 1.0), "", LinkState::Lost), HasSubstr("seen here last"));
+    const auto mark = *robotMarkOf(Kurt, tracked(), placed(true, 1.0), linked(LinkState::Connected), false);
+    EXPECT_EQ(detailsOf({mark, mark}), mark.details + QLatin1Char('\n') + mark.details);
+}
+
 TEST(RobotMarks, ALostOneWasSeenThereLast) {
     const auto mark = robotMarkOf(Kurt, tracked(), placed(true, 1.0), linked(LinkState::Lost), false);
     ASSERT_TRUE(mark);

@@ -28,7 +28,8 @@ struct RobotMark {
     std::optional<Pose> goalInMap = {};      ///< where it was sent
     std::optional<double> doubtRadius = {};  ///< it is not sure where it is: somewhere within [m]
     QString note = {};                       ///< said beside it: "place uncertain"; may be empty
-    Tone tone = Tone::Normal;                ///< of the note
+    QString details = {};      ///< how sure its place is, in whole: for tooltips and screen readers
+    Tone tone = Tone::Normal;  ///< of the note
     bool selected = false;
     bool stale = false;  ///< nothing was heard of it lately: it may be elsewhere
 };

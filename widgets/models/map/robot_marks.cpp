@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "widgets/models/map/place_text.h"
+
 namespace leitstand {
 namespace {
 
@@ -30,6 +32,7 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     mark.trail = place.trail;
     mark.goalInMap = goalInMap;
     mark.selected = selected;
+    mark.details = face.title + QStringLiteral(": ") + placeText(place);
     mark.stale = link.state == LinkState::Lost;
     if (!place.certain) {
         mark.doubtRadius = LeastDoubt + MoreDoubt * (1.0 - std::clamp(place.certainty, 0.0, 1.0));
@@ -38,6 +41,7 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     }
     if (mark.stale) {
         mark.note = Say::tr("link lost: seen here last");
+        mark.details += QStringLiteral(" · ") + mark.note;
         mark.tone = Tone::Attention;
     }
     return mark;
@@ -50,6 +54,14 @@ bool sameMark(const RobotMark& a, const RobotMark& b) {
     return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
            sameGoal(a.goalInMap, b.goalInMap) && a.doubtRadius == b.doubtRadius && a.note == b.note &&
            a.tone == b.tone && a.selected == b.selected && a.stale == b.stale;
+}
+
+QString detailsOf(const std::vector<RobotMark>& marks) {
+    QStringList lines;
+    for (const RobotMark& mark : marks) {
+        if (!mark.details.isEmpty()) lines += mark.details;
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys) {

@@ -14,6 +14,9 @@ namespace leitstand {
                                                    const RobotInMap& place, const LinkStatus& link,
                                                    bool selected, const std::optional<Pose>& goalInMap = {});
 
+/// How sure the places of all @p marks are, a line each.
+[[nodiscard]] QString detailsOf(const std::vector<RobotMark>& marks);
+
 /// Whether both are drawn alike.
 [[nodiscard]] bool sameMark(const RobotMark& a, const RobotMark& b);
 

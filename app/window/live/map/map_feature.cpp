@@ -77,6 +77,8 @@ MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {
 
 void MapFeature::showSummary(const LiveMoment& moment) {
     MapSummary summary = summaryOf(moment);
+    if (m_robots != nullptr && !summary.hint.isEmpty() && !m_robots->details().isEmpty())
+        summary.hint += QLatin1Char('\n') + m_robots->details();
     // What is under the pointer; but never in place of a doubt about the map.
     if (!m_pointed.isEmpty() && summary.tone == Tone::Normal) summary.result = m_pointed;
     m_pane->setSummary(summary);

@@ -53,7 +53,7 @@ private:
     ViewState m_view;
     MapPane* m_pane;
     MapGestures* m_gestures;
-    RobotsOnMap* m_robots;
+    RobotsOnMap* m_robots = nullptr;
     std::function<MapSummary(const LiveMoment&)> m_describe;
     MapPtr m_map;       ///< that is shown; null: none came
     QString m_pointed;  ///< the point under the pointer, in words; empty: none is

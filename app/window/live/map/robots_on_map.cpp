@@ -137,6 +137,7 @@ void RobotsOnMap::show(const LiveMoment& moment) {
                                                    ? QString()
                                                    : placing->shortcut().toString(QKeySequence::NativeText)));
     if (!marks.empty()) m_view.setGround(mark(selected).baseInMap.translation().z());
+    m_details = detailsOf(marks);
     m_view.setRobots(std::move(marks));
 }
 

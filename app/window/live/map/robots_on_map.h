@@ -5,6 +5,7 @@
 #include <string>
 
 #include <QObject>
+#include <QString>
 
 #include "app/window/live/live_context.h"
 #include "widgets/map_view/map_view_settings.h"
@@ -31,6 +32,8 @@ public:
     /// A small square in @p robot's colours, for what is placed by hand.
     [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
     [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
+    /// How sure their places are, a line each.
+    [[nodiscard]] const QString& details() const { return m_details; }
     /// The robot that most needs to be placed: one that is not in the map yet, else the selected one.
     [[nodiscard]] std::string toPlace() const;
     /// Where a robot was sent, to be shown; empty: nowhere.
@@ -48,6 +51,7 @@ private:
     std::map<MapFollow, QAction*> m_follow;
     std::map<std::string, RobotMark> m_marks;  ///< of those that are placed
     std::map<std::string, Pose> m_goals;
+    QString m_details;
 };
 
 }  // namespace leitstand
