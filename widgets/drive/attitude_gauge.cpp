@@ -9,6 +9,16 @@
 #include "widgets/drive/gauge.h"
 
 namespace leitstand {
+namespace {
+
+/// How far the horizon is from the middle of a dial of radius 1 at the limit of pitch: its ends are then
+/// where the dots begin, as they are at the limit of roll.
+double offsetAtLimit(const AttitudeFigures& attitude) {
+    const bool dotted = attitude.maxRoll > 0.0 && attitude.maxRoll < degrees(85);
+    return dotted ? std::sin(attitude.maxRoll) : 0.66;
+}
+
+}  // namespace
 
 AttitudeGauge::AttitudeGauge(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Attitude"));
@@ -39,10 +49,10 @@ void AttitudeGauge::paintDial(QPainter& painter, const QPointF& centre, double r
             painter.drawArc(circle, static_cast<int>(16.0 * from), static_cast<int>(16.0 * span));
     }
     if (m_attitude.known) {
-        // Right side down: the horizon's right end rises. Nose down: it is higher. At the limit of pitch it
-        // reaches two thirds of the dial.
+        // Right side down: the horizon's right end rises. Nose down: it is higher.
         const double reach = m_attitude.maxPitch > 0.0 ? m_attitude.maxPitch : degrees(30.0);
-        const double offset = -0.66 * radius * std::clamp(m_attitude.pitch / reach, -1.4, 1.4);
+        const double offset =
+            -radius * std::clamp(offsetAtLimit(m_attitude) * m_attitude.pitch / reach, -0.92, 0.92);
         const QPointF along(std::cos(m_attitude.roll), -std::sin(m_attitude.roll));
         const QPointF middle =
             centre + offset * QPointF(std::sin(m_attitude.roll), std::cos(m_attitude.roll));
