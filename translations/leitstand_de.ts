@@ -1950,6 +1950,10 @@ Die blaue Linie ist der Horizont.</translation>
         <source>%1 at this load</source>
         <translation>%1 bei dieser Last</translation>
     </message>
+    <message>
+        <source>%1 · %2 m/s</source>
+        <translation>%1 · %2 m/s</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EnergyCell</name>

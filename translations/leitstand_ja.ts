@@ -1950,6 +1950,10 @@ The blue line is the horizon.</source>
         <source>%1 at this load</source>
         <translation>この負荷で %1</translation>
     </message>
+    <message>
+        <source>%1 · %2 m/s</source>
+        <translation>%1 · %2 m/s</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EnergyCell</name>

@@ -12,6 +12,8 @@ using Choice = GrantFigures::Choice;
 
 constexpr double Left = 18.0, Right = 10.0;  ///< [px]
 constexpr double ButtonHeight = 24.0;        ///< [px]
+constexpr double Roomy = 190.0;              ///< height from which on lines keep some distance [px]
+constexpr double Numbers = 28.0, Captions = 18.0, TracksLine = 16.0, Hint = 31.0;  ///< heights [px]
 
 }  // namespace
 
@@ -46,17 +48,18 @@ void ModeCell::show(const DriveState& state) {
     m_state = state;
     if (otherChoice) placeButtons();
     setAccessibleName(tr("Mode of %1").arg(state.face.title));
-    setAccessibleDescription(
-        QStringList{state.mode.text, state.hint, state.grant.text}.join(QStringLiteral(". ")));
-    setToolTip(
-        QStringList{state.mode.text, state.mode.reason, state.hint, state.grant.text, state.tracks.text}
-            .filter(QRegularExpression(QStringLiteral(".")))
-            .join(QLatin1Char('\n')));
+    QStringList said = {state.mode.text, state.hint, state.grant.text, state.tracks.note, state.tracks.text};
+    said.removeAll(QString());
+    setAccessibleDescription(said.join(QStringLiteral(". ")));
+    setToolTip(QStringList{state.mode.text, state.mode.reason, state.hint, state.grant.text,
+                           state.tracks.note, state.tracks.text}
+                   .filter(QRegularExpression(QStringLiteral(".")))
+                   .join(QLatin1Char('\n')));
     update();
 }
 
 QRectF ModeCell::grantLine() const {
-    return {Left, 92.0, width() - Left - Right, ButtonHeight};
+    return {Left, height() < Roomy ? 84.0 : 92.0, width() - Left - Right, ButtonHeight};
 }
 
 void ModeCell::placeButtons() {
@@ -109,38 +112,46 @@ void ModeCell::paintEvent(QPaintEvent* /*event*/) {
     // On red, words are white: amber and grey would not be read there.
     const auto on = [&](Tone tone) { return red ? QColor(Qt::white) : toneColour(tone, colours); };
     const double inner = width() - Left - Right;
+    const double grant = grantLine().top(), below = grantLine().bottom() + 1.0;
+    const double numbers = height() - 8.0 - Numbers;
+    const TrackFigures& tracks = m_state.tracks;
+    const bool tracksFit = !tracks.text.isEmpty() && below + TracksLine <= numbers;
 
     paintCaption(painter, {Left, 8, inner, 18}, tr("%1 mode").arg(m_state.face.title), on(Tone::Muted));
-    painter.setFont(fitted(painter.font(), m_state.mode.text, inner, 28, 15));
+    painter.setFont(fitted(painter.font(), m_state.mode.text, inner, height() < Roomy ? 26 : 28, 15));
     painter.setPen(ink);
-    painter.drawText(QRectF(Left, 24, inner, 36), Qt::AlignLeft | Qt::AlignVCenter, m_state.mode.text);
+    painter.drawText(QRectF(Left, 22, inner, grant - Hint - 22.0), Qt::AlignLeft | Qt::AlignVCenter,
+                     m_state.mode.text);
     painter.setFont(sized(painter.font(), 13));
-    painter.setPen(on(m_state.hintTone));
-    paintWrapped(painter, {Left, 60, inner, 32}, m_state.hint, 2);
+    // A chain that does not follow is told in any case: before what is only good to know.
+    const bool noteFirst = !tracks.note.isEmpty() && !tracksFit && m_state.hintTone == Tone::Muted;
+    painter.setPen(on(noteFirst ? tracks.tone : m_state.hintTone));
+    paintWrapped(painter, {Left, grant - Hint, inner, Hint}, noteFirst ? tracks.note : m_state.hint, 2);
 
     if (m_state.grant.choice != Choice::None) {
         QRectF line = grantLine();
         line.setRight((m_first->isHidden() ? line.right() : m_first->x()) - 6.0);
         paintCaption(painter, line, m_state.grant.text, on(m_state.grant.tone));
     }
-    if (const double low = grantLine().bottom();
-        height() - 54.0 - low >= 18.0 && !m_state.tracks.text.isEmpty()) {
-        paintCaption(painter, {Left, low + 1.0, inner, 17.0},
-                     m_state.tracks.note.isEmpty() ? m_state.tracks.text : m_state.tracks.note,
-                     on(m_state.tracks.tone));
+    if (tracksFit) {
+        const bool wide =
+            QFontMetricsF(sized(painter.font(), CaptionSize)).horizontalAdvance(tracks.text) <= inner;
+        const QString& figures = wide ? tracks.text : tracks.brief;
+        paintCaption(painter, {Left, below, inner, TracksLine}, tracks.note.isEmpty() ? figures : tracks.note,
+                     on(tracks.tone));
     }
     // Numbers stand at the bottom whatever the height; their captions go first when it is small.
-    const double column = inner / 3.0, bottom = height() - 8.0;
-    const bool captions = bottom - 46.0 >= grantLine().bottom();
+    const double column = inner / 3.0;
+    const bool captions = numbers - Captions >= below - 1.0 + (tracksFit ? TracksLine : 0.0);
     ThemeColours onRed = colours;
     if (red) onRed.text = onRed.muted = onRed.attention = onRed.act = QColor(Qt::white);
     const std::pair<QString, const Figure*> figures[] = {
         {tr("speed"), &m_state.speed}, {tr("turn"), &m_state.turn}, {tr("nearest"), &m_state.nearest}};
     double x = Left;
     for (const auto& [caption, figure] : figures) {
-        if (captions) paintCaption(painter, {x, bottom - 46.0, column - 4.0, 16.0}, caption, on(Tone::Muted));
-        paintFigure(painter, {x, bottom - 28.0, column - 4.0, 28.0}, *figure, FigureSize,
-                    red ? onRed : colours);
+        if (captions)
+            paintCaption(painter, {x, numbers - Captions, column - 4.0, 16.0}, caption, on(Tone::Muted));
+        paintFigure(painter, {x, numbers, column - 4.0, Numbers}, *figure, FigureSize, red ? onRed : colours);
         x += column;
     }
 }

@@ -97,6 +97,7 @@ TrackFigures tracksOf(const RobotDescription& description, const RobotView& robo
         return DriveTexts::tr("%1 of %2").arg(numberText(is, 2), numberText(asked, 2));
     };
     figures.text = DriveTexts::tr("chains %1 · %2 m/s").arg(pair(left, askedLeft), pair(right, askedRight));
+    figures.brief = DriveTexts::tr("%1 · %2 m/s").arg(pair(left, askedLeft), pair(right, askedRight));
     const bool leftStuck = stuck(askedLeft, left), rightStuck = stuck(askedRight, right);
     if (leftStuck && rightStuck)
         figures.note = DriveTexts::tr("the chains do not follow");

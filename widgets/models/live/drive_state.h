@@ -54,8 +54,9 @@ struct GasFigures {
 
 /// Speeds of the chains of a tracked robot, as measured and as commanded.
 struct TrackFigures {
-    QString text;  ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: it has none
-    QString note;  ///< "the left chain does not follow"; may be empty
+    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: it has none
+    QString brief;  ///< "0.21 of 0.25 · 0.20 of 0.25 m/s", where there is little room
+    QString note;   ///< "the left chain does not follow"; may be empty
     Tone tone = Tone::Muted;
 };
 
