@@ -18,6 +18,8 @@ namespace leitstand {
 /// limit is known.
 [[nodiscard]] double shareOfLimits(const RobotDescription& description, double roll, double pitch);
 
+/// What a robot told of its battery is of now for so long [s].
+inline constexpr double BatteryAge = 10.0;
 /// Time until a battery is empty at the present load [min]; NaN where that is not told.
 [[nodiscard]] double minutesLeft(const BatterySample& battery);
 

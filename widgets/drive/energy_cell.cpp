@@ -30,15 +30,25 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     const double left = 12.0, inner = width() - 22.0;
     const bool tall = height() >= 170;
     double y = 8.0;
-    paintCaption(painter, {left, y, inner, 18}, tr("Battery"), colours.muted);
+    const QColor& leftInk = toneColour(m_battery.leftTone, colours);
+    if (tall || m_battery.leftBrief.isEmpty()) {
+        paintCaption(painter, {left, y, inner, 18}, tr("Battery"), colours.muted);
+    } else {
+        // The time left stands beside the caption, or instead of it.
+        const QFontMetricsF metrics(sized(painter.font(), CaptionSize));
+        const double wide = metrics.horizontalAdvance(m_battery.leftBrief);
+        const bool both = metrics.horizontalAdvance(tr("Battery")) + 8.0 + wide <= inner;
+        if (both) paintCaption(painter, {left, y, inner, 18}, tr("Battery"), colours.muted);
+        const double from = both ? left + inner - wide - 1.0 : left;
+        paintCaption(painter, {from, y, left + inner - from, 18}, m_battery.leftBrief, leftInk);
+    }
     y += 20.0;
     paintFigure(painter, {left, y, inner, 32}, m_battery.charge, NumberSize, colours);
     y += 33.0;
     if (tall) {
         const QFontMetricsF metrics(sized(painter.font(), CaptionSize));
         const bool fits = metrics.horizontalAdvance(m_battery.left) <= inner;
-        paintCaption(painter, {left, y, inner, 18}, fits ? m_battery.left : m_battery.leftBrief,
-                     colours.muted);
+        paintCaption(painter, {left, y, inner, 18}, fits ? m_battery.left : m_battery.leftBrief, leftInk);
         y += 21.0;
     }
     if (std::isfinite(m_battery.fraction)) {

@@ -108,7 +108,7 @@ private:
     }
 
     void battery() {
-        if (!isFresh(m_robot.said.battery, m_now, 10.0)) return;
+        if (!isFresh(m_robot.said.battery, m_now, BatteryAge)) return;
         const BatterySample& battery = m_robot.said.battery->sample;
         if (battery.status == BatterySample::Status::Charging) return;
         const AlarmId id = idOf(alarm_key::Battery);

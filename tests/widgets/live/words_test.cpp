@@ -282,10 +282,22 @@ TEST_F(LiveWords, BatteryTellsMinutesAndWarnsWhenLow) {
     EXPECT_EQ(stateOf(robot).battery.charge.value.toStdString(), "71");
     EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "38 min at this load");
     EXPECT_EQ(stateOf(robot).battery.leftBrief.toStdString(), "38 min");
-    robot.said.battery->sample.fraction = 0.2;
-    EXPECT_EQ(stateOf(robot).battery.charge.tone, Tone::Attention);
-    robot.said.battery->sample.fraction = 0.05;
-    EXPECT_EQ(stateOf(robot).battery.charge.tone, Tone::Act);
+    const auto toneOf = [this](double share, double current, const AlarmLimits& limits = {}) {
+        robot.said.battery->sample.fraction = share;
+        robot.said.battery->sample.current = current;
+        return driveStateOf(robot.face, robot.description, robot.view, robot.said, robot.gas, at(0), limits)
+            .battery.charge.tone;
+    };
+    EXPECT_EQ(toneOf(0.24, -1.0), Tone::Normal) << "as the alarms have it";
+    EXPECT_EQ(toneOf(0.2, -1.0), Tone::Attention);
+    EXPECT_EQ(toneOf(0.09, -0.1), Tone::Attention);
+    EXPECT_EQ(toneOf(0.08, -0.1), Tone::Act);
+    EXPECT_EQ(toneOf(0.5, -40.0), Tone::Attention) << "7 minutes are left";
+    EXPECT_EQ(stateOf(robot).battery.leftTone, Tone::Attention);
+    EXPECT_EQ(toneOf(0.5, -120.0), Tone::Act) << "of both, the worse counts";
+    AlarmLimits own;
+    own.batteryShare = 0.6;
+    EXPECT_EQ(toneOf(0.5, -1.0, own), Tone::Attention) << "limits are the operator's";
     robot.said.battery->sample.current = Unknown;
     EXPECT_TRUE(stateOf(robot).battery.left.isEmpty());
     robot.said.battery.reset();

@@ -138,7 +138,12 @@ AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState
     return figures;
 }
 
-BatteryFigures batteryOf(const RobotState& said, Time now) {
+/// How loud it is that @p value is below @p look or @p act.
+Tone toneBelow(double value, double look, double act) {
+    return value <= act ? Tone::Act : value <= look ? Tone::Attention : Tone::Normal;
+}
+
+BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& limits) {
     BatteryFigures figures;
     figures.charge = {Dash, DriveTexts::tr("%"), Tone::Muted};
     if (!said.battery) {
@@ -149,23 +154,25 @@ BatteryFigures batteryOf(const RobotState& said, Time now) {
     if (std::isfinite(battery.fraction)) {
         figures.fraction = std::clamp(battery.fraction, 0.0, 1.0);
         figures.charge = {numberText(100.0 * figures.fraction, 0), DriveTexts::tr("%"),
-                          figures.fraction < 0.10   ? Tone::Act
-                          : figures.fraction < 0.25 ? Tone::Attention
-                                                    : Tone::Normal};
+                          toneBelow(figures.fraction, limits.batteryShare, limits.batteryShareAct)};
     } else if (std::isfinite(battery.voltage)) {
         figures.charge = {numberText(battery.voltage, 1), DriveTexts::tr("V"), Tone::Normal};
     }
     const double minutes = minutesLeft(battery);
-    if (!isFresh(said.battery, now, 10.0)) {
+    if (!isFresh(said.battery, now, BatteryAge)) {
         const double age = std::chrono::duration<double>(now - said.battery->received).count();
         figures.left = lossText({.arrival = age});
         figures.charge.tone = Tone::Muted;
     } else if (battery.status == BatterySample::Status::Charging) {
         figures.left = DriveTexts::tr("charging");
+        figures.charge.tone = Tone::Normal;
     } else if (std::isfinite(minutes)) {
         figures.leftBrief = minutes < 600.0 ? DriveTexts::tr("%1 min").arg(numberText(minutes, 0))
                                             : DriveTexts::tr("%1 h").arg(numberText(minutes / 60.0, 0));
         figures.left = DriveTexts::tr("%1 at this load").arg(figures.leftBrief);
+        const Tone tone = toneBelow(minutes, limits.batteryMinutes, limits.batteryMinutesAct);
+        if (tone != Tone::Normal) figures.leftTone = tone;
+        figures.charge.tone = std::max(figures.charge.tone, tone);
     }
     if (figures.leftBrief.isEmpty()) figures.leftBrief = figures.left;
     return figures;
@@ -246,7 +253,7 @@ DriveState driveStateOf(const RobotFace& face, const RobotDescription& descripti
     fillMotion(state, description, robot, said, now);
     state.tracks = tracksOf(description, robot);
     state.attitude = attitudeOf(description, said, now, limits);
-    state.battery = batteryOf(said, now);
+    state.battery = batteryOf(said, now, limits);
     state.link = linkLine(robot.link);
     state.linkReason = worstReasonText(robot.link);
     state.linkTone = toneOf(robot.link);

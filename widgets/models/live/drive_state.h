@@ -37,10 +37,11 @@ struct AttitudeFigures {
 };
 
 struct BatteryFigures {
-    Figure charge;
+    Figure charge;  ///< as loud as the share or the time left, whichever is worse
     double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
     QString left;                                                ///< "38 min at this load"; may be empty
     QString leftBrief;                                           ///< "38 min", where there is little room
+    Tone leftTone = Tone::Muted;                                 ///< of the time left alone
 };
 
 struct GasFigures {
