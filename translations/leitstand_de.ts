@@ -4249,6 +4249,22 @@ F1 listet alle Tasten</translation>
         <source>%1 · OVERRIDE</source>
         <translation>%1 · ÜBERBRÜCKT</translation>
     </message>
+    <message>
+        <source>teleop</source>
+        <translation>Teleop</translation>
+    </message>
+    <message>
+        <source>safe teleop</source>
+        <translation>sichere Teleop</translation>
+    </message>
+    <message>
+        <source>approach</source>
+        <translation>Anfahrt</translation>
+    </message>
+    <message>
+        <source>remote</source>
+        <translation>Handsender</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PadCallouts</name>
@@ -5623,6 +5639,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>%1 (%2): %3 · link %4</source>
         <translation>%1 (%2): %3 · Funk %4</translation>
+    </message>
+    <message>
+        <source>battery %1</source>
+        <translation>Akku %1</translation>
+    </message>
+    <message>
+        <source>battery %1, %2</source>
+        <translation>Akku %1, %2</translation>
     </message>
 </context>
 <context>

@@ -4249,6 +4249,22 @@ F1 でキー一覧</translation>
         <source>%1 · OVERRIDE</source>
         <translation>%1 · オーバーライド</translation>
     </message>
+    <message>
+        <source>teleop</source>
+        <translation>遠隔</translation>
+    </message>
+    <message>
+        <source>safe teleop</source>
+        <translation>安全遠隔</translation>
+    </message>
+    <message>
+        <source>approach</source>
+        <translation>接近</translation>
+    </message>
+    <message>
+        <source>remote</source>
+        <translation>無線</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PadCallouts</name>
@@ -5623,6 +5639,14 @@ F1 でキー一覧</translation>
     <message>
         <source>%1 (%2): %3 · link %4</source>
         <translation>%1（%2）: %3 · 通信 %4</translation>
+    </message>
+    <message>
+        <source>battery %1</source>
+        <translation>バッテリー %1</translation>
+    </message>
+    <message>
+        <source>battery %1, %2</source>
+        <translation>バッテリー %1、%2</translation>
     </message>
 </context>
 <context>

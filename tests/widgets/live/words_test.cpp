@@ -23,6 +23,7 @@ using test::sampleRobot;
 using test::setMode;
 using test::setStop;
 using testing::HasSubstr;
+using testing::Not;
 using Choice = GrantFigures::Choice;
 
 DriveState stateOf(const SampleRobot& robot, double now = 0.0) {
@@ -80,7 +81,7 @@ TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
     setMode(robot, "victim_approach", true, "heat 1.20 m ahead; läuft");
     EXPECT_EQ(labelOf(robot).reason.toStdString(), "Wärme 1,20 m voraus; läuft");
     EXPECT_EQ(labelOf(robot).text.toStdString(), "OPFERANFAHRT");
-    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said).texts.front().toStdString(),
+    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said, at(0)).texts.front().toStdString(),
                 HasSubstr("Opferanfahrt"));
     QCoreApplication::removeTranslator(&german);
 }
@@ -350,19 +351,41 @@ TEST_F(LiveWords, LinksSayTheWorstReason) {
 }
 
 TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBatteryOfARobotThatTalks) {
-    const RobotChip chip = robotChipOf(robot.face, robot.view, robot.said);
+    const RobotChip chip = robotChipOf(robot.face, robot.view, robot.said, at(0));
     EXPECT_EQ(chip.texts.first().toStdString(),
               "Kurt3D\u200222 ms · 0\u202f% loss · 71\u202f% · teleoperation");
-    EXPECT_EQ(chip.texts.last().toStdString(), "71\u202f% · teleoperation");
+    EXPECT_TRUE(chip.texts.contains("22 ms · 71\u202f% · teleop")) << "that nothing is lost is no news";
+    EXPECT_EQ(chip.texts.last().toStdString(), "71\u202f% · teleop");
     for (qsizetype i = 1; i < chip.texts.size(); ++i)
         EXPECT_LT(chip.texts[i].size(), chip.texts[i - 1].size());
+    robot.view.link.streams[0].lossRatio = 0.04;
+    const RobotChip lossy = robotChipOf(robot.face, robot.view, robot.said, at(0));
+    EXPECT_TRUE(lossy.texts.contains("22 ms · 4\u202f% loss · 71\u202f% · teleop"))
+        << "words go before figures";
+    EXPECT_FALSE(lossy.texts.contains("22 ms · 71\u202f% · teleoperation"));
     robot.view.link.state = LinkState::Lost;
     robot.view.link.silence = 4.2;
-    const RobotChip lost = robotChipOf(robot.face, robot.view, robot.said);
+    const RobotChip lost = robotChipOf(robot.face, robot.view, robot.said, at(0));
     EXPECT_EQ(lost.tone, Tone::Attention);
     EXPECT_THAT(lost.texts.first().toStdString(), HasSubstr("71\u202f% · link lost"));
     EXPECT_EQ(lost.texts.last().toStdString(), "link lost") << "what it said last is old";
     EXPECT_THAT(lost.details.toStdString(), HasSubstr("silent for 4.2 s"));
+}
+
+TEST_F(LiveWords, ABatteryThatIsNotToldAnyMoreIsADashInTheBarAndGreyInTheStrip) {
+    const RobotChip fresh = robotChipOf(robot.face, robot.view, robot.said, at(9.0));
+    EXPECT_THAT(fresh.texts.first().toStdString(), HasSubstr("71\u202f%"));
+    EXPECT_THAT(fresh.details.toStdString(), HasSubstr("battery 71\u202f%"));
+    const RobotChip old = robotChipOf(robot.face, robot.view, robot.said, at(12.0));
+    for (const QString& text : old.texts) {
+        EXPECT_THAT(text.toStdString(), Not(HasSubstr("71")));
+        EXPECT_THAT(text.toStdString(), HasSubstr("–\u202f%"));
+    }
+    EXPECT_THAT(old.details.toStdString(), HasSubstr("battery 71\u202f%, no data for 12 s"));
+    EXPECT_EQ(stateOf(robot, 9.0).battery.charge.tone, Tone::Normal);
+    EXPECT_EQ(stateOf(robot, 12.0).battery.charge.tone, Tone::Muted);
+    robot.said.battery->sample.fraction = 0.05;
+    EXPECT_EQ(stateOf(robot, 12.0).battery.charge.tone, Tone::Muted) << "not the alarm of now";
 }
 
 }  // namespace

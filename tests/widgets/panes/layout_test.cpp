@@ -86,8 +86,8 @@ public:
         bottom->addStretch(1);
         all->addLayout(bottom);
 
-        bar.show({robotChipOf(kurt.face, kurt.view, kurt.said),
-                  robotChipOf(crawler.face, crawler.view, crawler.said)},
+        bar.show({robotChipOf(kurt.face, kurt.view, kurt.said, at(0)),
+                  robotChipOf(crawler.face, crawler.view, crawler.said, at(0))},
                  kurt.face.name);
         stop.show({stopLineOf(kurt.face, kurt.view), stopLineOf(crawler.face, crawler.view)});
         camera.setCamera(kurt.face, QStringLiteral("Left camera"));

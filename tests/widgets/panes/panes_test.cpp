@@ -333,8 +333,8 @@ TEST(ReleaseHandles, TakeAFullSecond) {
 TEST_P(Panes, ARobotIsChosenByClickAndByKey) {
     RobotBar bar;
     const SampleRobot other = sampleRobot("C", "Crawler", 1);
-    const std::vector<RobotChip> chips = {robotChipOf(robot.face, robot.view, robot.said),
-                                          robotChipOf(other.face, other.view, other.said)};
+    const std::vector<RobotChip> chips = {robotChipOf(robot.face, robot.view, robot.said, at(0)),
+                                          robotChipOf(other.face, other.view, other.said, at(0))};
     bar.show(chips, robot.face.name);
     bar.QWidget::show();
     QSignalSpy selected(&bar, &RobotBar::robotSelected);

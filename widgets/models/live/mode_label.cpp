@@ -59,6 +59,14 @@ QString modeName(const std::string& mode) {
     return QString::fromStdString(mode).replace(QLatin1Char('_'), QLatin1Char(' ')).simplified();
 }
 
+QString modeBrief(const std::string& mode) {
+    if (mode == "teleoperation") return ModeTexts::tr("teleop");
+    if (mode == "safe_teleoperation") return ModeTexts::tr("safe teleop");
+    if (mode == "victim_approach") return ModeTexts::tr("approach");
+    if (mode == "remote") return ModeTexts::tr("remote");
+    return modeName(mode);
+}
+
 ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said) {
     switch (robot.link.state) {
         case LinkState::NeverSeen:

@@ -36,5 +36,7 @@ struct ModeLabel {
 
 /// The name of a mode as robots say it, "victim_approach", for people: "victim approach".
 [[nodiscard]] QString modeName(const std::string& mode);
+/// The same where there is little room: "approach".
+[[nodiscard]] QString modeBrief(const std::string& mode);
 
 }  // namespace leitstand

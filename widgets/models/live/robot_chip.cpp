@@ -1,9 +1,11 @@
 #include "widgets/models/live/robot_chip.h"
 
+#include <chrono>
 #include <cmath>
 
 #include <QCoreApplication>
 
+#include "core/robot/robot_figures.h"
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
 #include "widgets/models/numbers.h"
@@ -22,45 +24,63 @@ QString joined(const QStringList& parts) {
     return full.join(QStringLiteral(" · "));
 }
 
-QString batteryOf(const RobotState& said) {
+/// A battery that was told long ago is not known: a dash.
+QString batteryOf(const RobotState& said, Time now) {
     if (!said.battery || !std::isfinite(said.battery->sample.fraction)) return {};
-    return percentText(said.battery->sample.fraction);
+    return isFresh(said.battery, now, BatteryAge) ? percentText(said.battery->sample.fraction)
+                                                  : QStringLiteral("–\u202f%");
 }
 
-/// @p label within a line. The name of a mode is written as the language writes it: German has capitals.
-QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said) {
-    const QString name = said ? modeName(said->sample.mode) : QString(), large = name.toUpper();
+/// ... and every word of it.
+QString batteryDetails(const RobotState& said, Time now) {
+    const QString charge = batteryOf(said, now);
+    if (charge.isEmpty()) return charge;
+    if (isFresh(said.battery, now, BatteryAge)) return ChipTexts::tr("battery %1").arg(charge);
+    const double age = std::chrono::duration<double>(now - said.battery->received).count();
+    return ChipTexts::tr("battery %1, %2")
+        .arg(percentText(said.battery->sample.fraction), lossText({.arrival = age}));
+}
+
+/// @p label within a line, with @p name as the name of its mode. That is written as the language writes it:
+/// German has capitals.
+QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said, const QString& name) {
+    const QString large = said ? modeName(said->sample.mode).toUpper() : QString();
     if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
     return name + label.text.sliced(large.size()).toLower();
 }
 
 }  // namespace
 
-RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said) {
+RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said, Time now) {
     RobotChip chip;
     chip.face = face;
     chip.link = robot.link.state;
     const ModeLabel label = modeLabelOf(robot, said.mode);
     chip.mode = label.kind;
     chip.tone = chip.link == LinkState::Lost ? Tone::Attention : Tone::Muted;
-    const QString mode = inALine(label, said.mode), battery = batteryOf(said);
+    const std::string known = said.mode ? said.mode->sample.mode : std::string();
+    const QString mode = inALine(label, said.mode, modeName(known)),
+                  brief = inALine(label, said.mode, modeBrief(known)), battery = batteryOf(said, now);
     const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
     QString trip = talks ? roundTripText(robot.link) : QString();
     QString loss = talks ? lossShareText(robot.link) : QString();
     const QString reason = worstReasonText(robot.link);
     if (chip.link == LinkState::Lost) trip = secondsText(robot.link.silence);
     if (chip.link == LinkState::Degraded && !reason.isEmpty()) trip = reason, loss = QString();
+    const QString lost = loss.startsWith(percentText(0.0)) ? QString() : loss;  // none is no news
     chip.texts = QStringList{
         joined({face.title + QChar(0x2002) + joined({trip, loss, battery, mode})}),
         joined({trip, loss, battery, mode}),
-        joined({trip, battery, mode}),
-        joined({battery, mode}),
+        joined({trip, lost, battery, mode}),
+        joined({trip, lost, battery, brief}),
+        joined({trip, battery, brief}),
+        joined({battery, brief}),
     };
     // The battery of a robot that says nothing is an old one: a bar that is full goes without.
     if (!talks) chip.texts += mode;
     chip.texts.removeDuplicates();
     chip.details = ChipTexts::tr("%1 (%2): %3 · link %4")
-                       .arg(face.title, face.letter, joined({mode, label.reason, battery}),
+                       .arg(face.title, face.letter, joined({mode, label.reason, batteryDetails(said, now)}),
                             joined({linkStateText(chip.link), reason, roundTripText(robot.link),
                                     talks ? lossShareText(robot.link) : QString()}));
     return chip;

@@ -16,13 +16,16 @@ struct RobotChip {
     LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
     ModeKind mode = ModeKind::Stopped;
     Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark tells of what is less
-    /// What is told of it, the longest first; each leaves out something more. Mode and battery are in all.
+    /// What is told of it, the longest first; each leaves out something more: the name, that nothing is
+    /// lost, words of the mode, and only then the link's figures. Mode and battery are in all.
     QStringList texts;
     QString details;  ///< every word of it, for tooltips and screen readers
 
     friend bool operator==(const RobotChip&, const RobotChip&) = default;
 };
 
-[[nodiscard]] RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said);
+/// @p now: station's clock.
+[[nodiscard]] RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said,
+                                    Time now);
 
 }  // namespace leitstand

@@ -102,7 +102,7 @@ void RobotsFeature::show(const LiveMoment& moment) {
     for (const RobotDescription& robot : m_context.selection.robots()) {
         const RobotFace face = m_context.selection.faceOfRobot(robot);
         const RobotView& view = moment.view(robot.name);
-        chips.push_back(robotChipOf(face, view, moment.said(robot.name)));
+        chips.push_back(robotChipOf(face, view, moment.said(robot.name), moment.now));
         stops.push_back(stopLineOf(face, view));
     }
     m_bar->show(chips, m_context.selection.name());
