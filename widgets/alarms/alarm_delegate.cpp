@@ -1,9 +1,12 @@
 #include "widgets/alarms/alarm_delegate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <QAbstractItemView>
 #include <QPolygonF>
+#include <QTextLayout>
 
 #include "widgets/models/live/alarm_list_model.h"
 #include "widgets/pane_paint.h"
@@ -11,7 +14,49 @@
 namespace leitstand {
 namespace {
 
-constexpr double Row = 30.0, Sign = 18.0, Gap = 8.0;  ///< [px]
+constexpr double Row = 30.0, Sign = 18.0, Gap = 8.0, Letter = 20.0;  ///< [px]
+constexpr int MostLines = 4;                                         ///< the tooltip has all of it
+
+/// Where the parts of a row are, from its left edge.
+struct RowParts {
+    double text = 0.0, since = 0.0;  ///< where they begin [px]
+    QStringList lines;               ///< of the text: the first one ends before the time
+};
+
+QFont textFont(const QStyleOptionViewItem& option, const AlarmLine& line) {
+    return sized(option.font, 13, line.stage == AlarmStage::Standing);
+}
+
+/// A row @p width wide. What an alarm says is told to its end, in several lines where it is long: numbers
+/// stand there.
+RowParts partsOf(const AlarmLine& line, const QStyleOptionViewItem& option, double width) {
+    RowParts parts;
+    parts.text = Gap + Sign + Gap + Letter;
+    const QFont font = textFont(option, line);
+    const QFontMetricsF metrics(font);
+    parts.since =
+        width - Gap - std::ceil(QFontMetricsF(sized(option.font, 12)).horizontalAdvance(line.since));
+    QTextLayout layout(line.text, font);
+    QTextOption wrapping;
+    wrapping.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(wrapping);
+    layout.beginLayout();
+    for (int i = 0; i < MostLines; ++i) {
+        QTextLine one = layout.createLine();
+        if (!one.isValid()) break;
+        const double room = std::max(20.0, (i == 0 ? parts.since : width) - Gap - parts.text);
+        one.setLineWidth(room);
+        const QString rest = line.text.mid(one.textStart());
+        parts.lines += i + 1 == MostLines ? metrics.elidedText(rest, Qt::ElideRight, room)
+                                          : rest.left(one.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return parts;
+}
+
+double lineHeight(const QStyleOptionViewItem& option, const AlarmLine& line) {
+    return std::ceil(QFontMetricsF(textFont(option, line)).height());
+}
 
 }  // namespace
 
@@ -39,8 +84,12 @@ void paintAlarmSign(QPainter& painter, const QRectF& box, AlarmSeverity severity
     painter.restore();
 }
 
-QSize AlarmDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
-    return {option.rect.width(), static_cast<int>(Row)};
+QSize AlarmDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const auto line = index.data(AlarmListModel::LineRole).value<AlarmLine>();
+    const auto* const view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const int width = view == nullptr ? option.rect.width() : view->viewport()->width();
+    const auto more = std::max<qsizetype>(0, partsOf(line, option, width).lines.size() - 1);
+    return {width, static_cast<int>(Row + static_cast<double>(more) * lineHeight(option, line))};
 }
 
 void AlarmDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -52,27 +101,29 @@ void AlarmDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     if (option.state.testFlag(QStyle::State_Selected)) painter->fillRect(row, colours.chosen);
     const bool stands = line.stage == AlarmStage::Standing;
     const QColor ink = toneColour(line.tone, colours);
+    const RowParts parts = partsOf(line, option, row.width());
     double x = row.left() + Gap;
-    paintAlarmSign(*painter, QRectF(x, row.center().y() - 0.5 * Sign, Sign, Sign), line.severity, stands, ink,
-                   colours.window);
+    paintAlarmSign(*painter, QRectF(x, row.top() + 0.5 * (Row - Sign), Sign, Sign), line.severity, stands,
+                   ink, colours.window);
     x += Sign + Gap;
     if (!line.face.letter.isEmpty()) {
         painter->setFont(sized(option.font, 13, true));
         painter->setPen(colours.robot(line.face.place));
-        painter->drawText(QRectF(x, row.top(), 16, row.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                          line.face.letter);
+        painter->drawText(QRectF(x, row.top(), 16, Row), Qt::AlignLeft | Qt::AlignVCenter, line.face.letter);
     }
-    x += 20.0;
     painter->setFont(sized(option.font, 12));
     painter->setPen(colours.muted);
-    const double wide = QFontMetricsF(painter->font()).horizontalAdvance(line.since);
-    const QRectF since(row.right() - Gap - wide, row.top(), wide, row.height());
-    painter->drawText(since, Qt::AlignRight | Qt::AlignVCenter, line.since);
-    painter->setFont(sized(option.font, 13, stands));
+    const double since = row.left() + parts.since;
+    painter->drawText(QRectF(since, row.top(), row.right() - Gap - since + 1.0, Row),
+                      Qt::AlignLeft | Qt::AlignVCenter, line.since);
+    painter->setFont(textFont(option, line));
     painter->setPen(stands ? ink : line.tone == Tone::Muted ? colours.muted : colours.text);
-    const QRectF text(x, row.top(), since.left() - Gap - x, row.height());
-    painter->drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
-                      QFontMetricsF(painter->font()).elidedText(line.text, Qt::ElideRight, text.width()));
+    x = row.left() + parts.text;
+    double y = row.top();
+    for (const QString& text : parts.lines) {
+        painter->drawText(QRectF(x, y, row.right() - x, Row), Qt::AlignLeft | Qt::AlignVCenter, text);
+        y += lineHeight(option, line);
+    }
     painter->restore();
 }
 

@@ -7,7 +7,8 @@
 
 namespace leitstand {
 
-/// Paints an alarm into a row: its sign, its robot's letter, what it says, for how long.
+/// Paints an alarm into a row: its sign, its robot's letter, what it says (in several lines where it is
+/// long), for how long.
 class AlarmDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -4,6 +4,7 @@
 
 #include "widgets/models/live/alarm_list_model.h"
 
+class QHBoxLayout;
 class QLabel;
 class QListView;
 class QToolButton;
@@ -17,8 +18,8 @@ class AlarmPanel final : public QWidget {
 public:
     explicit AlarmPanel(QWidget* parent = nullptr);
 
-    /// alarmLinesOf() all alarms; @p mute: muteText().
-    void show(const std::vector<AlarmLine>& lines, const QString& mute);
+    /// alarmLinesOf() all alarms; @p mute, @p brief: muteText(), muteBrief().
+    void show(const std::vector<AlarmLine>& lines, const QString& mute, const QString& brief = {});
     using QWidget::show;
     /// What the operator has to know of the tones: "no sound device"; empty: they are heard.
     void setSoundTrouble(const QString& trouble);
@@ -35,15 +36,19 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
+    void fitHead();  ///< words of the head give way to its numbers and keys
 
     AlarmListModel m_model;
     QListView* m_list;
+    QHBoxLayout* m_head;
     QLabel *m_title, *m_calm;
     QToolButton *m_acknowledge, *m_mute;
-    QString m_muted, m_trouble;
+    QString m_muted, m_mutedBrief, m_trouble;
+    QString m_fitted;  ///< what the head was fitted for
 };
 
 }  // namespace leitstand

@@ -163,4 +163,9 @@ QString muteText(Time mutedUntil, Time now) {
     return left > 0.0 ? AlarmTexts::tr("muted for %1 s").arg(numberText(std::ceil(left), 0)) : QString();
 }
 
+QString muteBrief(Time mutedUntil, Time now) {
+    const double left = secondsBetween(now, mutedUntil);
+    return left > 0.0 ? AlarmTexts::tr("%1 s").arg(numberText(std::ceil(left), 0)) : QString();
+}
+
 }  // namespace leitstand

@@ -38,5 +38,7 @@ struct AlarmLine {
 
 /// "muted for 48 s"; empty when it is not.
 [[nodiscard]] QString muteText(Time mutedUntil, Time now);
+/// The same where there is little room: "48 s".
+[[nodiscard]] QString muteBrief(Time mutedUntil, Time now);
 
 }  // namespace leitstand

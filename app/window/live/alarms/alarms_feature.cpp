@@ -73,7 +73,7 @@ void AlarmsFeature::show(const LiveMoment& moment) {
     const std::vector<AlarmLine> lines = alarmLinesOf(view.alarms, faces, moment.now);
     m_acknowledge->setEnabled(
         std::any_of(lines.begin(), lines.end(), [](const AlarmLine& line) { return !line.acknowledged; }));
-    m_panel->show(lines, muteText(view.mutedUntil, moment.now));
+    m_panel->show(lines, muteText(view.mutedUntil, moment.now), muteBrief(view.mutedUntil, moment.now));
     if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now)) {
         m_player.play(*tone);
         emit sounded(*tone);
