@@ -7419,6 +7419,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>Choose a find to fill in its form</source>
         <translation>Einen Fund wählen, um sein Formular auszufüllen</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimListModel</name>

@@ -7419,6 +7419,10 @@ A function of this program, no certified emergency stop.</source>
         <source>Choose a find to fill in its form</source>
         <translation>発見を選択してフォームに記入</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimListModel</name>

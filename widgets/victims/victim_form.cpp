@@ -12,6 +12,7 @@
 
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
+#include "widgets/victims/hint_line.h"
 
 namespace leitstand {
 namespace {
@@ -40,8 +41,8 @@ VictimForm::VictimForm(QWidget* parent)
       m_title(new QLabel(this)),
       m_situation(choiceBox(*this, tr("Situation"), situationChoices())),
       m_area(choiceBox(*this, tr("Area"), areaChoices())),
-      m_tag(line(tr("Tag"), tr("what is written on it"))),
-      m_text(line(tr("Remarks"), tr("how to get there, what to mind"))) {
+      m_tag(line(tr("Tag"), {tr("what is written on it")})),
+      m_text(line(tr("Remarks"), {tr("how to get there, what to mind")})) {
     setAccessibleName(tr("Form of the chosen find"));
     m_situation->setObjectName(QStringLiteral("situation"));
     m_area->setObjectName(QStringLiteral("area"));
@@ -79,14 +80,14 @@ VictimForm::VictimForm(QWidget* parent)
         using State = VictimSign::State;
         for (const State one : {State::Unknown, State::Absent, State::Present})
             state->addItem(signStateText(one), static_cast<int>(one));
-        auto* text = line(tr("%1, in words").arg(field.name), field.placeholder());
+        auto* text = line(tr("%1, in words").arg(field.name), field.words, true);
         QLineEdit* value = nullptr;
         label(field.name, state);
         grid->addWidget(state, row, 1);
         grid->addWidget(text, row, 2, 1, field.unit.isEmpty() ? 2 : 1);
         m_fields.insert(m_fields.end(), {state, text});
         if (!field.unit.isEmpty()) {
-            value = line(tr("%1, measured").arg(field.name), field.unit);
+            value = line(tr("%1, measured").arg(field.name), {field.unit});
             value->setMaximumWidth(64);
             grid->addWidget(value, row, 3);
             m_fields.push_back(value);
@@ -110,11 +111,11 @@ VictimForm::VictimForm(QWidget* parent)
     show(std::nullopt);
 }
 
-QLineEdit* VictimForm::line(const QString& name, const QString& placeholder) {
-    auto* made = new QLineEdit(this);
+QLineEdit* VictimForm::line(const QString& name, const QStringList& hints, bool more) {
+    auto* made = new HintLine(this);
     made->setAccessibleName(name);
-    made->setPlaceholderText(placeholder);
-    made->setToolTip(name);
+    made->setHints(hints, more);
+    made->setToolTip(more ? tr("%1: %2").arg(name, hintText(hints, more)) : name);
     made->setMaxLength(200);
     connect(made, &QLineEdit::editingFinished, this, &VictimForm::read);
     return made;

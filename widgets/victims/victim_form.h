@@ -49,7 +49,8 @@ private:
     [[nodiscard]] bool changeValue(const Sign& sign, int step);
     void read();
     void setEnabledParts(bool on);
-    [[nodiscard]] QLineEdit* line(const QString& name, const QString& placeholder);
+    /// @p hints: what one may write into it; @p more: and much else.
+    [[nodiscard]] QLineEdit* line(const QString& name, const QStringList& hints, bool more = false);
 
     std::optional<VictimSample> m_find;
     std::optional<Time>

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <QComboBox>
@@ -49,6 +51,23 @@ protected:
                  GetParam() == Theme::Dark ? QStringLiteral("dark") : QStringLiteral("light"));
     }
 };
+
+TEST_P(VictimPanes, HintsOfTheFormAreNeverCut) {
+    VictimForm form;
+    form.show(victim());
+    for (const int width : {300, 320, 420, 700}) {
+        static_cast<void>(pictureOf(form, {width, 420}, named("hints")));
+        for (const PaintedText& one : paintedTexts(form)) {
+            // Those of words end with dots of their own, after a blank.
+            const QString text = QString(one.text).remove(QStringLiteral(" …"));
+            EXPECT_FALSE(text.contains(QChar(0x2026))) << width << ": " << one.text.toStdString();
+        }
+    }
+    const auto hints = form.findChildren<QLineEdit*>();
+    EXPECT_TRUE(std::any_of(hints.begin(), hints.end(), [](const QLineEdit* one) {
+        return one->placeholderText() == QStringLiteral("whole body, arm, hand …");
+    })) << "where there is room all words are there";
+}
 
 TEST_P(VictimPanes, TheListIsReadWhole) {
     VictimsPanel panel;

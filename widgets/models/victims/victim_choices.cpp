@@ -43,9 +43,9 @@ std::vector<SignField> signFields() {
          {.usual = 1000.0, .step = 250.0, .least = 500.0, .most = 5000.0}}};
 }
 
-QString SignField::placeholder() const {
-    return Say::tr("%1 …", "what one may write: waving, breathing …")
-        .arg(words.join(Say::tr(", ", "between words")));
+QString hintText(const QStringList& words, bool more) {
+    const QString text = words.join(Say::tr(", ", "between words"));
+    return more ? Say::tr("%1 …", "what one may write: waving, breathing …").arg(text) : text;
 }
 
 QStringList remarkChoices() {

@@ -30,10 +30,11 @@ struct SignField {
     struct Range {
         double usual = 0.0, step = 1.0, least = 0.0, most = 0.0;  ///< in its unit
     } range = {};
-
-    [[nodiscard]] QString placeholder() const;  ///< "waving, breathing …"
 };
 [[nodiscard]] std::vector<SignField> signFields();
+
+/// What one may write, as a hint: "waving, breathing"; with @p more "waving, breathing …".
+[[nodiscard]] QString hintText(const QStringList& words, bool more);
 
 /// What remarks on a find often say.
 [[nodiscard]] QStringList remarkChoices();
