@@ -111,8 +111,8 @@ void LiveWindow::connectFeatures() {
     connect(m_link, &LinkFeature::told, this, &LiveWindow::tell);
     connect(&m_pads->input(), &PadInput::panTilt, m_cameras,
             [this](const PanTiltRate& rate) { m_cameras->setRate(rate.pan, -rate.tilt); });
-    connect(&m_pads->input(), &PadInput::connected, m_preflight, &PreflightFeature::setGamepad);
-    connect(&m_pads->input(), &PadInput::gone, m_preflight, [this] { m_preflight->setGamepad({}); });
+    connect(&m_pads->input(), &PadInput::padsChanged, m_preflight,
+            [this] { m_preflight->setGamepad(QString::fromStdString(m_pads->input().chosen().name)); });
     connect(m_alarms, &AlarmsFeature::sounded, this, [this](AlarmTone tone) {
         const bool act = tone == AlarmTone::Act;
         m_pads->input().rumble(act ? StrongRumble : WeakRumble, act ? LongRumble : ShortRumble);

@@ -24,6 +24,7 @@
 #include "tests/app/pad/virtual_pad.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
+#include "widgets/preflight/preflight_page.h"
 #include "widgets/victims/victim_form.h"
 
 namespace leitstand::test {
@@ -109,6 +110,27 @@ TEST_F(PadDriveTest, DrivesWhileItsTriggerIsHeldAndUnpluggingStopsTheRobot) {
     std::cout << "unplugged: told to stand after " << zero << " ms, stands after " << stands << " ms\n";
     EXPECT_LT(zero, 500.0);
     EXPECT_TRUE(soon([&] { return word().contains("unplugged"); }));
+}
+
+TEST_F(PadDriveTest, ThePreflightNamesThePadThatDrives) {
+    press(Qt::Key_F9);
+    const auto* const page = m_window->findChild<PreflightPage*>();
+    const auto pad = [&] {
+        const auto& checks = page->list().checks();
+        const auto line = std::find_if(checks.begin(), checks.end(), [](const PreflightCheck& one) {
+            return one.kind == PreflightCheck::Kind::Gamepad || one.kind == PreflightCheck::Kind::GamepadNone;
+        });
+        return line == checks.end() ? std::string("no line") : line->detail;
+    };
+    ASSERT_TRUE(soon([&] { return pad() == "Test pad"; })) << pad();
+    std::optional<VirtualPad> second(std::in_place, PadLayout::Standard, "Spare pad");
+    ASSERT_TRUE(soon([&] { return word().contains("Spare pad is plugged in"); }));
+    EXPECT_FALSE(QTest::qWaitFor([&] { return pad() != "Test pad"; }, 1'500)) << pad();
+    second.reset();
+    ASSERT_TRUE(soon([&] { return word().contains("Spare pad is unplugged"); })) << word().toStdString();
+    EXPECT_FALSE(QTest::qWaitFor([&] { return pad() != "Test pad"; }, 1'500)) << "the other one drives";
+    m_pad.reset();
+    EXPECT_TRUE(soon([&] { return pad().empty(); })) << pad();
 }
 
 TEST_F(PadDriveTest, ItsStopStopsAllRobotsAlsoWithoutTheFocusAndAfterwardsEverythingIsLetGoFirst) {
