@@ -5075,6 +5075,14 @@ F1 listet alle Tasten</translation>
         <source>nothing tells why</source>
         <translation>der Grund ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>sound: alarms have their tones</source>
+        <translation>Ton: Alarme sind zu hören</translation>
+    </message>
+    <message>
+        <source>Plug in a loudspeaker, then try the tones</source>
+        <translation>Lautsprecher anschließen, dann die Töne ausprobieren</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -5137,6 +5145,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Another robot</source>
         <translation>Weiterer Roboter</translation>
+    </message>
+    <message>
+        <source>Try the tones</source>
+        <translation>Töne ausprobieren</translation>
+    </message>
+    <message>
+        <source>Plays the tones of alarms: to look, then to act</source>
+        <translation>Spielt die Töne der Alarme: zum Ansehen, dann zum Handeln</translation>
     </message>
 </context>
 <context>

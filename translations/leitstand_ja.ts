@@ -5075,6 +5075,14 @@ F1 でキー一覧</translation>
         <source>nothing tells why</source>
         <translation>理由は分かりません</translation>
     </message>
+    <message>
+        <source>sound: alarms have their tones</source>
+        <translation>音: 警報音が鳴る</translation>
+    </message>
+    <message>
+        <source>Plug in a loudspeaker, then try the tones</source>
+        <translation>スピーカーを接続し、音を試す</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -5137,6 +5145,14 @@ F1 でキー一覧</translation>
     <message>
         <source>Another robot</source>
         <translation>別のロボット</translation>
+    </message>
+    <message>
+        <source>Try the tones</source>
+        <translation>音を試す</translation>
+    </message>
+    <message>
+        <source>Plays the tones of alarms: to look, then to act</source>
+        <translation>警報音を鳴らす: 注意、次に対処</translation>
     </message>
 </context>
 <context>

@@ -79,7 +79,12 @@ QWidget* PreflightPage::head() {
     again->setObjectName(QStringLiteral("again"));
     again->setToolTip(tr("Measures the disk anew; all else is looked at once a second"));
     connect(again, &QPushButton::clicked, this, &PreflightPage::checkAgainWanted);
+    auto* tones = new QPushButton(tr("Try the tones"), row);
+    tones->setObjectName(QStringLiteral("tones"));
+    tones->setToolTip(tr("Plays the tones of alarms: to look, then to act"));
+    connect(tones, &QPushButton::clicked, this, &PreflightPage::tonesWanted);
     line->addWidget(m_verdict, 1);
+    line->addWidget(tones);
     line->addWidget(again);
     return row;
 }

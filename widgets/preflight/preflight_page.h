@@ -37,6 +37,7 @@ public:
 
 signals:
     void checkAgainWanted();
+    void tonesWanted();  ///< to be heard, both of them
     void brakeBegun(const QString& robot);
     void brakeHeld(const QString& robot);  ///< twenty times a second while the button is down
     void brakeEnded(const QString& robot);

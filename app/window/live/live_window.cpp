@@ -113,6 +113,9 @@ void LiveWindow::connectFeatures() {
             [this](const PanTiltRate& rate) { m_cameras->setRate(rate.pan, -rate.tilt); });
     connect(&m_pads->input(), &PadInput::padsChanged, m_preflight,
             [this] { m_preflight->setGamepad(QString::fromStdString(m_pads->input().chosen().name)); });
+    connect(m_alarms, &AlarmsFeature::soundTroubleChanged, m_preflight, &PreflightFeature::setSoundTrouble);
+    m_preflight->setSoundTrouble(m_alarms->soundTrouble());
+    connect(m_preflight, &PreflightFeature::tonesWanted, m_alarms, &AlarmsFeature::tryTones);
     connect(m_alarms, &AlarmsFeature::sounded, this, [this](AlarmTone tone) {
         const bool act = tone == AlarmTone::Act;
         m_pads->input().rumble(act ? StrongRumble : WeakRumble, act ? LongRumble : ShortRumble);

@@ -193,6 +193,9 @@ std::vector<PreflightCheck> preflight(const PreflightFacts& facts) {
     judgeDisk(page, facts);
     const bool pad = !facts.gamepad.empty();
     page.add(pad ? Kind::Gamepad : Kind::GamepadNone, CheckState::Ok, facts.gamepad);
+    const bool heard = facts.soundProblem.empty();
+    page.add(heard ? Kind::Sound : Kind::SoundNone, heard ? CheckState::Ok : CheckState::Attention,
+             facts.soundProblem);
     page.add(facts.secured ? Kind::Secured : Kind::Open, CheckState::Ok, facts.security);
     page.add(Kind::Versions, CheckState::Ok, joined(facts.versions));
     return checks;

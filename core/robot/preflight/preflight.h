@@ -43,6 +43,7 @@ struct PreflightFacts {
     double logRate = 0.0;             ///< that the log needs now [B/s]
     std::string logProblem;           ///< why nothing can be recorded; empty: all is well
     std::string gamepad;              ///< its name; empty: there is none
+    std::string soundProblem;         ///< why the tones of alarms are not heard; empty: all is well
     bool secured = false;
     std::string security;               ///< who we are, in words, or why not
     std::vector<std::string> versions;  ///< of the programs
@@ -87,9 +88,11 @@ struct PreflightCheck {
         DiskBroken,       ///< detail: why nothing is recorded
         Gamepad,          ///< detail: its name
         GamepadNone,
-        Secured,   ///< detail: who
-        Open,      ///< anybody in the network may speak
-        Versions,  ///< detail
+        Sound,
+        SoundNone,  ///< detail: why the tones of alarms are not heard
+        Secured,    ///< detail: who
+        Open,       ///< anybody in the network may speak
+        Versions,   ///< detail
     };
     Kind kind = Kind::Versions;
     CheckState state = CheckState::Ok;

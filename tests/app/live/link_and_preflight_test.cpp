@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QAction>
 #include <QDialog>
 #include <QLabel>
@@ -57,6 +59,9 @@ TEST_F(LinkAndPreflight, TThinsTheLinkAndThePreflightPageTellsHowThingsAre) {
     ASSERT_TRUE(soon([&] { return page->isVisible() && page->list().rowCount() > 12; }));
     const auto& checks = page->list().checks();
     EXPECT_EQ(worstOf(checks), CheckState::Attention) << "brakes are not tested, nothing fails";
+    EXPECT_TRUE(std::any_of(checks.begin(), checks.end(), [](const PreflightCheck& one) {
+        return one.kind == PreflightCheck::Kind::Sound || one.kind == PreflightCheck::Kind::SoundNone;
+    })) << "whether alarms are heard is told";
     keep(*page->window(), QStringLiteral("live_preflight"));
 }
 

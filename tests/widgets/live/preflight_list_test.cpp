@@ -31,6 +31,8 @@ TEST_F(PreflightListTest, EveryKindHasWordsAndWhatIsWrongARemedy) {
     EXPECT_EQ(checkText({Kind::Disk, CheckState::Ok, {}, "/m", 18.2, 210e6}),
               "disk: room for 18 h, writes 210 MB/s");
     EXPECT_EQ(checkText({Kind::Versions, CheckState::Ok, {}, "Leitstand 0.4"}), "Leitstand 0.4");
+    EXPECT_EQ(checkText({Kind::SoundNone, CheckState::Attention, {}, "no device"}), "no device");
+    EXPECT_FALSE(remedyText({Kind::SoundNone, CheckState::Attention}).isEmpty());
     EXPECT_FALSE(remedyText({Kind::BrakeFailed, CheckState::Fail}).isEmpty());
     EXPECT_EQ(remedyText({Kind::ClockFar, CheckState::Attention, "k", {}, 1.2}),
               "It may drop every drive command as too old: set its clock (NTP)");

@@ -35,6 +35,7 @@ std::vector<PreflightCheck> checks() {
             {Kind::Stranger, State::Ok, {}, "rover"},
             {Kind::Disk, State::Ok, {}, "/missions/one", 18, 210e6},
             {Kind::GamepadNone, State::Ok},
+            {Kind::SoundNone, State::Attention, {}, "No sound device: alarms are seen, not heard."},
             {Kind::Open, State::Ok},
             {Kind::Versions, State::Ok, {}, "Leitstand 0.4"}};
 }
@@ -79,6 +80,9 @@ TEST_P(PreflightPages, ShowsChecksAndHoldsTheBrakeTest) {
     QTest::mouseClick(page.findChild<QPushButton*>("add"), Qt::LeftButton);
     ASSERT_EQ(add.count(), 1);
     EXPECT_EQ(add[0][0].toString(), "rover");
+    QSignalSpy tones(&page, &PreflightPage::tonesWanted);
+    QTest::mouseClick(page.findChild<QPushButton*>("tones"), Qt::LeftButton);
+    EXPECT_EQ(tones.count(), 1);
     page.complain("rover.yaml:3: expected a letter");
     EXPECT_EQ(page.findChild<QLabel*>("complaint")->text(), "rover.yaml:3: expected a letter");
     page.show(checks(), Faces, {});

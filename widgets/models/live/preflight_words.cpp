@@ -141,6 +141,7 @@ QString stationText(const PreflightCheck& check, const QString& detail) {
         case Kind::Limits:
         case Kind::Versions:
         case Kind::Secured:
+        case Kind::SoundNone:
             return detail;
         case Kind::Open:
             return Words::tr("not secured: anybody in the network may speak");
@@ -165,6 +166,8 @@ QString stationText(const PreflightCheck& check, const QString& detail) {
             return Words::tr("gamepad: %1").arg(detail);
         case Kind::GamepadNone:
             return Words::tr("no gamepad: keys drive");
+        case Kind::Sound:
+            return Words::tr("sound: alarms have their tones");
         default:
             return {};
     }
@@ -221,6 +224,8 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::DiskShort:
         case Kind::DiskBroken:
             return Words::tr("Make room, or record elsewhere (--mission)");
+        case Kind::SoundNone:
+            return Words::tr("Plug in a loudspeaker, then try the tones");
         default:
             return {};
     }

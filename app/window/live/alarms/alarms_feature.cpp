@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QTimer>
 
 #include "app/session/station/station_alarms.h"
 #include "app/window/commands/command_table.h"
@@ -19,6 +20,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Muted(60);
+constexpr std::chrono::milliseconds BetweenTones(1'500);
 constexpr int TicksShown = 3;  ///< the list is made ten times a second
 
 }  // namespace
@@ -33,7 +35,10 @@ AlarmsFeature::AlarmsFeature(const LiveContext& context)
             [&alarms](const AlarmId& id) { alarms.acknowledge(id); });
     connect(m_panel, &AlarmPanel::newestAcknowledged, this, [&alarms] { alarms.acknowledgeNewest(); });
     connect(m_panel, &AlarmPanel::muteToggled, this, &AlarmsFeature::toggleMute);
-    const auto tellTrouble = [this] { m_panel->setSoundTrouble(m_player.trouble()); };
+    const auto tellTrouble = [this] {
+        m_panel->setSoundTrouble(m_player.trouble());
+        emit soundTroubleChanged(m_player.trouble());
+    };
     connect(&m_player, &TonePlayer::troubleChanged, this, tellTrouble);
     tellTrouble();
     connect(&context.bridge, &LiveBridge::ticked, this, &AlarmsFeature::show);
@@ -61,6 +66,11 @@ void AlarmsFeature::toggleMute() {
     StationAlarms& alarms = m_context.bridge.station().alarms();
     const bool muted = alarms.view().mutedUntil > m_context.bridge.moment().now;
     alarms.mute(muted ? std::chrono::seconds(0) : Muted);
+}
+
+void AlarmsFeature::tryTones() {
+    m_player.play(AlarmTone::Attention);
+    QTimer::singleShot(BetweenTones, this, [this] { m_player.play(AlarmTone::Act); });
 }
 
 void AlarmsFeature::show(const LiveMoment& moment) {

@@ -19,7 +19,12 @@ class AlarmsFeature final : public QObject {
 public:
     explicit AlarmsFeature(const LiveContext& context);
 
+    void tryTones();  ///< both of them, one after the other
+    /// Why tones are not heard; empty: all is well.
+    [[nodiscard]] const QString& soundTrouble() const { return m_player.trouble(); }
+
 signals:
+    void soundTroubleChanged(const QString& why);
     void sounded(leitstand::AlarmTone tone);  ///< also where there is no sound device
 
 private:

@@ -53,9 +53,14 @@ QByteArray bytesOf(const std::vector<float>& samples, const QAudioFormat& format
 
 }  // namespace
 
-TonePlayer::TonePlayer(QObject* parent) : QObject(parent) {
-    if (QMediaDevices::defaultAudioOutput().isNull())
-        m_trouble = tr("No sound device: alarms are seen, not heard.");
+TonePlayer::TonePlayer(QObject* parent) : QObject(parent), m_devices(std::make_unique<QMediaDevices>()) {
+    connect(m_devices.get(), &QMediaDevices::audioOutputsChanged, this, &TonePlayer::lookForDevice);
+    lookForDevice();
+}
+
+void TonePlayer::lookForDevice() {
+    const bool none = QMediaDevices::defaultAudioOutput().isNull();
+    setTrouble(none ? tr("No sound device: alarms are seen, not heard.") : QString());
 }
 
 TonePlayer::~TonePlayer() {

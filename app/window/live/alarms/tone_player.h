@@ -9,6 +9,7 @@
 
 class QAudioSink;
 class QBuffer;
+class QMediaDevices;
 
 namespace leitstand {
 
@@ -29,7 +30,9 @@ signals:
 
 private:
     void setTrouble(const QString& trouble);
+    void lookForDevice();
 
+    std::unique_ptr<QMediaDevices> m_devices;
     QByteArray m_samples;
     std::unique_ptr<QBuffer> m_buffer;
     std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: goes first

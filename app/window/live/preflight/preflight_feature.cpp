@@ -67,6 +67,7 @@ void PreflightFeature::buildPage() {
         refresh();
     });
     connect(m_page, &PreflightPage::strangerWanted, this, &PreflightFeature::add);
+    connect(m_page, &PreflightPage::tonesWanted, this, &PreflightFeature::tonesWanted);
     connect(m_page, &PreflightPage::fileWanted, this, &PreflightFeature::addFile);
 }
 
@@ -74,12 +75,22 @@ void PreflightFeature::setGamepad(const QString& name) {
     m_gamepad = name;
 }
 
+void PreflightFeature::setSoundTrouble(const QString& why) {
+    m_soundTrouble = why;
+}
+
+PreflightFacts PreflightFeature::facts() const {
+    PreflightFacts facts = m_desk.facts(m_gamepad.toStdString());
+    facts.soundProblem = m_soundTrouble.toStdString();
+    return facts;
+}
+
 void PreflightFeature::openWhenSomethingFails() {
     QTimer::singleShot(FirstLook, this, [this] {
         for (const RobotDescription& robot : m_context.selection.robots()) {
             if (m_context.bridge.moment().view(robot.name).drive.focus) return;
         }
-        if (worstOf(preflight(m_desk.facts(m_gamepad.toStdString()))) == CheckState::Fail) open();
+        if (worstOf(preflight(facts())) == CheckState::Fail) open();
     });
 }
 
@@ -91,13 +102,13 @@ void PreflightFeature::open() {
 }
 
 void PreflightFeature::refresh() {
-    const PreflightFacts facts = m_desk.facts(m_gamepad.toStdString());
+    const PreflightFacts found = facts();
     std::vector<RobotFace> faces;
     for (const RobotDescription& robot : m_context.selection.robots())
         faces.push_back(m_context.selection.faceOfRobot(robot));
     QStringList strangers;
-    for (const std::string& stranger : facts.strangers) strangers += QString::fromStdString(stranger);
-    m_page->show(preflight(facts), faces, strangers);
+    for (const std::string& stranger : found.strangers) strangers += QString::fromStdString(stranger);
+    m_page->show(preflight(found), faces, strangers);
 }
 
 void PreflightFeature::show(const LiveMoment& moment) {

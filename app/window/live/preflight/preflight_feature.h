@@ -25,14 +25,17 @@ public:
 
     /// Opens the page in a while, if something fails then and nobody drives.
     void openWhenSomethingFails();
-    void setGamepad(const QString& name);  ///< empty: there is none
+    void setGamepad(const QString& name);      ///< empty: there is none
+    void setSoundTrouble(const QString& why);  ///< empty: the tones of alarms are heard
 
 signals:
     void robotWanted(const QString& file);  ///< to be taken into the station
+    void tonesWanted();                     ///< of alarms, to be tried
 
 private:
     void buildPage();
     void open();
+    [[nodiscard]] PreflightFacts facts() const;
     void refresh();
     void show(const LiveMoment& moment);
     void add(const QString& stranger);
@@ -45,7 +48,7 @@ private:
     QDialog* m_dialog;
     PreflightPage* m_page;
     QLabel* m_badge;
-    QString m_gamepad;
+    QString m_gamepad, m_soundTrouble;
     std::chrono::steady_clock::time_point m_shown = {};
 };
 

@@ -190,6 +190,13 @@ TEST_F(Preflight, DiskAndNetwork) {
     expect(Kind::NetworkNone, CheckState::Attention);
 }
 
+TEST_F(Preflight, AlarmsThatNobodyHearsAreLookedAt) {
+    EXPECT_TRUE(has(Kind::Sound));
+    facts.soundProblem = "no device";
+    EXPECT_TRUE(has(Kind::SoundNone) && !has(Kind::Sound));
+    EXPECT_EQ(worstOf(preflight(facts)), CheckState::Attention);
+}
+
 TEST_F(Preflight, WhatIsAMatterOfTasteIsNotLoud) {
     facts.gamepad.clear();
     facts.secured = false;
