@@ -39,6 +39,31 @@ TEST_F(CommandsEnabled, AsTheSelectedRobotsCamerasAllow) {
     for (const char* id : ofKurt3D) EXPECT_TRUE(can(id)) << id;
 }
 
+/// Kurt3D with an infrared camera that sends colours instead of temperatures.
+class ColouredInfrared : public testing::Test {
+protected:
+    ColouredInfrared()
+        : m_live(openLiveStation(m_folder.path().toStdString(), m_domain.number(), {robot()})) {}
+    static RobotDescription robot() {
+        RobotDescription kurt = shippedRobot("kurt3d");
+        for (StreamDescription& stream : kurt.streams) stream.thermal.measured = false;
+        return kurt;
+    }
+
+    const TestDomain m_domain;
+    const QTemporaryDir m_folder;
+    const LiveStation m_live;
+};
+
+TEST_F(ColouredInfrared, HasNoPaletteToChoose) {
+    for (const char* id : {"ir.iron", "ir.greyHot", "ir.greyCold", "ir.autoRange"}) {
+        const QAction* const one = m_live.window->commands().find(QLatin1String(id));
+        ASSERT_NE(one, nullptr) << id;
+        EXPECT_FALSE(one->isEnabled()) << id;
+    }
+    EXPECT_TRUE(m_live.window->commands().find(QStringLiteral("camera.next"))->isEnabled());
+}
+
 TEST_F(CommandsEnabled, TurningFollowsTheLargeCamera) {
     EXPECT_TRUE(can("camera.left"));
     command("camera.exchange").trigger();

@@ -1,5 +1,6 @@
 #include "app/window/live/cameras/camera_feature.h"
 
+#include <algorithm>
 #include <chrono>
 #include <variant>
 
@@ -201,7 +202,10 @@ void CameraFeature::enable() {
             anyTurns = true;
             large = large || sensor == m_views.sensor(CameraPlace::Large);
         }
-        heat = robot->stream(StreamRole::Thermal) != nullptr;
+        // Cameras that send colours have theirs already.
+        heat = std::any_of(robot->streams.begin(), robot->streams.end(), [](const StreamDescription& one) {
+            return one.role == StreamRole::Thermal && one.thermal.measured;
+        });
     }
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small})
         omni = omni || isOmni(m_views.newest(place).get());
