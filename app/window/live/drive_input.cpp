@@ -160,12 +160,12 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             return take(static_cast<const QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
         }
         case QEvent::ShortcutOverride: {
-            // Letters that drive are no shortcuts meanwhile; nor are those with Shift and Ctrl, which are
-            // slow and fast: a follow key with "fast" held must not undo anything.
+            // Letters that drive are no shortcuts meanwhile; nor are, while a key moves the robot, those with
+            // Shift and Ctrl, which are slow and fast: a follow key with "fast" held must not undo anything.
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget != nullptr && isWrittenInto(*widget)) return false;
             const auto& key = static_cast<const QKeyEvent&>(*event);
-            const bool geared = m_focus && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
+            const bool geared = m_keys.any() && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
             if (key.key() == Qt::Key_Escape || (!isTaken(key.key()) && !geared)) return false;
             event->accept();
             return true;

@@ -120,6 +120,32 @@ TEST_F(DriveInputTest, ArrowsShiftAndCtrl) {
     EXPECT_DOUBLE_EQ(sticks().forward, 0.5);
 }
 
+/// Whether @p key would reach the shortcuts of the window.
+bool isShortcut(QWidget& window, Qt::Key key, Qt::KeyboardModifiers with) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, with);
+    event.ignore();
+    QApplication::sendEvent(&window, &event);
+    return !event.isAccepted();
+}
+
+TEST_F(DriveInputTest, ShortcutsWithShiftAndCtrlWorkUntilAKeyMovesTheRobot) {
+    m_input.setFocus(true);
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier));
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_F, Qt::ShiftModifier));
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier));
+    EXPECT_FALSE(isShortcut(m_window, Qt::Key_S, Qt::ControlModifier)) << "a key that drives";
+    hold(Qt::Key_Control);
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier)) << "the robot stands";
+    hold(Qt::Key_W);
+    EXPECT_FALSE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier))
+        << "the map follows by Z: with \"fast\" held it must not undo anything";
+    EXPECT_FALSE(isShortcut(m_window, Qt::Key_F, Qt::ShiftModifier));
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, {}));
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_Escape, Qt::ControlModifier)) << "stops, whatever is held";
+    let(Qt::Key_W);
+    EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier));
+}
+
 TEST_F(DriveInputTest, SpaceLetsGoAndAKeyThatIsStillHeldDoesNotDriveOn) {
     m_input.setFocus(true);
     hold(Qt::Key_W);
