@@ -47,7 +47,7 @@ struct StationMapping::State {
     std::set<std::uint64_t> registered;  ///< key scans that we said and that did not come back yet
     bool cropMoved = false;              ///< the mapping does not know the log's area yet; under the mutex
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
-    std::set<std::string> robots;                          ///< fixed
+    std::map<std::string, std::string> titles;             ///< by robot; fixed
     std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
 
     State(LiveMission& log, std::function<bool()> may, std::string name, StationMappingListener told)
@@ -66,6 +66,10 @@ struct StationMapping::State {
     void hear(const Event& event);
     void hear(const KeyScanSample& scan);
     [[nodiscard]] MapCrop cropInLog() const;
+    [[nodiscard]] const std::string& titleOf(const std::string& robot) const {
+        const auto found = titles.find(robot);
+        return found == titles.end() || found->second.empty() ? robot : found->second;
+    }
     void whenSettled(std::function<void(LiveMapper&)> task, bool first = false);
     void settle(LiveMapper& mapper);
     [[nodiscard]] Result<void> known(std::uint64_t scan) const;
@@ -115,7 +119,8 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
     using Cause = RobotPlaceSample::Cause;
     const std::string how = placement_says::inWindowsLanguage(place.how);
-    if (place.how == placement_says::PutUntilScan) return tell(fmt::format("{}: {}", place.robot, how));
+    if (place.how == placement_says::PutUntilScan)
+        return tell(fmt::format("{}: {}", titleOf(place.robot), how));
     const std::string what =
         place.cause == Cause::Tracked
             ? (place.certain ? translate("leitstand::Station", "its laser fits the map again")
@@ -126,7 +131,7 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
                   "leitstand::Station",
                   "not found beside the other robot: put it to where it stands, or let the other one see it")
             : translate("leitstand::Station", "not found there");
-    tell(fmt::format("{}: {}: {}", place.robot, what, how));
+    tell(fmt::format("{}: {}: {}", titleOf(place.robot), what, how));
 }
 
 void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {
@@ -264,7 +269,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
                           !robot->place->sample.certain;
         if (robot->place && !vain) earlier.places.emplace(name, robot->place->sample);
     }
-    for (const RobotDescription& robot : setup.robots) state.robots.insert(robot.name);
+    for (const RobotDescription& robot : setup.robots) state.titles[robot.name] = robot.title;
     state.mapping = std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings,
                                                   std::move(listening), earlier);
 }
@@ -363,7 +368,7 @@ MapCrop StationMapping::crop() const {
 
 Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
     if (auto may = m_state->granted(); !may) return may;
-    if (!m_state->robots.contains(robot))
+    if (!m_state->titles.contains(robot))
         return Error{leitstand::fill(
             translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
     if (scans()->scans.empty())

@@ -113,6 +113,11 @@ std::optional<RobotInMap> GoTo::placeOf(const std::string& robot) const {
     return *place;
 }
 
+QString GoTo::titleOf(const std::string& robot) const {
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    return known == nullptr ? QString::fromStdString(robot) : m_context.selection.faceOfRobot(*known).title;
+}
+
 bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {
     const RobotState& said = moment.said(robot);
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
@@ -145,7 +150,7 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
         } else if (late) {
             emit told((mine ? tr("%1 was not sent: its odometry began anew, and nobody knows where")
                             : tr("%1 was not sent: the grant to drive it is another station's"))
-                          .arg(QString::fromStdString(robot)));
+                          .arg(titleOf(robot)));
             return true;
         }
         return false;

@@ -48,6 +48,7 @@ private:
     /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody
     /// knows.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
+    [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< as operators know it
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
     /// Whether nothing more is to be expected of @p way.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
