@@ -47,6 +47,13 @@ void LiveBridge::showAgain() {
     emit scansChanged(scans);
 }
 
+void LiveBridge::keepGas() {
+    for (const RobotDescription& robot : m_station->robots()) {
+        const RobotState& said = m_moment.said(robot.name);
+        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
+    }
+}
+
 void LiveBridge::lookAround() {
     const auto scanned = m_station->scanned(m_watched);
     if (++m_sinceAround < (scanned == m_scanned ? TicksAround : TicksScanned)) return;
@@ -64,6 +71,7 @@ void LiveBridge::tick() {
     m_moment.robots.clear();
     for (const RobotDescription& robot : m_station->robots())
         m_moment.robots[robot.name] = m_station->robot(robot.name);
+    keepGas();
     lookAround();
     if (const auto watched = m_moment.robots.find(m_watched); watched != m_moment.robots.end())
         watched->second.around = m_around;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "app/session/station/station.h"
 #include "app/window/live/moment_source.h"
 #include "core/base/result.h"
+#include "widgets/models/live/gas_trend.h"
 
 namespace leitstand {
 
@@ -28,10 +30,13 @@ public:
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& robot) override;  ///< ten times a second
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+    /// How the gas went that @p robot measures, also before the window was made anew in another language.
+    [[nodiscard]] const GasTrend& gas(const std::string& robot) { return m_gas[robot]; }
 
 private:
     LiveBridge();
     void tick();
+    void keepGas();
     void lookAround();  ///< where something was scanned, or the robot may have driven on
     template <class Call>
     void hop(Call call) {
@@ -40,6 +45,7 @@ private:
 
     QTimer m_tick;
     std::string m_watched;
+    std::map<std::string, GasTrend> m_gas;  ///< by robot
     std::optional<VirtualScanView> m_around;
     int m_sinceAround = 0;                ///< ticks
     std::optional<SteadyTime> m_scanned;  ///< when the newest of what is in m_around came

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
+#include "widgets/drive/gas_cell.h"
 
 namespace leitstand::test {
 namespace {
@@ -40,6 +42,19 @@ protected:
         EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
     }
     [[nodiscard]] QAction& command(const char* id) const { return *m_window->commands().find(id); }
+    /// How wide the curve of CO2 is in the strip [px].
+    [[nodiscard]] int gasCurve() const {
+        const QImage cell = m_window->findChild<GasCell*>()->grab().toImage();
+        int least = cell.width(), most = 0;
+        for (int y = 66; y < cell.height() - 44; ++y) {
+            for (int x = 0; x < cell.width(); ++x) {
+                if (qGray(cell.pixel(x, y)) < 150) continue;
+                least = std::min(least, x);
+                most = std::max(most, x);
+            }
+        }
+        return std::max(0, most - least);
+    }
     [[nodiscard]] fs::file_time_type reported() const {
         std::error_code none;
         return fs::last_write_time(m_out / "SHA256SUMS", none);
@@ -62,6 +77,8 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
     const Station* const before = &station();
     const std::size_t scans = station().mission()->keyScans->size();
     const auto elapsed = station().clock().now().elapsed;
+    constexpr int Curve = 8;  // 8 s and more
+    EXPECT_TRUE(soon([&] { return gasCurve() > Curve; }));
     QString wanted;
     QObject::connect(m_window.get(), &LiveWindow::languageWanted, m_window.get(),
                      [&](const QString& code) { wanted = code; });
@@ -70,6 +87,7 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
     ASSERT_NO_FATAL_FAILURE(makeAnew(wanted));
 
     EXPECT_EQ(command("mission.report").text().toStdString(), "&Bericht in einen Ordner…");
+    EXPECT_GT(gasCurve(), Curve) << "what was measured before is known";
     EXPECT_TRUE(command("language.de").isChecked());
     EXPECT_FALSE(command("language.en").isChecked());
     EXPECT_EQ(&station(), before);

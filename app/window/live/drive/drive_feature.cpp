@@ -70,14 +70,10 @@ void DriveFeature::setDriving(bool on) {
 }
 
 void DriveFeature::show(const LiveMoment& moment) {
-    for (const RobotDescription& robot : m_context.selection.robots()) {
-        const RobotState& said = moment.said(robot.name);
-        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
-    }
     const RobotDescription* const robot = m_context.selection.robot();
     if (robot == nullptr) return;
     m_strip->show(driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
-                               moment.said(robot->name), m_gas[robot->name], moment.now,
+                               moment.said(robot->name), m_context.bridge.gas(robot->name), moment.now,
                                m_context.bridge.station().alarms().limits()));
 }
 

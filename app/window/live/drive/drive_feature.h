@@ -1,13 +1,9 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include <QObject>
 
 #include "app/window/live/drive_input.h"
 #include "app/window/live/live_context.h"
-#include "widgets/models/live/gas_trend.h"
 
 class QAction;
 
@@ -37,7 +33,6 @@ private:
     DriveInput m_input;
     DriveStrip* m_strip;
     QAction* m_drive = nullptr;
-    std::map<std::string, GasTrend> m_gas;  ///< by robot
 };
 
 }  // namespace leitstand
