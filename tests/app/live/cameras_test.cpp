@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -29,6 +30,46 @@ protected:
     [[nodiscard]] CameraPane& large() const { return *m_window->findChild<CameraPane*>("cameraPane"); }
     [[nodiscard]] ShownPicturePtr shown(CameraPlace place = CameraPlace::Large) const {
         return cameras().views().newest(place);
+    }
+    [[nodiscard]] CameraPane& small() const { return *m_window->findChild<CameraPane*>("rightPane"); }
+    /// What is painted of the small picture.
+    [[nodiscard]] QImage painted() const {
+        return small().grab(small().pictureArea().toAlignedRect()).toImage();
+    }
+    /// How far the colours of @p picture are from greys, on average.
+    [[nodiscard]] static double colourOf(const QImage& picture) {
+        double sum = 0.0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor pixel = picture.pixelColor(x, y);
+                sum += std::max({pixel.red(), pixel.green(), pixel.blue()}) -
+                       std::min({pixel.red(), pixel.green(), pixel.blue()});
+            }
+        }
+        return sum / std::max(1, picture.width() * picture.height());
+    }
+    [[nodiscard]] static double lightOf(const QImage& picture) {
+        return QImage(picture)
+            .scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+            .pixelColor(0, 0)
+            .lightnessF();
+    }
+    void expectInfraredAsItsCommandsSay() {
+        const auto command = [this](const char* id) { m_window->commands().trigger(QLatin1String(id)); };
+        ASSERT_TRUE(soon([&] { return colourOf(painted()) > 30.0; }))
+            << "iron colours: of the infrared camera";
+        command("ir.greyHot");
+        EXPECT_TRUE(soon([&] { return colourOf(painted()) < 8.0; })) << colourOf(painted());
+        const double hotIsWhite = lightOf(painted());
+        command("ir.greyCold");
+        EXPECT_TRUE(soon([&] { return lightOf(painted()) > hotIsWhite + 0.3; })) << "what is cool is white";
+        const QImage fixed = painted();
+        command("ir.autoRange");
+        EXPECT_TRUE(soon([&] { return std::abs(lightOf(painted()) - lightOf(fixed)) > 0.05; }))
+            << "colours follow the picture";
+        command("ir.autoRange");
+        command("ir.iron");
+        EXPECT_TRUE(soon([&] { return colourOf(painted()) > 30.0; }));
     }
     /// Takes hold of the middle of the large picture and pulls it to the right by a tenth of its width.
     void drag() {
@@ -97,9 +138,9 @@ TEST_F(LiveCameras, AreSeenInTheDarkKeptUnwrappedAndSwitched) {
     const std::string before = cameras().views().sensor(CameraPlace::Small);
     press(Qt::Key_I);
     EXPECT_NE(cameras().views().sensor(CameraPlace::Small), before);
-    for (const char* look : {"ir.greyHot", "ir.greyCold", "ir.autoRange"}) {
-        m_window->commands().trigger(QLatin1String(look));
-    }
+    for (int i = 0; i < 4 && cameras().views().sensor(CameraPlace::Small) != "ir"; ++i) press(Qt::Key_I);
+    ASSERT_EQ(cameras().views().sensor(CameraPlace::Small), "ir");
+    expectInfraredAsItsCommandsSay();
     press(Qt::Key_2);
     ASSERT_TRUE(soon([&] { return m_window->selected() == "crawler" && shown() && shown()->panorama; }));
     lookAt("panorama");
