@@ -19,6 +19,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "widgets/drive/release_handle.h"
+
 namespace leitstand::test {
 namespace {
 
@@ -33,7 +35,8 @@ bool isPart(const QWidget& one) {
 bool isUsed(const QWidget& one) {
     return qobject_cast<const QAbstractButton*>(&one) || qobject_cast<const QAbstractItemView*>(&one) ||
            qobject_cast<const QAbstractSpinBox*>(&one) || qobject_cast<const QComboBox*>(&one) ||
-           qobject_cast<const QLineEdit*>(&one) || qobject_cast<const QSlider*>(&one);
+           qobject_cast<const QLineEdit*>(&one) || qobject_cast<const QSlider*>(&one) ||
+           (qobject_cast<const ReleaseHandle*>(&one) && one.focusPolicy() != Qt::NoFocus);
 }
 
 std::vector<QWidget*> used(const QWidget& window) {
@@ -97,6 +100,40 @@ bool isReached(const QWidget& one, const std::set<const QWidget*>& reached) {
                        [&reached](const QAbstractButton* other) { return reached.contains(other); });
 }
 
+/// What a screen reader says of a row.
+QString spoken(const QAbstractItemView& view, int row) {
+    QStringList said;
+    const QAbstractItemModel& model = *view.model();
+    for (int column = 0; column < model.columnCount(view.rootIndex()); ++column) {
+        const QModelIndex cell = model.index(row, column, view.rootIndex());
+        const QString own = cell.data(Qt::AccessibleTextRole).toString();
+        said += own.isEmpty() ? cell.data().toString() : own;
+    }
+    return said.join(QLatin1Char(' ')).trimmed();
+}
+
+/// What is wrong with the rows of @p view: they are walked by arrows, and each says something.
+std::vector<std::string> rowsOutOfReach(QAbstractItemView& view) {
+    constexpr int Most = 40;
+    std::vector<std::string> wrong;
+    if (view.model() == nullptr || view.selectionMode() == QAbstractItemView::NoSelection) return wrong;
+    const int rows = std::min(Most, view.model()->rowCount(view.rootIndex()));
+    if (rows == 0) return wrong;
+    view.setFocus(Qt::TabFocusReason);
+    std::set<int> walked;
+    for (int i = 0; i < 2 * rows; ++i) {
+        if (view.currentIndex().isValid()) walked.insert(view.currentIndex().row());
+        QTest::keyClick(&view, i < rows ? Qt::Key_Up : Qt::Key_Down);
+    }
+    if (view.currentIndex().isValid()) walked.insert(view.currentIndex().row());
+    for (int row = 0; row < rows; ++row) {
+        const std::string name = nameOf(view) + ", row " + std::to_string(row);
+        if (!walked.contains(row)) wrong.push_back(name + " is not reached by arrows");
+        if (spoken(view, row).isEmpty()) wrong.push_back(name + " says nothing");
+    }
+    return wrong;
+}
+
 }  // namespace
 
 int thingsToUse(const QWidget& window) {
@@ -113,6 +150,11 @@ std::vector<std::string> outOfReach(QWidget& window) {
         const bool ofBox = qobject_cast<const QDialogButtonBox*>(one->parentWidget()) != nullptr;
         if (button != nullptr && !ofBox && button->toolTip().isEmpty())
             wrong.push_back(nameOf(*one) + " has no tool tip");
+    }
+    for (QWidget* one : used(window)) {
+        auto* const view = qobject_cast<QAbstractItemView*>(one);
+        if (view == nullptr) continue;
+        for (const std::string& row : rowsOutOfReach(*view)) wrong.push_back(row);
     }
     return wrong;
 }

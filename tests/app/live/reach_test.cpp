@@ -4,12 +4,15 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QListView>
 #include <QPointer>
+#include <QTableView>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/window/live/layouts/layout_feature.h"
+#include "tests/app/live/eventful.h"
 #include "tests/app/live/quiet_page.h"
 #include "widgets/mission/clock_face.h"
 
@@ -27,6 +30,19 @@ TEST_F(LiveReach, EverythingInEveryLayoutHasANameAndIsReachedByKeys) {
         ASSERT_TRUE(window().layouts().use(QLatin1String(layout)));
         QApplication::processEvents();
         EXPECT_GT(thingsToUse(window()), 10) << layout;
+        EXPECT_THAT(outOfReach(window()), IsEmpty()) << layout;
+    }
+}
+
+TEST_F(LiveReach, AlarmsFindsAndStoppedRobotsAreReachedByKeysToo) {
+    ASSERT_TRUE(makeEventful(station(), [](auto holds) { return soon(holds); }));
+    const auto* const finds = window().findChild<QTableView*>(QStringLiteral("finds"));
+    const auto* const alarms = window().findChild<QListView*>(QStringLiteral("alarms"));
+    ASSERT_TRUE(finds != nullptr && alarms != nullptr);
+    ASSERT_TRUE(soon([&] { return finds->model()->rowCount() >= 5 && alarms->model()->rowCount() >= 2; }));
+    for (const char* layout : {"drive", "map", "report"}) {
+        ASSERT_TRUE(window().layouts().use(QLatin1String(layout)));
+        QApplication::processEvents();
         EXPECT_THAT(outOfReach(window()), IsEmpty()) << layout;
     }
 }

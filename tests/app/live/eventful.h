@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/session/finds/find_desk.h"
+#include "app/session/station/station.h"
+#include "app/session/station/station_alarms.h"
+#include "core/mission/mission_state.h"
+
+namespace leitstand::test {
+
+/// Lets @p station have what lists show when much has happened: a stop that nobody answers, which is an alarm
+/// of each robot, and finds of all kinds. @p soon: QTest::qWaitFor or the like.
+template <class Soon>
+[[nodiscard]] bool makeEventful(Station& station, Soon soon) {
+    using Kind = VictimSample::Kind;
+    station.stopAll();
+    double x = 1.0;
+    for (const Kind kind : {Kind::Victim, Kind::Victim, Kind::Hazard, Kind::Code, Kind::Object}) {
+        station.finds().freezeAt("kurt3d", kind, {x, 10.0 - x, 0.2});
+        x += 2.5;
+    }
+    return soon([&] {
+        return station.mission()->victims->size() >= 5 &&
+               station.alarms().view().alarms.size() >= station.robots().size();
+    });
+}
+
+}  // namespace leitstand::test
