@@ -15,6 +15,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/map/map_feature.h"
 #include "core/io/settings/layout_file.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
@@ -124,6 +125,17 @@ TEST_F(LayoutMapTest, ThePointUnderThePointerIsReadOut) {
     QTest::mouseMove(&map(), *there);
     EXPECT_TRUE(soon([this] { return label("mapResult").find("x ") == 0; })) << label("mapResult");
     EXPECT_THAT(label("mapResult"), HasSubstr("kurt3d"));
+    // A pointer that rests there does not hide that the map is in doubt.
+    auto* const feature = m_window->findChild<MapFeature*>();
+    ASSERT_NE(feature, nullptr);
+    const MapSummary doubt{QStringLiteral("3D map"), QStringLiteral("1 scan does not fit"), Tone::Attention};
+    feature->describe([doubt](const LiveMoment&) { return doubt; });
+    EXPECT_EQ(label("mapResult"), "1 scan does not fit");
+    QTest::mouseMove(&map(), *there + QPoint(30, 0));
+    QTest::mouseMove(&map(), *there);
+    EXPECT_FALSE(QTest::qWaitFor([this] { return label("mapResult").find("x ") == 0; }, 500));
+    feature->describe({});
+    EXPECT_TRUE(soon([this] { return label("mapResult").find("x ") == 0; })) << label("mapResult");
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(&map(), &leave);
     EXPECT_TRUE(soon([&] { return label("mapResult") == usual; })) << label("mapResult");
