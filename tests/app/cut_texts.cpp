@@ -3,16 +3,21 @@
 #include <algorithm>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTabBar>
 #include <QTextDocument>
 #include <QToolButton>
 
+#include "tests/widgets/panes/shown.h"
 #include "widgets/elided_label.h"
 
 namespace leitstand::test {
@@ -68,6 +73,27 @@ bool isCut(const QComboBox& box) {
     return widest(box.fontMetrics(), box.currentText()) > box.width() - Arrow;
 }
 
+/// Of what a line says as long as nothing is written into it.
+bool isCut(const QLineEdit& line) {
+    constexpr int Margins = 4;  ///< at least, that a line keeps around its text [px]
+    QStyleOptionFrame option;
+    option.initFrom(&line);
+    option.rect = line.contentsRect();
+    option.lineWidth =
+        line.hasFrame() ? line.style()->pixelMetric(QStyle::PM_DefaultFrameWidth, nullptr, &line) : 0;
+    option.state |= QStyle::State_Sunken;
+    const int room = line.style()->subElementRect(QStyle::SE_LineEditContents, &option, &line).width();
+    return line.text().isEmpty() && widest(line.fontMetrics(), line.placeholderText()) > room - Margins;
+}
+
+/// What the rows of @p view say and do not have room for.
+QStringList cutCells(const QAbstractItemView& view) {
+    QStringList cut;
+    for (const PaintedText& one : paintedTexts(*view.viewport()))
+        if (one.text.contains(QChar(0x2026))) cut += one.text;
+    return cut;
+}
+
 }  // namespace
 
 QStringList cutTexts(const QWidget& window) {
@@ -93,6 +119,12 @@ QStringList cutTexts(const QWidget& window) {
             cut += name(*button) + ": " + button->text();
     for (const QComboBox* box : window.findChildren<QComboBox*>())
         if (seen(*box) && isCut(*box)) cut += name(*box) + ": " + box->currentText();
+    for (const QLineEdit* line : window.findChildren<QLineEdit*>())
+        if (seen(*line) && isCut(*line)) cut += name(*line) + ": " + line->placeholderText();
+    for (const QAbstractItemView* view : window.findChildren<QAbstractItemView*>()) {
+        if (!seen(*view) || qobject_cast<const QHeaderView*>(view) != nullptr) continue;
+        for (const QString& text : cutCells(*view)) cut += name(*view) + ": " + text;
+    }
     for (const QHeaderView* header : window.findChildren<QHeaderView*>()) {
         if (!seen(*header) || header->orientation() != Qt::Horizontal || header->model() == nullptr) continue;
         for (int i = 0; i < header->count(); ++i) {

@@ -5,8 +5,8 @@
 
 namespace leitstand::test {
 
-/// Texts of @p window that do not fit where they stand: labels, buttons, combo boxes, headers of tables,
-/// tabs, menus.
+/// Texts of @p window that do not fit where they stand: labels, buttons, combo boxes, hints of empty
+/// lines, headers and cells of lists, tabs, menus.
 [[nodiscard]] QStringList cutTexts(const QWidget& window);
 
 }  // namespace leitstand::test

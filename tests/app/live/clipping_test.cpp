@@ -6,7 +6,11 @@
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QLabel>
+#include <QListView>
+#include <QRegularExpression>
 #include <QTabBar>
+#include <QTableView>
+#include <QTableWidget>
 
 #include <gtest/gtest.h>
 
@@ -15,11 +19,14 @@
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "tests/app/cut_texts.h"
+#include "tests/app/live/eventful.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/window_size.h"
+#include "tests/widgets/panes/shown.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/mission/mission_form.h"
 #include "widgets/pad/pad_mapping_dialog.h"
+#include "widgets/robots/robot_chip_button.h"
 
 namespace leitstand::test {
 namespace {
@@ -28,6 +35,22 @@ namespace {
 class LiveTexts : public LivePage {
 protected:
     ~LiveTexts() override { useLanguage(QStringLiteral("en")); }
+    /// What stands in the bar of a robot that is connected, when figures are left out that are not zero;
+    /// empty: all have theirs.
+    [[nodiscard]] std::string withoutFigures() const {
+        static const QRegularExpression figure(QStringLiteral("[0-9.,]+"));
+        for (RobotChipButton* chip : m_window->findChildren<RobotChipButton*>()) {
+            if (chip->chip().link != LinkState::Connected) continue;
+            QString shown;
+            for (const PaintedText& one : paintedTexts(*chip)) shown += one.text + QLatin1Char(' ');
+            auto figures = figure.globalMatch(chip->chip().texts.value(1));
+            while (figures.hasNext()) {
+                const QString one = figures.next().captured();
+                if (one != QStringLiteral("0") && !shown.contains(one)) return shown.toStdString();
+            }
+        }
+        return {};
+    }
 };
 
 TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
@@ -44,6 +67,7 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
         ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
         ASSERT_EQ(m_window->size(), windowSize());
         ASSERT_EQ(m_window->devicePixelRatioF(), windowScale());
+        EXPECT_TRUE(soon([&] { return withoutFigures().empty(); })) << language << ": " << withoutFigures();
         for (const char* layout : {"drive", "explore", "map", "review", "link", "report"}) {
             m_window->layouts().use(QLatin1String(layout));
             EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));
@@ -53,6 +77,64 @@ TEST_F(LiveTexts, FitInEveryLayoutAndLanguage) {
             lookAt(QStringLiteral("texts_%1_%2").arg(QLatin1String(layout), QLatin1String(language)));
         }
     }
+}
+
+/// What lists show when much has happened: alarms, finds, a form that is filled in.
+class EventfulTexts : public LivePage {
+protected:
+    EventfulTexts() : LivePage(Robots::None) {}
+    ~EventfulTexts() override { useLanguage(QStringLiteral("en")); }
+    void fillForm() {
+        VictimSample form = station().mission()->victims->at({VictimSample::Kind::Victim, 1}).victim;
+        const VictimSign present{VictimSign::State::Present, "", Unknown};
+        form.form = form.motion = form.sound = present;
+        form.heat = {VictimSign::State::Present, "face", 34.0};
+        form.co2 = {VictimSign::State::Present, "rising", 2'400.0};
+        form.situation = "entombed";
+        form.area = "yellow";
+        form.tag = "R-17";
+        ASSERT_TRUE(station().finds().edit(form).ok());
+        ASSERT_TRUE(station().finds().confirm({VictimSample::Kind::Victim, 1}).ok());
+    }
+    template <class View>
+    [[nodiscard]] int rowsOf(const char* name) const {
+        return m_window->findChild<View*>(QLatin1String(name))->model()->rowCount();
+    }
+};
+
+TEST_F(EventfulTexts, FitInEveryLayoutAndLanguage) {
+    ASSERT_TRUE(makeEventful(station(), [](auto holds) { return soon(holds); }));
+    ASSERT_NO_FATAL_FAILURE(fillForm());
+    for (const char* language : {"en", "de", "ja"}) {
+        useLanguage(QLatin1String(language));
+        restart();
+        station().stopAll();
+        ASSERT_TRUE(
+            soon([&] { return rowsOf<QListView>("alarms") >= 2 && rowsOf<QTableView>("finds") >= 5; }));
+        m_window->findChild<QTableView*>("finds")->selectRow(0);
+        for (const char* layout : {"drive", "explore", "map", "review", "link", "report"}) {
+            m_window->layouts().use(QLatin1String(layout));
+            EXPECT_TRUE(soon([&] { return m_window->mapView().settled(); }));
+            EXPECT_EQ(cutTexts(*m_window).join(QStringLiteral("; ")).toStdString(), "")
+                << language << ", " << layout;
+            EXPECT_EQ(m_window->size(), windowSize()) << language << ", " << layout;
+            const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES");
+            if (!folder.isEmpty())
+                m_window->grab().save(QStringLiteral("%1/eventful_%2_%3.png")
+                                          .arg(folder, QLatin1String(layout), QLatin1String(language)));
+        }
+    }
+}
+
+TEST_F(LiveTexts, ACellThatIsCutIsSeen) {
+    QTableWidget table(1, 1, m_window.get());
+    table.setItem(0, 0, new QTableWidgetItem(QStringLiteral("far too long for its cell")));
+    table.show();
+    table.setColumnWidth(0, 400);
+    table.resize(500, 100);
+    EXPECT_TRUE(cutTexts(*m_window).filter(QStringLiteral("far")).isEmpty());
+    table.setColumnWidth(0, 60);
+    EXPECT_EQ(cutTexts(*m_window).filter(QStringLiteral("far")).size(), 1);
 }
 
 TEST_F(LiveTexts, ATabThatIsCutIsSeen) {
