@@ -10,7 +10,8 @@ XDG_CONFIG_HOME=$(mktemp -d)
 export XDG_CONFIG_HOME
 trap 'rm -r "$XDG_CONFIG_HOME"' EXIT
 for layout in drive explore map; do
-    "$program" --demo --domain "$domain" --layout "$layout" --size 1280x800 --screenshot "docs/live-$layout.png"
+    "$program" --demo --domain "$domain" --layout "$layout" --size 1280x800 --after 40 \
+        --screenshot "docs/live-$layout.png"
     echo "docs/live-$layout.png"
 done
 sample=resources/samples/yellow-7

@@ -84,6 +84,12 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                             "How panes are arranged: drive, explore, map, review, link, or one of your own"),
              nullptr)
         ->type_name("NAME");
+    onRobots(app.add_option("--after", options.after,
+                            "Take the screenshot so much later; the robots of --demo explore meanwhile"),
+             nullptr)
+        ->needs(screenshot)
+        ->check(CLI::Range(0, 3600))
+        ->type_name("SECONDS");
     onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)
         ->check(CLI::Range(0, 132))
         ->type_name("N");
@@ -102,6 +108,10 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         return app.exit(problem) == 0 ? 0 : UsageError;
     }
     options.live = options.live || options.demo;
+    if (options.after > 0 && !options.live) {
+        std::fputs("leitstand: --after waits for live robots: --live or --demo\n", stderr);
+        return UsageError;
+    }
     if ((options.live || options.resume) && !options.scans.empty()) {
         std::fputs("leitstand: --live, --demo and --resume take no scans\n", stderr);
         return UsageError;

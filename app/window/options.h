@@ -20,6 +20,7 @@ struct Options {
     std::string language;        ///< "de"; empty: as remembered, else the user's
     bool registerAgain = false;  ///< a mission is registered anew, not reviewed
     std::optional<QSize> size;   ///< of the screenshot [px]; none: a window of 1280 x 800
+    int after = 0;               ///< all is shown the screenshot is taken; on live robots [s]
     // The station on live robots:
     bool live = false;                    ///< in place of a window for scans
     bool demo = false;                    ///< with simulated robots of its own

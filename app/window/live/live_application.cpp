@@ -30,6 +30,7 @@
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/picture_size.h"
+#include "core/mission/mission_state.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -39,6 +40,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
 constexpr std::chrono::minutes Recent(30);    ///< a mission that ended since may be meant
+constexpr auto Explores = "explore";          ///< mode of a robot that looks around by itself
 
 void complain(const std::string& text) {
     std::fprintf(stderr, "leitstand: %s\n", text.c_str());
@@ -91,13 +93,33 @@ bool waitUntilShown(const LiveWindow& window) {
     return window.missing().isEmpty();
 }
 
-int takePicture(LiveWindow& window, const Options& options) {
+/// Lets the window go on for @p time; @p explore: its robots look around by themselves meanwhile.
+void goOn(Station& station, std::chrono::seconds time, bool explore) {
+    QEventLoop loop;
+    QTimer again;
+    QObject::connect(&again, &QTimer::timeout, &loop, [&station] {
+        const MissionStatePtr mission = station.mission();
+        for (const RobotDescription& robot : station.robots()) {
+            const auto said = mission->robots.find(robot.name);
+            if (said == mission->robots.end() || !said->second->mode) continue;
+            if (said->second->mode->sample.mode == Explores) continue;
+            station.ask(robot.name);
+            if (station.robot(robot.name).grant.mine) (void)station.setMode(robot.name, Explores);
+        }
+    });
+    if (explore) again.start(500);
+    QTimer::singleShot(time, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+int takePicture(LiveWindow& window, Station& station, const Options& options) {
     window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
     if (!waitUntilShown(window)) {
         complain("no picture after 60 s: " + window.missing().toStdString());
         return 1;
     }
+    if (options.after > 0) goOn(station, std::chrono::seconds(options.after), options.demo);
     QApplication::processEvents();
     if (!pictureOf(window, options.size).save(QString::fromStdString(options.screenshot))) {
         complain(options.screenshot + ": the picture could not be written");
@@ -163,7 +185,7 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
         QObject::connect(demo, &DemoRobots::failed, &window, &LiveWindow::tell);
         demo->start();
     }
-    if (picture) return {takePicture(window, options)};
+    if (picture) return {takePicture(window, bridge.station(), options)};
     Ended ended;
     if (!earlier.empty()) {
         window.mission().offerEarlier();

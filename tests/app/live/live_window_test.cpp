@@ -17,6 +17,7 @@
 #include "core/mission/mission_state.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
+#include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/release_handle.h"
 #include "widgets/map_view/map_view.h"
@@ -199,6 +200,18 @@ TEST(LiveScreenshot, ShowsTheDemo) {
     EXPECT_EQ(program.wait(), 0) << program.out();
     const QImage picture(file);
     EXPECT_EQ(picture.size(), QSize(1280, 800));
+}
+
+TEST(LiveScreenshot, ShowsTheDemosRobotsExploringAWhileLater) {
+    const TestDomain domain;
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("live.png");
+    ChildProcess program(test::program("leitstand"),
+                         {"--demo", "--domain", std::to_string(domain.number()), "--after", "15",
+                          "--screenshot", file.toStdString(), "--size", "1280x800"});
+    EXPECT_EQ(program.wait(), 0) << program.out();
+    const QImage strip = QImage(file).copy(0, 560, 400, 240);
+    EXPECT_GT(countOf(strip, coloursOf(Theme::Dark).autonomous, 4), 8'000) << "the mode's background";
 }
 
 TEST(LiveScreenshot, ShowsAnotherLayoutAtTwiceTheScaleInAsManyPixelsAsAskedFor) {

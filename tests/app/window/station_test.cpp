@@ -117,6 +117,8 @@ TEST_F(StationTest, WrongUsageExitsWithTwo) {
     EXPECT_EQ(station({"--screenshot", file(), "--look", "sideways"}).exitCode, 2);
     EXPECT_EQ(station({"--screenshot", file(), "--size", "big"}).exitCode, 2);
     EXPECT_EQ(station({"--size", "800x600"}).exitCode, 2);
+    EXPECT_EQ(station({"--demo", "--after", "3"}).exitCode, 2) << "of what?";
+    EXPECT_THAT(station({"--screenshot", file(), "--after", "3"}).err, HasSubstr("live robots"));
     EXPECT_THAT(station({"--screenshot", file(), "--size", "9x9"}).err, HasSubstr("WIDTHxHEIGHT"));
 }
 
