@@ -151,6 +151,12 @@ TEST_F(LiveWords, TheHintSaysWhatKeepsItFromMoving) {
     EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("not on this robot"));
     robot.view.drive.listening = false;
     EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("does not hear"));
+    robot.view.drive.reachable = true;
+    EXPECT_THAT(stateOf(robot).hint.toStdString(), HasSubstr("not on this robot"))
+        << "nobody sends anything that it could hear";
+    setMode(robot, "victim_approach", true, "body heat in sight");
+    EXPECT_EQ(stateOf(robot).hint.toStdString(), "body heat in sight");
+    EXPECT_EQ(stateOf(robot).hintTone, Tone::Muted);
     robot.view.drive.drivable = false;
     EXPECT_EQ(stateOf(robot).hint.toStdString(), "takes no drive commands");
     EXPECT_EQ(stateOf(robot).grant.choice, Choice::None);

@@ -40,8 +40,13 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
     const DriveView& drive = robot.drive;
     if (!drive.drivable) return {DriveTexts::tr("takes no drive commands"), Tone::Muted};
     if (!robot.grant.mine) return {mode.reason, Tone::Muted};
-    if (!drive.listening) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
-    if (!drive.focus) return {DriveTexts::tr("the sticks are not on this robot"), Tone::Muted};
+    // Nothing is sent without the sticks, and nobody listens to it.
+    const bool hears = drive.listening || (!drive.focus && drive.reachable);
+    if (!hears) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
+    if (!drive.focus) {
+        const bool busy = mode.kind == ModeKind::Autonomous && !mode.reason.isEmpty();
+        return {busy ? mode.reason : DriveTexts::tr("the sticks are not on this robot"), Tone::Muted};
+    }
     const SightLine sight = sightLineOf(drive);
     if (drive.sight.overridden || drive.sight.factor <= 0.0) return {sight.text, sight.tone};
     if (drive.needsNeutral) return {DriveTexts::tr("sticks must be neutral first"), Tone::Attention};
