@@ -49,7 +49,8 @@ AlarmPanel::AlarmPanel(QWidget* parent)
     connect(m_acknowledge, &QToolButton::clicked, this, &AlarmPanel::newestAcknowledged);
     connect(m_mute, &QToolButton::clicked, this, &AlarmPanel::muteToggled);
 
-    m_head->setContentsMargins(8, 4, 4, 0);
+    m_head->setContentsMargins(8, 4, 0, 0);
+    m_head->setSpacing(0);  // buttons have air of their own
     m_head->addWidget(m_title, 1);
     m_head->addWidget(m_mute);
     m_head->addWidget(m_acknowledge);
@@ -106,7 +107,7 @@ void AlarmPanel::fitHead() {
     const QString wanted = QStringList{title, mute, QString::number(width())}.join(QLatin1Char('\n'));
     if (std::exchange(m_fitted, wanted) == wanted) return;
     const std::tuple<QString, QString, QString> ways[] = {{title, mute, acknowledge},
-                                                          {title, brief, acknowledge},
+                                                          {title, mute, key},
                                                           {title, brief, key},
                                                           {count == 0 ? QString() : number, brief, key}};
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_mute),
