@@ -59,6 +59,8 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
     EXPECT_LT((between().translation() - Eigen::Vector3d(0, -0.8, 0)).norm(), 0.1) << said();
     EXPECT_LT(inDegrees(angleBetween(between(), Pose::Identity())), 4.0);
     EXPECT_TRUE(waitUntil([&] { return station->mission()->robots.at("crawler")->place.has_value(); }));
+    EXPECT_TRUE(waitUntil([&] { return said().find("Crawler: found in the map") != std::string::npos; }))
+        << "by its title: " << said();
 
     EXPECT_FALSE(station->mapping().place("nobody", Pose::Identity()).ok());
     const Pose dragged = of("crawler").baseInMap * poseFrom({0.3, 0.2, 0}, 0, 0, degrees(10));
