@@ -43,6 +43,10 @@ QString ReleaseHandle::text() const {
     return m_line.releasable ? tr("%1 · hold to release").arg(m_line.text) : m_line.text;
 }
 
+QString ReleaseHandle::essential() const {
+    return m_line.text.section(QStringLiteral(" · "), -1);
+}
+
 QSize ReleaseHandle::sizeHint() const {
     const QFontMetrics metrics(sized(font(), 12, true));
     return {metrics.horizontalAdvance(m_line.face.letter + text()) + 34, Height};
@@ -77,10 +81,12 @@ void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(sized(font(), 12));
     painter.setPen(toneColour(m_line.tone, colours));
     const QRect room = rect().adjusted(16 + letter, 0, -8, 0);
-    const bool fits = painter.fontMetrics().horizontalAdvance(text()) <= room.width();
-    painter.drawText(
-        room, Qt::AlignLeft | Qt::AlignVCenter,
-        fits ? text() : painter.fontMetrics().elidedText(m_line.text, Qt::ElideRight, room.width()));
+    const QFontMetrics metrics = painter.fontMetrics();
+    QString shown = metrics.elidedText(essential(), Qt::ElideMiddle, room.width());
+    for (const QString& one : {m_line.text, text()}) {
+        if (metrics.horizontalAdvance(one) <= room.width()) shown = one;
+    }
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, shown);
 }
 
 void ReleaseHandle::begin() {

@@ -39,6 +39,7 @@ private:
     void begin();
     void end();
     [[nodiscard]] QString text() const;
+    [[nodiscard]] QString essential() const;  ///< of it, where there is little room: "no answer for 2.9 s"
 
     StopLine m_line;
     HoldToAct m_hold;

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/energy_cell.h"
 #include "widgets/drive/mode_cell.h"
+#include "widgets/drive/stop_button.h"
+#include "widgets/models/live/stop_line.h"
 
 namespace leitstand::test {
 namespace {
@@ -86,6 +89,21 @@ TEST_P(DriveCells, ABatteryWithFewMinutesIsLoudHoweverFullItIs) {
     EnergyCell cell;
     cell.show(driveStateOf(robot));
     EXPECT_GT(countOf(pictureOf(cell, {141, 178}, "few_minutes"), colours().attention, 20), 100);
+}
+
+TEST_P(DriveCells, HowLongAStopIsNotAnsweredIsToldInANarrowBar) {
+    SampleRobot robot = sampleRobot();
+    setStop(robot, false, false);
+    robot.view.stop.unanswered = std::chrono::milliseconds(2'900);
+    StopButton stop;
+    stop.show({stopLineOf(robot.face, robot.view)});
+    static_cast<void>(pictureOf(stop, stop.sizeHint(), {}));
+    EXPECT_THAT(textsOf(stop), Contains("sent · no answer for 2.9 s"));
+    const int least = stop.minimumSizeHint().width();
+    static_cast<void>(pictureOf(stop, {least + 80, stop.height()}, "stop_narrow"));
+    EXPECT_THAT(textsOf(stop), Contains("no answer for 2.9 s"));
+    static_cast<void>(pictureOf(stop, {least + 40, stop.height()}, {}));
+    EXPECT_THAT(textsOf(stop), Contains(HasSubstr("2.9 s"))) << "words are cut before the number";
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, DriveCells, testing::Values(Theme::Dark, Theme::Light),
