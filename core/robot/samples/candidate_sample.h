@@ -14,7 +14,7 @@ namespace leitstand {
 
 /// A sign that something is there, from one look at it.
 struct Cue {
-    std::string kind = {};  ///< "heat", "motion", "co2", "code", "hazard", "sighting"
+    std::string kind = {};  ///< "heat", "motion", "co2", "code", "tag", "hazard", "sighting"
     std::string robot = {};
     std::string sensor = {};  ///< StreamDescription::sensor
     std::string topic = {};   ///< ROS name
