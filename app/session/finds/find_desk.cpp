@@ -22,7 +22,11 @@ constexpr double NearbyDeviation = 1.0;  // [m]
 }  // namespace
 
 FindDesk::FindDesk(FindDeskSetup setup)
-    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
+    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {
+    const MissionStatePtr earlier = m_setup.mission ? m_setup.mission() : nullptr;
+    if (!earlier) return;
+    for (const auto& [id, known] : *earlier->candidates) m_first.toldBefore(id);
+}
 
 void FindDesk::finish() {
     std::promise<void> done;

@@ -28,10 +28,15 @@ void FirstToldBook::take(const Event& event) {
     }
 }
 
+void FirstToldBook::toldBefore(std::uint32_t candidate) {
+    const std::scoped_lock lock(m_mutex);
+    m_first.emplace(candidate, std::nullopt);
+}
+
 std::optional<FirstTold> FirstToldBook::of(std::uint32_t candidate) const {
     const std::scoped_lock lock(m_mutex);
     const auto found = m_first.find(candidate);
-    return found == m_first.end() ? std::nullopt : std::optional(found->second);
+    return found == m_first.end() ? std::nullopt : found->second;
 }
 
 std::optional<bool> FirstToldBook::autonomousAt(const std::string& robot, Time moment) const {

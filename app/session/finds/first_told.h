@@ -16,7 +16,8 @@ namespace leitstand {
 /// find counts as autonomous is decided then, not when somebody files it. Any thread.
 class FirstToldBook {
 public:
-    void take(const Event& event);  ///< modes and candidates; others are passed by
+    void take(const Event& event);             ///< modes and candidates; others are passed by
+    void toldBefore(std::uint32_t candidate);  ///< in an earlier session: what the mode was then is not known
     /// Empty: it was told before this book began.
     [[nodiscard]] std::optional<FirstTold> of(std::uint32_t candidate) const;
     /// Whether @p robot drove itself at @p moment (station's clock); empty: nobody said.
@@ -28,7 +29,7 @@ private:
 
     mutable std::mutex m_mutex;
     std::map<std::string, Modes> m_modes;  ///< by robot; changes alone
-    std::map<std::uint32_t, FirstTold> m_first;
+    std::map<std::uint32_t, std::optional<FirstTold>> m_first;
 };
 
 }  // namespace leitstand

@@ -71,7 +71,12 @@ void Station::State::search() {
     setup.earlierPoses = setup.poses();
     const MissionStatePtr now = mission->state();
     for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
-    for (const auto& [key, known] : *now->victims) setup.earlierFinds.push_back(known.victim);
+    setup.finds = [this] {
+        std::vector<VictimSample> finds;
+        for (const auto& [key, known] : *mission->state()->victims) finds.push_back(known.victim);
+        return finds;
+    };
+    setup.earlierFinds = setup.finds();
     for (const ScoreProfile& profile : scoreProfiles().profiles)
         setup.tags.byName[profile.name] = profile.victimTags;
     if (now->info) setup.profile = now->info->sample.profile;

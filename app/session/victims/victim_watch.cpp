@@ -38,6 +38,8 @@ bool isWanted(const Event& event) {
            std::holds_alternative<ScanPosesSample>(event.sample) ||
            std::holds_alternative<RobotPlaceSample>(event.sample) ||
            std::holds_alternative<CandidateSample>(event.sample) ||
+           std::holds_alternative<VictimSample>(event.sample) ||
+           std::holds_alternative<MissionInfoSample>(event.sample) ||
            std::holds_alternative<UndoSample>(event.sample);
 }
 
@@ -139,6 +141,8 @@ void VictimWatch::run(const std::stop_token& stop) {
             if (stop.stop_requested()) return;
             if (std::holds_alternative<UndoSample>(event.sample)) {
                 if (m_setup.poses) m_search.follow(m_setup.poses());
+                for (const VictimSample& find : m_setup.finds ? m_setup.finds() : std::vector<VictimSample>())
+                    m_search.restore(find);
                 continue;
             }
             m_search.take(event, may);

@@ -23,12 +23,13 @@ struct VictimWatchSetup {
     std::function<bool()> maySearch;                          ///< whether the station has the map's grant
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
     std::function<RobotsInMapPtr()> places;  ///< where the robots are now; without it, key scans alone tell
-    std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; after an undo
-    std::vector<ScanPose> earlierPoses;            ///< of the mission's earlier sessions
-    std::vector<CandidateSample> earlier;          ///< likewise
-    std::vector<VictimSample> earlierFinds;        ///< likewise
-    TagsOfProfiles tags;                           ///< of victims
-    std::string profile;                           ///< of the score, as the mission's data have it by now
+    std::function<std::vector<ScanPose>()> poses;      ///< where the mission's key scans are; after an undo
+    std::function<std::vector<VictimSample>()> finds;  ///< that stand in the mission; likewise
+    std::vector<ScanPose> earlierPoses;                ///< of the mission's earlier sessions
+    std::vector<CandidateSample> earlier;              ///< likewise
+    std::vector<VictimSample> earlierFinds;            ///< likewise
+    TagsOfProfiles tags;                               ///< of victims
+    std::string profile;                               ///< of the score, as the mission's data have it by now
 };
 
 /// VictimSearch on a thread of its own, live. Any thread. Where it cannot keep up, pictures are left out (the

@@ -136,12 +136,17 @@ bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     if (candidate.victim != 0 && state.victims->contains({candidate.kind, candidate.victim})) return true;
     const Eigen::Vector3d place = positionInMap(state, candidate);
     const std::string tag = tagOf(candidate);
+    // A code between two victims is neither one's name.
+    const bool names = candidate.kind == VictimSample::Kind::Code ||
+                       (candidate.kind == VictimSample::Kind::Victim &&
+                        std::any_of(candidate.cues.begin(), candidate.cues.end(),
+                                    [&](const Cue& cue) { return cue.kind == "tag" && cue.text == tag; }));
     return std::any_of(state.victims->begin(), state.victims->end(), [&](const auto& find) {
         const VictimSample& there = find.second.victim;
         if (find.first.first != candidate.kind || !mayBeOne(candidate.kind, tag, there.tag)) return false;
         // What was discarded is none; what lies beside it may be one all the same.
         const bool none = there.status == Status::Discarded && there.mergedInto == 0;
-        const bool named = !none && !tag.empty() && tag == there.tag;
+        const bool named = !none && names && !tag.empty() && tag == there.tag;
         const double reach = none ? SameDiscarded : named ? SameNamed : SameFind;
         return (positionInMap(state, there) - place).norm() < reach;
     });

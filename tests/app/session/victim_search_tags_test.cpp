@@ -1,8 +1,14 @@
+#include <atomic>
+#include <chrono>
+#include <memory>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/session/victims/victim_search.h"
+#include "app/session/victims/victim_watch.h"
+#include "tests/support/wait.h"
 
 namespace leitstand::test {
 namespace {
@@ -65,6 +71,59 @@ TEST_F(SearchForTags, ATagIsWhatTheProfileThatTheMissionNamesSays) {
     info.profile = "none";
     m_search->take({++m_sequence, at(m_now), "", "/leitstand/mission", std::nullopt, "", info});
     EXPECT_EQ(told("doll-2"), 0) << "by that one no code is a tag";
+}
+
+TEST(VictimWatchTags, AProfileThatIsChosenDuringTheMissionIsHeard) {
+    RobotDescription robot;
+    robot.name = "kurt3d";
+    for (const StreamRole role : {StreamRole::Odometry, StreamRole::Sightings}) {
+        StreamDescription stream;
+        stream.role = role;
+        robot.streams.push_back(stream);
+    }
+    std::atomic<int> victims = 0;
+    VictimWatchSetup setup;
+    setup.robots = {robot};
+    setup.station = "us";
+    setup.tags = {{{"dolls", {"doll-*"}}, {"none", {}}}};
+    setup.profile = "none";
+    setup.onCandidate = [&](const CandidateSample& one) {
+        if (one.kind == VictimSample::Kind::Victim) ++victims;
+    };
+    const auto begin =
+        std::chrono::time_point_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now());
+    RobotInMap there;
+    there.robot = "kurt3d";
+    there.stamp = begin;
+    there.placed = there.certain = true;
+    there.certainty = 1.0;
+    setup.places = [places = std::make_shared<const std::vector<RobotInMap>>(1, there)] { return places; };
+    VictimWatch watch(std::move(setup));
+    std::uint64_t sequence = 0;
+    MissionInfoSample info;
+    info.profile = "dolls";
+    watch.take({++sequence, begin, "", "/leitstand/mission", std::nullopt, "", info});
+    // Where robots are is followed after what came before.
+    ASSERT_TRUE(waitUntil([&] { return watch.waiting() == 0; }, std::chrono::seconds(10)));
+    for (int i = 0; i < 6; ++i) {
+        const Time now = begin + std::chrono::milliseconds(600 * i);
+        OdometrySample odometry;
+        odometry.header.stamp = now;
+        watch.take({++sequence, now, "kurt3d", "/kurt3d/odom", StreamRole::Odometry, "", odometry});
+        SightingSample sightings;
+        sightings.header.stamp = now;
+        Sighting one;
+        one.id = static_cast<std::uint32_t>(i + 1);
+        one.kind = "code";
+        one.text = "doll-1";
+        one.position = {2.0, 0.001 * i, 0.1};
+        one.deviation = 0.1;
+        one.confidence = 0.9;
+        sightings.sightings = {one};
+        watch.take({++sequence, now, "kurt3d", "/kurt3d/x", StreamRole::Sightings, "", sightings});
+    }
+    EXPECT_TRUE(waitUntil([&] { return victims > 0; }, std::chrono::seconds(10)));
+    watch.end();
 }
 
 }  // namespace
