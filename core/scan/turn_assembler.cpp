@@ -97,7 +97,11 @@ bool TurnAssembler::continues(const CloudSample& cloud) const {
 }
 
 bool TurnAssembler::takesTooLong(const CloudSample& cloud) const {
-    return endOf(cloud) - m_slices.front().cloud.header.stamp > m_settings.longestTime;
+    const auto since = endOf(cloud) - m_slices.front().cloud.header.stamp;
+    if (since <= m_settings.longestTime) return false;
+    // A slow scanner gets on all the same.
+    const double turns = std::chrono::duration<double>(since) / m_settings.slowestTurn;
+    return m_turned < 2.0 * std::numbers::pi * turns;
 }
 
 void TurnAssembler::gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom) {

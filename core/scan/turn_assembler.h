@@ -20,8 +20,10 @@ struct TurnSettings {
     double longestWay = std::numeric_limits<double>::infinity();  ///< of the sensor within a turn [m] ...
     double mostTurned = std::numeric_limits<double>::infinity();  ///< ... and how far it may have turned
                                                                   ///< [rad]; beyond, the turn ends there
-    /// Beyond, it breaks off: the drive is stuck, or the window is covered.
+    /// Beyond, it breaks off where it gets on more slowly than a slowestTurn: the drive is stuck, or the
+    /// window is covered.
     std::chrono::nanoseconds longestTime = std::chrono::seconds(10);
+    std::chrono::nanoseconds slowestTurn = std::chrono::seconds(30);
 };
 
 /// Why a scan ends where it does.
