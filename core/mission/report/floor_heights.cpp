@@ -34,18 +34,19 @@ std::ptrdiff_t FloorHeights::cellOf(double x, double y) const {
 }
 
 void FloorHeights::gather(std::span<const ReportScan> scans, const FloorSettings& settings) {
-    std::vector<std::pair<std::uint32_t, float>> points;  // by cell
+    // Points are gone through twice: they are many, and only their heights are kept.
     std::vector<std::uint32_t> ends(m_height.size() + 1);
     forEachFloorPoint(scans, [&](const Eigen::Vector3d& point) {
         const auto cell = cellOf(point.x(), point.y());
-        if (cell < 0) return;
-        points.emplace_back(static_cast<std::uint32_t>(cell), static_cast<float>(point.z()));
-        ++ends[static_cast<std::size_t>(cell) + 1];
+        if (cell >= 0) ++ends[static_cast<std::size_t>(cell) + 1];
     });
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<float> heights(points.size());
+    std::vector<float> heights(ends.back());
     std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-    for (const auto& [cell, height] : points) heights[next[cell]++] = height;
+    forEachFloorPoint(scans, [&](const Eigen::Vector3d& point) {
+        const auto cell = cellOf(point.x(), point.y());
+        if (cell >= 0) heights[next[static_cast<std::size_t>(cell)]++] = static_cast<float>(point.z());
+    });
 
     const auto layer = static_cast<float>(settings.layer), apart = static_cast<float>(settings.apart);
     m_first.push_back(0);

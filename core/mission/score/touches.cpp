@@ -23,6 +23,11 @@ struct Side {
         ahead = says("front") ? 1 : says("rear") || says("back") ? -1 : 0;
         left = says("left") ? 1 : says("right") ? -1 : 0;
     }
+    /// Whether @p place is on that side, as far as ahead and behind go where the bumper names both: a body
+    /// that lies across is on either hand.
+    [[nodiscard]] bool mayMeet(const Eigen::Vector2d& place) const {
+        return ahead == 0 ? has(place, Beyond) : ahead * place.x() >= Beyond;
+    }
     /// Whether @p place is on that side; @p least: how far from the middle, as a share of the footprint's
     /// halves, in which @p place is, too.
     [[nodiscard]] bool has(const Eigen::Vector2d& place, double least) const {
@@ -51,7 +56,7 @@ bool touches(const Pose& baseInMap, const std::vector<Eigen::Vector2d>& footprin
     const Eigen::Vector2d middle = (low + high) / 2, half = ((high - low) / 2).cwiseMax(1e-3);
     if (((victim - middle).cwiseAbs() - half).maxCoeff() > HalfLying) return false;
     const Side side(bumper);
-    if (!side.has((victim - middle).cwiseQuotient(half), Beyond)) return false;
+    if (!side.mayMeet((victim - middle).cwiseQuotient(half))) return false;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < footprint.size(); ++i) {
         const Eigen::Vector2d &from = footprint[i], &to = footprint[(i + 1) % footprint.size()];

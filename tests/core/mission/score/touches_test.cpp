@@ -33,6 +33,8 @@ TEST(Touches, AVictimWithinHalfALyingBodyOfTheBumpersSide) {
         {"right", 0.0, -0.60, true},         //
         {"front_left", 0.45, 0.45, true},    // 36 cm from that corner
         {"front_left", 0.45, -0.45, false},  // at the other corner
+        {"front_left", 0.60, -0.02, true},   // it lies across the way
+        {"front_right", 0.60, 0.02, true},   //
         {"bumper 1", -0.60, 0.0, true},      // nobody knows which side: all about
         {"bumper 1", -0.74, 0.0, false},     //
         {"front", 0.1, 0.0, true},           // under it
