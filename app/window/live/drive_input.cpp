@@ -77,6 +77,7 @@ void DriveInput::setRobot(const RobotDescription& robot) {
 void DriveInput::take(bool keys, bool pad) {
     m_keys.releaseAll();
     m_down.clear();
+    m_gear = m_geared = false;
     if (keys == m_focus && pad == m_pad) return;
     const bool padEnds = m_pad && !pad;
     m_focus = keys;
@@ -141,6 +142,9 @@ bool DriveInput::take(const QKeyEvent& event, bool held) {
     }
     if (event.isAutoRepeat() || m_pad) return true;
     m_keys.set(m_bindings.at(key), held);
+    const bool gear = m_bindings.at(key) == DriveKey::Slow || m_bindings.at(key) == DriveKey::Fast;
+    if (gear) m_gear = held;
+    m_geared = (m_geared || m_keys.any()) && m_gear;
     emit sticks(m_keys.sticks(m_limits));
     return true;
 }
@@ -151,7 +155,12 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {
             const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget == nullptr || isWrittenInto(*widget)) return false;
+            if (widget == nullptr) return false;
+            if (isWrittenInto(*widget)) {
+                // What was held before and is let go there is let go; the field has it, too.
+                if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
+                return false;
+            }
             if (widget->window() != &m_window) {
                 // A menu that was opened meanwhile has the keyboard: what is let go there is let go.
                 if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
@@ -165,7 +174,8 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget != nullptr && isWrittenInto(*widget)) return false;
             const auto& key = static_cast<const QKeyEvent&>(*event);
-            const bool geared = m_keys.any() && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
+            const bool geared =
+                (m_keys.any() || m_geared) && (key.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
             if (key.key() == Qt::Key_Escape || (!isTaken(key.key()) && !geared)) return false;
             event->accept();
             return true;
@@ -173,8 +183,9 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::FocusIn: {
             // Who writes into a field does not drive: its letters are words, and the gamepad drives on.
             const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget != nullptr && widget->window() == &m_window && isWrittenInto(*widget))
-                take(false, m_pad);
+            if (widget == nullptr || widget->window() != &m_window || !isWrittenInto(*widget)) return false;
+            m_withoutEyes = false;  // its key is a letter now
+            take(false, m_pad);
             return false;
         }
         case QEvent::WindowDeactivate:

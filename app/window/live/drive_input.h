@@ -69,6 +69,8 @@ private:
     DriveKeys m_keys;
     QTimer m_rhythm;
     bool m_focus = false, m_pad = false, m_withoutEyes = false, m_padWithoutEyes = false;
+    bool m_gear = false;    ///< Shift or Ctrl is held
+    bool m_geared = false;  ///< likewise, and the robot was moved by it
 };
 
 }  // namespace leitstand

@@ -1,5 +1,6 @@
 #include "app/window/live/worked_in.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QDockWidget>
 
@@ -17,7 +18,10 @@ bool isWorkedIn(const QWidget& window) {
 }
 
 bool isWrittenInto(const QWidget& widget) {
-    return widget.testAttribute(Qt::WA_InputMethodEnabled);
+    // Lists have the attribute until they get the keyboard for the first time; what edits a cell is a field
+    // itself.
+    return widget.testAttribute(Qt::WA_InputMethodEnabled) &&
+           qobject_cast<const QAbstractItemView*>(&widget) == nullptr;
 }
 
 }  // namespace leitstand

@@ -4,9 +4,11 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QListView>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSignalSpy>
+#include <QStringListModel>
 #include <QTest>
 #include <QWidget>
 
@@ -143,6 +145,8 @@ TEST_F(DriveInputTest, ShortcutsWithShiftAndCtrlWorkUntilAKeyMovesTheRobot) {
     EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, {}));
     EXPECT_TRUE(isShortcut(m_window, Qt::Key_Escape, Qt::ControlModifier)) << "stops, whatever is held";
     let(Qt::Key_W);
+    EXPECT_FALSE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier)) << "between two taps of W";
+    let(Qt::Key_Control);
     EXPECT_TRUE(isShortcut(m_window, Qt::Key_Z, Qt::ControlModifier));
 }
 
@@ -304,6 +308,7 @@ TEST_F(WritingTest, WhoWritesIntoAFieldDoesNotDrive) {
 TEST_F(WritingTest, TheDriveFocusTakesTheKeyboardFromAField) {
     m_field.show();
     m_field.setFocus();
+    ASSERT_TRUE(m_field.hasFocus());
     m_input.setFocus(true);
     EXPECT_TRUE(m_input.keysHaveFocus());
     EXPECT_FALSE(m_field.hasFocus());
@@ -319,6 +324,28 @@ TEST_F(WritingTest, TheGamepadDrivesOnWhileSomethingIsWritten) {
     EXPECT_EQ(halted.count(), 0);
     EXPECT_FALSE(m_input.withoutEyes());
     EXPECT_DOUBLE_EQ(m_sticks.forward, 0.2);
+}
+
+TEST_F(WritingTest, WhatWasHeldBeforeAFieldIsWrittenIntoEndsThere) {
+    m_field.show();
+    m_input.setPad({0.2, 0.0, 0.0}, true);
+    hold(Qt::Key_G);
+    ASSERT_TRUE(m_input.withoutEyes());
+    m_field.setFocus();
+    EXPECT_FALSE(m_input.withoutEyes()) << "nobody would tell when it is let go of";
+    QTest::keyRelease(&m_field, Qt::Key_G);
+    EXPECT_FALSE(m_input.withoutEyes());
+}
+
+TEST_F(WritingTest, AListIsNoField) {
+    QStringListModel lines({"an alarm", "another one"});
+    QListView list(&m_window);
+    list.setModel(&lines);
+    list.show();
+    m_input.setFocus(true);
+    list.setFocus();
+    ASSERT_TRUE(list.hasFocus());
+    EXPECT_TRUE(m_input.keysHaveFocus());
 }
 
 /// A window with a pane that floats beside it.
