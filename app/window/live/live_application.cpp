@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -80,6 +81,15 @@ fs::path interrupted(const fs::path& before, const StationSettings& settings) {
     return before.empty() || before == settings.mission.folder || ago > Recent ? fs::path() : before;
 }
 
+/// What to say of a mission that may be meant; empty: nothing.
+QString hintAt(const fs::path& earlier) {
+    if (earlier.empty()) return {};
+    return QCoreApplication::translate("leitstand::Application",
+                                       "%1 was recorded until a moment ago: Mission ▸ Go on with the "
+                                       "mission before (or leitstand --resume)")
+        .arg(QString::fromStdString(earlier.filename().string()));
+}
+
 /// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
 bool waitUntilShown(const LiveWindow& window) {
     QEventLoop loop;
@@ -102,7 +112,7 @@ void goOn(Station& station, std::chrono::seconds time, bool explore) {
         for (const RobotDescription& robot : station.robots()) {
             const auto said = mission->robots.find(robot.name);
             if (said == mission->robots.end() || !said->second->mode) continue;
-            if (said->second->mode->sample.mode == Explores) continue;
+            if (said->second->mode->sample.autonomous) continue;
             station.ask(robot.name);
             if (station.robot(robot.name).grant.mine) (void)station.setMode(robot.name, Explores);
         }
@@ -166,11 +176,13 @@ struct Ended {
     std::string robot = {};  ///< file of a robot that is wanted too; empty: none is
     QString language = {};   ///< in which the window is wanted; empty: it is over
     bool earlier = false;    ///< the mission before is to be gone on with
+    QString problem = {};    ///< why there is no station; empty: there was one
 };
 
 /// Shows a window on @p bridge until it is closed, or something else is wanted. @p earlier: the mission that
-/// may be meant; empty: none.
-Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const fs::path& earlier) {
+/// may be meant; empty: none. @p hint: told at once.
+Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const fs::path& earlier,
+                 const QString& hint) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
@@ -187,14 +199,8 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     }
     if (picture) return {takePicture(window, bridge.station(), options)};
     Ended ended;
-    if (!earlier.empty()) {
-        window.mission().offerEarlier();
-        window.tell(
-            QCoreApplication::translate("leitstand::Application",
-                                        "%1 was recorded until a moment ago: Mission ▸ Go on with the "
-                                        "mission before (or leitstand --resume)")
-                .arg(QString::fromStdString(earlier.filename().string())));
-    }
+    if (!earlier.empty()) window.mission().offerEarlier(QString::fromStdString(earlier.filename().string()));
+    if (!hint.isEmpty()) window.tell(hint);
     QObject::connect(&window.mission(), &MissionFeature::earlierWanted, &window, [&] {
         ended.earlier = true;
         window.close();
@@ -222,25 +228,28 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
 
 /// Shows windows on the station of @p settings until one is closed, or another robot is wanted.
 Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo,
-                  const fs::path& earlier) {
+                  const fs::path& earlier, QString hint) {
     auto bridge = LiveBridge::open(settings);
-    if (!bridge) return complain(bridge.error().text), Ended{1};
+    if (!bridge) {
+        complain(bridge.error().text);
+        return {.status = 1, .problem = QString::fromStdString(bridge.error().text)};
+    }
     // In another language the window is made anew; robots, mission and driver's grants stay.
     while (true) {
-        Ended ended = showWindow(**bridge, options, demo, earlier);
+        Ended ended = showWindow(**bridge, options, demo, earlier, std::exchange(hint, {}));
         if (ended.language.isEmpty()) return ended;
         useLanguage(ended.language);
     }
 }
 
 /// A judges' folder that was kept up to date has what came since it was written last, too.
-void handInLast(const LiveMissionSettings& mission) {
-    const fs::path out = reportFolderOf(mission.folder);
+void handInLast(const fs::path& mission, const std::string& version) {
+    const fs::path out = reportFolderOf(mission);
     if (out.empty()) return;
     ReportOptions options;
     options.pdf = &pdfOf;
-    options.version = mission.version;
-    const auto done = writeReport(mission.folder, out, options);
+    options.version = version;
+    const auto done = writeReport(mission, out, options);
     for (const std::string& text : ReportTelling().of(done, out)) complain(text);
 }
 
@@ -279,6 +288,10 @@ int runLive(const Options& options) {
         std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
         std::fflush(stdout);
     }
+    std::set<fs::path> recorded;
+    fs::path earlier = interrupted(before, settings);
+    QString hint = hintAt(earlier);
+    bool switched = false;  // from another mission, which is the earlier one now
     // With each robot that the operator adds the station begins anew, and goes on with its mission.
     while (true) {
         auto robots = chooseRobots(files);
@@ -286,20 +299,25 @@ int runLive(const Options& options) {
         settings.mission.robots = std::move(robots).value();
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
-        const fs::path earlier = interrupted(before, settings);
-        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, earlier);
-        if (ended.earlier) {
-            handInLast(settings.mission);
-            settings.mission.folder = earlier;
-            std::printf("leitstand: the mission is recorded into %s\n", earlier.c_str());
+        const Ended ended =
+            showStation(settings, options, demo ? &*demo : nullptr, earlier, std::exchange(hint, {}));
+        const bool opened = ended.problem.isEmpty();
+        if (opened) recorded.insert(settings.mission.folder);
+        if (ended.earlier || (switched && !opened)) {
+            std::swap(settings.mission.folder, earlier);
+            // One that cannot be gone on with leaves the station where it was.
+            if (!opened) earlier.clear();
+            hint = ended.problem;
+            switched = ended.earlier;
+            std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
             std::fflush(stdout);
-            continue;
+        } else if (!ended.robot.empty()) {
+            files.push_back(ended.robot);
+        } else {
+            if (ended.status != 0) return ended.status;  // the mission may be another station's
+            for (const fs::path& mission : recorded) handInLast(mission, settings.mission.version);
+            return 0;
         }
-        if (ended.robot.empty()) {
-            if (ended.status == 0) handInLast(settings.mission);  // else it may be another station's
-            return ended.status;
-        }
-        files.push_back(ended.robot);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -10,6 +11,8 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTimer>
 
 #include <gmock/gmock.h>
@@ -73,6 +76,17 @@ protected:
                 "--domain",
                 std::to_string(m_domain.number())};
     }
+    /// What onKurt() says, for a station in this process, which keeps everything in this test's folder.
+    [[nodiscard]] Options here() const {
+        for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+            EXPECT_TRUE(qputenv(place, QByteArray::fromStdString(m_home.path().string())));
+        Options options;
+        options.live = true;
+        options.robots = {"kurt3d"};
+        options.interfaces = {"lo"};
+        options.domain = m_domain.number();
+        return options;
+    }
 
     TestDomain m_domain;
     TemporaryFolder m_home;
@@ -108,13 +122,7 @@ TEST_F(ResumeTest, WithoutAMissionItIsTold) {
 }
 
 TEST_F(ResumeTest, TheWindowOffersToGoOnWithTheMissionBefore) {
-    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
-        ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(m_home.path().string())));
-    Options options;
-    options.live = true;
-    options.robots = {"kurt3d"};
-    options.interfaces = {"lo"};
-    options.domain = m_domain.number();
+    Options options = here();
     const auto sessions = [](const fs::path& mission) {
         int count = 0;
         for (const auto& file : fs::directory_iterator(mission)) count += file.path().extension() == ".db3";
@@ -126,43 +134,56 @@ TEST_F(ResumeTest, TheWindowOffersToGoOnWithTheMissionBefore) {
         std::sort(all.begin(), all.end());
         return all;
     };
-    std::vector<bool> offered;
-    QTimer glance;
-    QObject::connect(&glance, &QTimer::timeout, [&] {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            auto* const window = qobject_cast<LiveWindow*>(widget);
-            if (window == nullptr || !window->isVisible()) continue;
-            const QAction* const earlier = window->commands().find(QStringLiteral("mission.earlier"));
-            offered.push_back(earlier->isEnabled());
-            if (earlier->isEnabled()) {
-                EXPECT_THAT(window->recent().join(u' ').toStdString(),
-                            HasSubstr("recorded until a moment ago"));
-                window->commands().trigger(QStringLiteral("mission.earlier"));
-            } else {
-                window->close();
+    const auto looksAtWindows = [](const std::function<void(LiveWindow&)>& look) {
+        auto glance = std::make_unique<QTimer>();
+        QObject::connect(glance.get(), &QTimer::timeout, [look] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                auto* const window = qobject_cast<LiveWindow*>(widget);
+                if (window != nullptr && window->isVisible()) look(*window);
             }
-        }
-    });
-    glance.start(300);
-    EXPECT_EQ(runLive(options), 0);
+        });
+        glance->start(300);
+        return glance;
+    };
+    int windows = 0;
+    {
+        const auto closes = looksAtWindows([&](LiveWindow& window) {
+            EXPECT_FALSE(window.commands().find(QStringLiteral("mission.earlier"))->isEnabled());
+            ++windows;
+            window.close();
+        });
+        EXPECT_EQ(runLive(options), 0);
+    }
+    EXPECT_EQ(windows, 1);
     ASSERT_EQ(missions().size(), 1U);
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // missions are named by the second
-    EXPECT_EQ(runLive(options), 0);
-    EXPECT_THAT(offered, testing::ElementsAre(false, true, false))
-        << "the first has none before it; what is gone on with is not offered again";
+    bool asked = false;
+    {
+        const auto goesOn = looksAtWindows([&](LiveWindow& window) {
+            if (auto* const question = window.findChild<QMessageBox*>("goOnWithEarlier")) {
+                EXPECT_FALSE(question->isModal());
+                asked = true;
+                return question->findChild<QPushButton*>("goOn")->click();
+            }
+            EXPECT_TRUE(window.commands().find(QStringLiteral("mission.earlier"))->isEnabled())
+                << "the one that was left is offered, too";
+            if (asked) {
+                window.close();
+                return;
+            }
+            EXPECT_THAT(window.recent().join(u' ').toStdString(), HasSubstr("recorded until a moment ago"));
+            window.commands().trigger(QStringLiteral("mission.earlier"));
+        });
+        EXPECT_EQ(runLive(options), 0);
+    }
+    EXPECT_TRUE(asked);
     ASSERT_EQ(missions().size(), 2U) << "the one that was begun meanwhile is kept";
     EXPECT_EQ(sessions(missions().front()), 2);
     EXPECT_EQ(sessions(missions().back()), 1);
 }
 
 TEST_F(ResumeTest, AKeptReportIsWrittenOnceMoreWhenTheStationIsClosed) {
-    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
-        ASSERT_TRUE(qputenv(place, QByteArray::fromStdString(m_home.path().string())));
-    Options options;
-    options.live = true;
-    options.robots = {"kurt3d"};
-    options.interfaces = {"lo"};
-    options.domain = m_domain.number();
+    Options options = here();
     options.mission = (m_home / "mission").string();
     const fs::path out = m_home / "hand-in";
     QTimer glance;

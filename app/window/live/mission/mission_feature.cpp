@@ -7,7 +7,10 @@
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QTimer>
 
 #include "app/session/score/score_board.h"
 #include "app/session/station/station.h"
@@ -25,6 +28,7 @@ namespace {
 constexpr int TicksALog = 15;          ///< the log is asked twice a second
 constexpr double Megabyte = 1e6;       ///< [B]
 constexpr int LongestMission = 1'440;  ///< [min]
+constexpr std::chrono::minutes Offered(30);
 
 }  // namespace
 
@@ -79,11 +83,29 @@ void MissionFeature::addCommands() {
                        .hint = tr("Ends this mission, and goes on with the one that was recorded until "
                                   "shortly before it: map, finds, clock")});
     m_earlier->setEnabled(false);
-    connect(m_earlier, &QAction::triggered, this, &MissionFeature::earlierWanted);
+    connect(m_earlier, &QAction::triggered, this, &MissionFeature::askForEarlier);
 }
 
-void MissionFeature::offerEarlier() {
+void MissionFeature::offerEarlier(const QString& name) {
+    m_earlierName = name;
     m_earlier->setEnabled(true);
+    QTimer::singleShot(Offered, this, [this] { m_earlier->setEnabled(false); });
+}
+
+void MissionFeature::askForEarlier() {
+    auto* question = new QMessageBox(&m_context.window);  // not modal: robots may be driving
+    question->setObjectName(QStringLiteral("goOnWithEarlier"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setModal(false);
+    question->setIcon(QMessageBox::Question);
+    question->setWindowTitle(tr("The mission before"));
+    question->setText(tr("End this mission and go on with %1?").arg(m_earlierName));
+    question->setInformativeText(tr("Robots stop for some seconds. This mission is kept."));
+    question->addButton(tr("Stay"), QMessageBox::RejectRole);
+    QPushButton* const goOn = question->addButton(tr("Go on with it"), QMessageBox::AcceptRole);
+    goOn->setObjectName(QStringLiteral("goOn"));
+    connect(goOn, &QPushButton::clicked, this, &MissionFeature::earlierWanted);
+    question->show();
 }
 
 void MissionFeature::askForLength() {

@@ -24,8 +24,9 @@ public:
     /// Clock and recording, for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
 
-    /// A mission that was recorded until a moment ago may be gone on with, instead of this one.
-    void offerEarlier();
+    /// The mission @p name, which was recorded until a moment ago, may be gone on with instead of this one;
+    /// who asks for that is asked again. Withdrawn after a while.
+    void offerEarlier(const QString& name);
 
 signals:
     void told(const QString& text);
@@ -34,10 +35,12 @@ signals:
 private:
     void addCommands();
     void askForLength();
+    void askForEarlier();
     void show(const LiveMoment& moment);
 
     LiveContext m_context;
     const QString m_folder;
+    QString m_earlierName;
     QWidget* m_bar;
     RecordLight* m_light;
     ClockFace* m_face;
