@@ -4068,6 +4068,26 @@ F1 listet alle Tasten</translation>
         <source>Ends this mission, and goes on with the one that was recorded until shortly before it: map, finds, clock</source>
         <translation>Beendet diese Mission und setzt die fort, die bis kurz davor aufgezeichnet wurde: Karte, Funde, Uhr</translation>
     </message>
+    <message>
+        <source>The mission before</source>
+        <translation>Vorherige Mission</translation>
+    </message>
+    <message>
+        <source>End this mission and go on with %1?</source>
+        <translation>Diese Mission beenden und %1 fortsetzen?</translation>
+    </message>
+    <message>
+        <source>Robots stop for some seconds. This mission is kept.</source>
+        <translation>Die Roboter halten für einige Sekunden an. Diese Mission bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Hier bleiben</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>Fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissionForm</name>
@@ -5076,12 +5096,12 @@ F1 listet alle Tasten</translation>
         <translation>der Grund ist nicht bekannt</translation>
     </message>
     <message>
-        <source>sound: alarms have their tones</source>
-        <translation>Ton: Alarme sind zu hören</translation>
-    </message>
-    <message>
         <source>Plug in a loudspeaker, then try the tones</source>
         <translation>Lautsprecher anschließen, dann die Töne ausprobieren</translation>
+    </message>
+    <message>
+        <source>sound: there is a device; try the tones</source>
+        <translation>Ton: ein Gerät ist da; bitte Töne probieren</translation>
     </message>
 </context>
 <context>
@@ -7591,6 +7611,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>tag %1</source>
         <translation>Schild %1</translation>
+    </message>
+    <message>
+        <source> · 1 other</source>
+        <translation> · 1 weiterer</translation>
+    </message>
+    <message>
+        <source> · 1 candidate</source>
+        <translation> · 1 Kandidat</translation>
     </message>
 </context>
 <context>

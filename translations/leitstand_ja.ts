@@ -4068,6 +4068,26 @@ F1 でキー一覧</translation>
         <source>Ends this mission, and goes on with the one that was recorded until shortly before it: map, finds, clock</source>
         <translation>このミッションを終え、直前まで記録されていたミッションの地図・発見・時計を引き継ぐ</translation>
     </message>
+    <message>
+        <source>The mission before</source>
+        <translation>前のミッション</translation>
+    </message>
+    <message>
+        <source>End this mission and go on with %1?</source>
+        <translation>このミッションを終えて %1 を続けますか?</translation>
+    </message>
+    <message>
+        <source>Robots stop for some seconds. This mission is kept.</source>
+        <translation>ロボットは数秒間停止します。このミッションは残ります。</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>このまま</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>続ける</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissionForm</name>
@@ -5076,12 +5096,12 @@ F1 でキー一覧</translation>
         <translation>理由は分かりません</translation>
     </message>
     <message>
-        <source>sound: alarms have their tones</source>
-        <translation>音: 警報音が鳴る</translation>
-    </message>
-    <message>
         <source>Plug in a loudspeaker, then try the tones</source>
         <translation>スピーカーを接続し、音を試す</translation>
+    </message>
+    <message>
+        <source>sound: there is a device; try the tones</source>
+        <translation>音声: 装置あり。音を試してください</translation>
     </message>
 </context>
 <context>
@@ -7591,6 +7611,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>tag %1</source>
         <translation>タグ %1</translation>
+    </message>
+    <message>
+        <source> · 1 other</source>
+        <translation> · その他 1</translation>
+    </message>
+    <message>
+        <source> · 1 candidate</source>
+        <translation> · 候補 1</translation>
     </message>
 </context>
 <context>

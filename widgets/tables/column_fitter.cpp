@@ -51,8 +51,13 @@ void ColumnFitter::fit() {
         m_table.setColumnHidden(column, true);
         needed -= widths[static_cast<std::size_t>(column)];
     }
-    const int wanted = widths[static_cast<std::size_t>(m_stretched)];
-    m_table.setColumnWidth(m_stretched, wanted + std::max(0, available - needed));
+    // Where the one that takes what is left gave way itself, the last one does.
+    int stretched = m_stretched;
+    for (int column = 0; m_table.isColumnHidden(m_stretched) && column < header->count(); ++column) {
+        if (!m_table.isColumnHidden(column)) stretched = column;
+    }
+    m_table.setColumnWidth(stretched,
+                           widths[static_cast<std::size_t>(stretched)] + std::max(0, available - needed));
 }
 
 }  // namespace leitstand

@@ -92,7 +92,6 @@ void RobotSight::take(const Event& event, SteadyTime now) {
         m_motion.add(turning, m_poses.inBase(event.sensor, imu->header.frame));
     } else if (std::holds_alternative<CloudSample>(event.sample) ||
                std::holds_alternative<RangesSample>(event.sample)) {
-        m_scanned = now;
         m_held.push_back({event, now});
     } else if (const auto* joints = std::get_if<JointSample>(&event.sample);
                joints != nullptr && event.role == StreamRole::Joints) {
@@ -140,6 +139,7 @@ void RobotSight::placeHeld(SteadyTime now) {
 }
 
 void RobotSight::place(const Held& held) {
+    m_scanned = held.came;
     const Event& event = held.event;
     const auto base = [this](Time at) -> std::optional<Pose> {
         if (m_begun && at < *m_begun) return std::nullopt;

@@ -167,7 +167,7 @@ QString stationText(const PreflightCheck& check, const QString& detail) {
         case Kind::GamepadNone:
             return Words::tr("no gamepad: keys drive");
         case Kind::Sound:
-            return Words::tr("sound: alarms have their tones");
+            return Words::tr("sound: there is a device; try the tones");
         default:
             return {};
     }

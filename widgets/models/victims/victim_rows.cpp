@@ -212,8 +212,9 @@ QString victimsTitle(const std::vector<VictimRow>& rows) {
     }
     QString title = victims == 1 ? Say::tr("1 victim") : Say::tr("%1 victims").arg(victims);
     if (open > 0) title += Say::tr(", %1 not confirmed").arg(open);
-    if (others > 0) title += Say::tr(" · %1 others").arg(others);
-    if (candidates > 0) title += Say::tr(" · %1 candidates").arg(candidates);
+    if (others > 0) title += others == 1 ? Say::tr(" · 1 other") : Say::tr(" · %1 others").arg(others);
+    if (candidates > 0)
+        title += candidates == 1 ? Say::tr(" · 1 candidate") : Say::tr(" · %1 candidates").arg(candidates);
     if (discarded > 0) title += Say::tr(" · %1 discarded").arg(discarded);
     return title;
 }

@@ -41,6 +41,9 @@ AlarmsFeature::AlarmsFeature(const LiveContext& context)
     };
     connect(&m_player, &TonePlayer::troubleChanged, this, tellTrouble);
     tellTrouble();
+    m_second.setSingleShot(true);
+    m_second.setInterval(BetweenTones);
+    connect(&m_second, &QTimer::timeout, this, [this] { m_player.play(AlarmTone::Act); });
     connect(&context.bridge, &LiveBridge::ticked, this, &AlarmsFeature::show);
 }
 
@@ -70,7 +73,7 @@ void AlarmsFeature::toggleMute() {
 
 void AlarmsFeature::tryTones() {
     m_player.play(AlarmTone::Attention);
-    QTimer::singleShot(BetweenTones, this, [this] { m_player.play(AlarmTone::Act); });
+    m_second.start();
 }
 
 void AlarmsFeature::show(const LiveMoment& moment) {
@@ -85,6 +88,7 @@ void AlarmsFeature::show(const LiveMoment& moment) {
         std::any_of(lines.begin(), lines.end(), [](const AlarmLine& line) { return !line.acknowledged; }));
     m_panel->show(lines, muteText(view.mutedUntil, moment.now), muteBrief(view.mutedUntil, moment.now));
     if (const auto tone = m_voice.due(view.loud, view.attentions, view.mutedUntil, moment.now)) {
+        m_second.stop();
         m_player.play(*tone);
         emit sounded(*tone);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include "app/window/live/alarms/tone_player.h"
 #include "app/window/live/live_context.h"
@@ -36,6 +37,7 @@ private:
     AlarmPanel* m_panel;
     QAction* m_acknowledge = nullptr;  ///< only while one waits for it
     TonePlayer m_player;
+    QTimer m_second;  ///< of the tones that are tried; a real one goes before
     AlarmVoice m_voice;
     int m_sinceShown = 0;  ///< ticks
 };
