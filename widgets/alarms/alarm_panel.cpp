@@ -106,6 +106,7 @@ void AlarmPanel::fitHead() {
     // It is looked at three times a second: texts that fit are let alone.
     const QString wanted = QStringList{title, mute, QString::number(width())}.join(QLatin1Char('\n'));
     if (std::exchange(m_fitted, wanted) == wanted) return;
+    m_title->setAccessibleName(title);
     const std::tuple<QString, QString, QString> ways[] = {{title, mute, acknowledge},
                                                           {title, mute, key},
                                                           {title, brief, key},

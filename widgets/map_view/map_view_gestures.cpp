@@ -3,6 +3,7 @@
 
 #include <QHelpEvent>
 #include <QMouseEvent>
+#include <QRegularExpression>
 #include <QStringList>
 #include <QToolTip>
 
@@ -58,7 +59,10 @@ void MapView::State::describe() {
     QStringList lines = {hint, detailsOf(robots)};
     lines.removeAll(QString());
     const QString text = lines.join(QLatin1Char('\n'));
-    if (text != view.accessibleDescription()) view.setAccessibleDescription(text);
+    // Shares of certainty change all the time: who listens is told when the words do.
+    static const QRegularExpression figures(QStringLiteral("\\d[\\d.,]*"));
+    const auto words = [](QString told) { return told.remove(figures); };
+    if (words(text) != words(view.accessibleDescription())) view.setAccessibleDescription(text);
 }
 
 const RobotMark* MapView::State::robotAt(const QPointF& position) const {

@@ -33,8 +33,8 @@ public:
     /// The way from the nearest start of a robot to @p place: along the trails to the nearest point from
     /// which
     /// @p map, at the height that stops robots, shows nothing in between but what @p place itself is, and
-    /// whose floor is on the storey of the floor below it; then straight. Where there is none, to the trail's
-    /// nearest point. Empty when the nearest trail is farther than @p reach [m].
+    /// whose floor is on the storey of the floor below it; then straight. Where there is none, to the
+    /// trail's nearest point. Empty when the nearest trail is farther than @p reach [m].
     [[nodiscard]] Way to(const Eigen::Vector3d& place, const OccupancyGrid& map = {},
                          const FloorHeights& floor = {}, double reach = 5.0) const;
 
