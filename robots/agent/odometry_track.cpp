@@ -9,7 +9,6 @@ namespace {
 
 constexpr auto Kept = std::chrono::seconds(6);
 constexpr auto Bridged = std::chrono::milliseconds(300);
-constexpr auto SpeedOver = std::chrono::milliseconds(80);  // time from which the present speed is told
 
 }  // namespace
 
@@ -24,7 +23,7 @@ std::optional<Pose> OdometryTrack::at(Time at) const {
         std::find_if(m_places.begin(), m_places.end(), [at](const auto& place) { return place.first >= at; });
     if (after == m_places.end()) {
         if (m_places.empty() || at > m_places.back().first + Bridged) return std::nullopt;
-        return beyond(at);
+        return m_places.back().second;
     }
     if (after == m_places.begin()) {
         if (after->first > at + Bridged) return std::nullopt;
@@ -33,15 +32,6 @@ std::optional<Pose> OdometryTrack::at(Time at) const {
     const auto before = std::prev(after);
     const double share = std::chrono::duration<double>(at - before->first) / (after->first - before->first);
     return interpolated(before->second, after->second, share);
-}
-
-Pose OdometryTrack::beyond(Time at) const {
-    const auto& [newest, there] = m_places.back();
-    const auto before = std::find_if(m_places.rbegin(), m_places.rend(),
-                                     [&](const auto& place) { return place.first <= newest - SpeedOver; });
-    if (before == m_places.rend() || newest - before->first > Bridged) return there;
-    const double share = std::chrono::duration<double>(at - before->first) / (newest - before->first);
-    return interpolated(before->second, there, share);
 }
 
 std::optional<Pose> OdometryTrack::newest() const {

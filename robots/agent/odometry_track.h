@@ -14,14 +14,11 @@ namespace leitstand {
 class OdometryTrack {
 public:
     void add(Time at, const Pose& baseInOdom);
-    /// Beyond the newest as it moved last. Empty before the first and when nothing came for 0.3 s up to @p
-    /// at.
+    /// Empty before the first and when nothing came for 0.3 s up to @p at.
     [[nodiscard]] std::optional<Pose> at(Time at) const;
     [[nodiscard]] std::optional<Pose> newest() const;
 
 private:
-    [[nodiscard]] Pose beyond(Time at) const;
-
     std::deque<std::pair<Time, Pose>> m_places;
 };
 
