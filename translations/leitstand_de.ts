@@ -403,8 +403,8 @@
         <translation>%1 (nicht bestätigt)</translation>
     </message>
     <message>
-        <source>%1 of the finds, less %2 for %3 contacts with the arena and %4 with victims, divided by %5 (%6 operators): &lt;b&gt;%7&lt;/b&gt;</source>
-        <translation>%1 aus den Funden, abzüglich %2 für %3 Berührungen der Arena und %4 von Opfern, geteilt durch %5 (%6 Operatoren): &lt;b&gt;%7&lt;/b&gt;</translation>
+        <source>%1 of the finds, less %2 for contacts (%3 with the arena, %4 with victims), divided by %5 (operators: %6): &lt;b&gt;%7&lt;/b&gt;</source>
+        <translation>%1 aus den Funden, abzüglich %2 für Berührungen (%3 der Arena, %4 von Opfern), geteilt durch %5 (Operatoren: %6): &lt;b&gt;%7&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Values of the profile for which no readable source was found: %1.</source>

@@ -403,7 +403,7 @@
         <translation>%1（未確定）</translation>
     </message>
     <message>
-        <source>%1 of the finds, less %2 for %3 contacts with the arena and %4 with victims, divided by %5 (%6 operators): &lt;b&gt;%7&lt;/b&gt;</source>
+        <source>%1 of the finds, less %2 for contacts (%3 with the arena, %4 with victims), divided by %5 (operators: %6): &lt;b&gt;%7&lt;/b&gt;</source>
         <translation>発見 %1 点から、アリーナとの接触 %3 回と被災者との接触 %4 回の減点 %2 を引き、%5 で割る（オペレータ %6 名）: &lt;b&gt;%7&lt;/b&gt;</translation>
     </message>
     <message>

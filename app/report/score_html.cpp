@@ -106,15 +106,16 @@ QString scoreHtml(const ReportContent& content) {
                     "td");
     }
     html += QStringLiteral("</table>");
-    html += QStringLiteral("<p>%1</p>")
-                .arg(ScoreText::tr("%1 of the finds, less %2 for %3 contacts with the arena and %4 with "
-                                   "victims, divided by %5 (%6 operators): <b>%7</b>")
-                         .arg(number(result.sum), number(result.penalty))
-                         .arg(result.areaBumps)
-                         .arg(result.victimBumps)
-                         .arg(number(result.divisor))
-                         .arg(result.operators)
-                         .arg(number(result.score)));
+    html +=
+        QStringLiteral("<p>%1</p>")
+            .arg(ScoreText::tr("%1 of the finds, less %2 for contacts (%3 with the arena, %4 with victims), "
+                               "divided by %5 (operators: %6): <b>%7</b>")
+                     .arg(number(result.sum), number(result.penalty))
+                     .arg(result.areaBumps)
+                     .arg(result.victimBumps)
+                     .arg(number(result.divisor))
+                     .arg(result.operators)
+                     .arg(number(result.score)));
     for (const std::string& area : result.unweighed) {
         html += QStringLiteral("<p>%1</p>")
                     .arg(ScoreText::tr(

@@ -13,7 +13,7 @@
 namespace leitstand {
 
 /// CheckpointSample::version of the bytes that this program writes and reads.
-inline constexpr std::uint32_t CheckpointVersion = 5;
+inline constexpr std::uint32_t CheckpointVersion = 6;
 
 /// @p state as bytes; equal states make equal bytes.
 [[nodiscard]] std::vector<std::byte> serialised(const MissionState& state);

@@ -123,9 +123,13 @@ void describe(A& a, Contact& v) {
     a(v.sequence, v.received, v.bumper, v.hits, v.baseInOdom);
 }
 template <class A>
+void describe(A& a, BatteryLoad& v) {
+    a(v.current, v.seconds);
+}
+template <class A>
 void describe(A& a, RobotState& v) {
-    a(v.odometry, v.imu, v.mode, v.battery, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics, v.stop,
-      v.stopCommand, v.clockOffset, v.place, v.streams);
+    a(v.odometry, v.imu, v.mode, v.battery, v.load, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics,
+      v.stop, v.stopCommand, v.clockOffset, v.place, v.streams);
 }
 template <class A>
 void describe(A& a, VictimSign& v) {
@@ -151,8 +155,12 @@ void describe(A& a, CandidateSample& v) {
       v.victim, v.dismissed, v.cues);
 }
 template <class A>
+void describe(A& a, FirstTold& v) {
+    a(v.stamp, v.robot, v.autonomous);
+}
+template <class A>
 void describe(A& a, CandidateState& v) {
-    a(v.sequence, v.first, v.candidate);
+    a(v.sequence, v.first, v.told, v.candidate);
 }
 template <class A>
 void describe(A& a, MissionInfoSample& v) {

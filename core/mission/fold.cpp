@@ -1,6 +1,7 @@
 #include "core/mission/fold.h"
 
 #include <algorithm>
+#include <chrono>
 #include <concepts>
 #include <utility>
 
@@ -95,6 +96,33 @@ private:
         }
     }
 
+    /// Who tells of @p sample, as that robot drives now.
+    FirstTold toldNow(const CandidateSample& sample) const {
+        FirstTold told{.stamp = sample.stamp, .robot = {}, .autonomous = {}};
+        if (sample.cues.empty()) return told;
+        told.robot = sample.cues.front().robot;
+        const auto robot = m_state.robots.find(told.robot);
+        if (robot != m_state.robots.end() && robot->second->mode)
+            told.autonomous = robot->second->mode->sample.autonomous;
+        return told;
+    }
+
+    /// Takes @p sample into the mean of what the battery gives. A robot that rests takes little and one that
+    /// starts takes much: neither tells how long it lasts.
+    void weigh(const BatterySample& sample) {
+        RobotState& state = robot();
+        const bool goesOn = state.battery && state.load.current < 0.0 && sample.current < 0.0;
+        if (!goesOn) {
+            state.load = {.current = sample.current, .seconds = BatteryLoad::AtFirst};
+            return;
+        }
+        const double since =
+            std::chrono::duration<double>(m_event.received - state.battery->received).count();
+        const double step = std::clamp(since, 0.0, BatteryLoad::Longest);
+        state.load.seconds = std::min(state.load.seconds + step, BatteryLoad::Longest);
+        state.load.current += (sample.current - state.load.current) * step / state.load.seconds;
+    }
+
     void handle(const OdometrySample& sample) {
         OdometrySample kept = sample;
         kept.poseCovariance = kept.twistCovariance = {};
@@ -106,7 +134,11 @@ private:
         keep(&RobotState::imu, kept);
     }
     void handle(const ModeSample& sample) { keep(&RobotState::mode, sample); }
-    void handle(const BatterySample& sample) { keep(&RobotState::battery, sample); }
+    void handle(const BatterySample& sample) {
+        if (m_event.robot.empty()) return;
+        weigh(sample);
+        keep(&RobotState::battery, sample);
+    }
     void handle(const GasSample& sample) { keep(&RobotState::gas, sample); }
     void handle(const BumpSample& sample) {
         if (m_event.robot.empty()) return;
@@ -134,7 +166,10 @@ private:
     void handle(const MissionInfoSample& sample) { m_state.info = latest(sample); }
     void handle(const CandidateSample& sample) {
         CandidateState& candidate = m_state.candidates.edit()[sample.id];
-        if (candidate.first == 0) candidate.first = m_event.sequence;
+        if (candidate.first == 0) {
+            candidate.first = m_event.sequence;
+            candidate.told = toldNow(sample);
+        }
         candidate.sequence = m_event.sequence;
         candidate.candidate = sample;
     }

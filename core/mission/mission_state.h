@@ -54,10 +54,19 @@ struct VictimState {
     VictimSample victim;
 };
 
+/// Who told a candidate first, and how that robot drove then: so a find of it counts, however late it is
+/// filed.
+struct FirstTold {
+    Time stamp{};                    ///< station's clock
+    std::string robot;               ///< empty: nobody knows
+    std::optional<bool> autonomous;  ///< it drove itself; empty: nobody knows
+};
+
 /// What the station believes to have found, as it said last.
 struct CandidateState {
     std::uint64_t sequence = 0;  ///< of the newest
     std::uint64_t first = 0;     ///< sequence of the first of this id
+    FirstTold told;              ///< by that one
     CandidateSample candidate;
 };
 

@@ -44,12 +44,21 @@ struct Contact {
     std::optional<Pose> baseInOdom{};  ///< by the newest odometry then
 };
 
+/// What a battery gave in the mean of the last minute.
+struct BatteryLoad {
+    double current = Unknown;  ///< negative: it discharges [A]
+    double seconds = 0.0;      ///< that the mean goes back by
+
+    static constexpr double AtFirst = 5.0, Longest = 60.0;  ///< [s]
+};
+
 /// What a robot said last. Scans and pictures are not kept: StreamState tells where the newest stands.
 struct RobotState {
     std::optional<Latest<OdometrySample>> odometry;  ///< without its covariances
     std::optional<Latest<ImuSample>> imu;            ///< without its covariances
     std::optional<Latest<ModeSample>> mode;
     std::optional<Latest<BatterySample>> battery;
+    BatteryLoad load;  ///< of that battery
     std::optional<Latest<GasSample>> gas;
     std::optional<Latest<BumpSample>> bumps;
     std::vector<Contact> contacts;  ///< all hits of the mission, oldest first; at most MostContacts

@@ -33,10 +33,13 @@ double shareOfLimits(const RobotDescription& description, double roll, double pi
     return share;
 }
 
-double minutesLeft(const BatterySample& battery) {
+double minutesLeft(const RobotState& said) {
+    if (!said.battery) return Unknown;
+    const BatterySample& battery = said.battery->sample;
     double charge = battery.charge;
     if (!std::isfinite(charge)) charge = battery.fraction * battery.capacity;
-    return battery.current < -0.01 ? 60.0 * charge / -battery.current : Unknown;
+    const double current = std::isfinite(said.load.current) ? said.load.current : battery.current;
+    return battery.current < -0.01 && current < -0.01 ? 60.0 * charge / -current : Unknown;
 }
 
 }  // namespace leitstand

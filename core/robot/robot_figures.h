@@ -20,8 +20,9 @@ namespace leitstand {
 
 /// What a robot told of its battery is of now for so long [s].
 inline constexpr double BatteryAge = 10.0;
-/// Time until a battery is empty at the present load [min]; NaN where that is not told.
-[[nodiscard]] double minutesLeft(const BatterySample& battery);
+/// Time until a robot's battery is empty at the mean load of the last minute [min]; NaN where that is not
+/// told.
+[[nodiscard]] double minutesLeft(const RobotState& said);
 
 /// Whether @p latest came within @p seconds before @p now, station's clock.
 template <class T>

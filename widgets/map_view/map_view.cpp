@@ -141,6 +141,14 @@ bool MapView::settled() const {
     return m_state->scenery.settled();
 }
 
+bool MapView::showsScans() const {
+    const MapPicture& picture = m_state->scenery.picture();
+    if (picture.image.isNull()) return false;
+    const std::vector<SceneScan>& scans = picture.content->scans;
+    return std::any_of(scans.begin(), scans.end(),
+                       [](const SceneScan& one) { return one.points && !one.points->points.empty(); });
+}
+
 void MapView::paintEvent(QPaintEvent* /*event*/) {
     const MapScenery& scenery = m_state->scenery;
     QPainter painter(this);

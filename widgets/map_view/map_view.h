@@ -101,6 +101,8 @@ public:
     [[nodiscard]] QImage picture();
     /// Whether the picture on screen shows everything set so far in full detail.
     [[nodiscard]] bool settled() const;
+    /// Whether points of some scan are on screen, however much came since.
+    [[nodiscard]] bool showsScans() const;
 
 signals:
     void measured(const leitstand::Measurement& measurement);

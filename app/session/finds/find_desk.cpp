@@ -22,11 +22,7 @@ constexpr double NearbyDeviation = 1.0;  // [m]
 }  // namespace
 
 FindDesk::FindDesk(FindDeskSetup setup)
-    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {
-    const MissionStatePtr earlier = m_setup.mission ? m_setup.mission() : nullptr;
-    if (!earlier) return;
-    for (const auto& [id, known] : *earlier->candidates) m_first.toldBefore(id);
-}
+    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
 
 void FindDesk::finish() {
     std::promise<void> done;
@@ -146,7 +142,7 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     if (robot != state->robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
     // As it drove when the operator pressed, not when its place was worked out.
-    frozen.autonomous = m_first.autonomousAt(frozen.robot, frozen.found).value_or(frozen.autonomous);
+    frozen.autonomous = m_modes.autonomousAt(frozen.robot, frozen.found).value_or(frozen.autonomous);
     // What the station believes to be there is the same thing.
     const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
     for (const CandidateSample& one : candidates) addCues(frozen, one);
@@ -158,8 +154,7 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
 void FindDesk::file(const CandidateSample& candidate, const FrozenEvidence& seen) {
     const std::scoped_lock filing(m_filing);
     const MissionStatePtr state = known();
-    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen,
-                                          m_first.of(candidate.id).value_or(FirstTold()));
+    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
     const bool joined = state->victims->contains({sample.kind, sample.number});
     if (const auto said = enter(sample, joined, {candidate}); !said) m_setup.tell(said.error().text);
 }

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/session/finds/first_told.h"
 #include "app/session/finds/freezing.h"
+#include "app/session/finds/mode_book.h"
 #include "app/session/finds/recent_evidence.h"
 #include "app/session/job_queue.h"
 #include "core/base/result.h"
@@ -56,7 +56,7 @@ public:
 
     void take(const Event& event) {
         m_recent.take(event);
-        m_first.take(event);
+        m_modes.take(event);
     }
     void finish();  ///< waits until all that was frozen is filed
 
@@ -112,7 +112,7 @@ private:
 
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;
-    FirstToldBook m_first;
+    ModeBook m_modes;
     mutable std::mutex m_mutex;
     std::mutex m_filing;  ///< entries are made one after the other
     std::optional<FindKey> m_newest;

@@ -6,10 +6,8 @@
 #include "app/session/log/live_mission.h"
 #include "app/session/log/sequencer.h"
 #include "app/session/review/newest_writing.h"
-#include "app/session/review/review_log.h"
 #include "app/session/review/until_written.h"
 #include "core/base/words.h"
-#include "core/io/bag/bag_reader.h"
 #include "core/mission/station_topics.h"
 #include "core/mission/undo_says.h"
 #include "core/mission/victims/dismissal.h"
@@ -117,33 +115,13 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
     const auto known = candidate(id);
     if (!known) return known.error();
     const MissionStatePtr state = mission()->state();
-    const FirstTold first = firstTold(state->candidates->at(id));
     FrozenEvidence then;
-    then.found = first.stamp;
-    const VictimSample find = filedFrom(*state, *known, m_station, stationTime(), then, first);
+    then.found = state->candidates->at(id).told.stamp;
+    const VictimSample find = filedFrom(*state, *known, m_station, stationTime(), then);
     if (auto said = say(find, station_topic::Victims); !said) return said;
     // Dismissed when the mission ended: that stays so, and is none of the review's to take back.
     if (known->dismissed) return {};
     return sayCandidate(filedAs(*known, find.number, m_station, stationTime()));
-}
-
-FirstTold ReviewPen::firstTold(const CandidateState& candidate) const {
-    FirstTold first{.stamp = candidate.candidate.stamp};
-    const auto bag = BagReader::open(m_folder);
-    const auto event = bag ? (*bag)->event(candidate.first) : std::nullopt;
-    const auto log = event ? ReviewLog::open(m_folder) : Result<std::unique_ptr<ReviewLog>>(Error{});
-    if (!log) return first;
-    const MissionState then = (*log)->stateAt(event->received);
-    const auto told = then.candidates->find(candidate.candidate.id);
-    if (told == then.candidates->end()) return first;
-    const CandidateSample& one = told->second.candidate;
-    first.stamp = one.stamp;
-    if (one.cues.empty()) return first;
-    first.robot = one.cues.front().robot;
-    const auto robot = then.robots.find(first.robot);
-    if (robot != then.robots.end() && robot->second->mode)
-        first.autonomous = robot->second->mode->sample.autonomous;
-    return first;
 }
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {

@@ -68,8 +68,6 @@ private:
     Result<void> say(const Sample& sample, std::string_view topic);
     /// The candidate of that id as it is by now.
     Result<CandidateSample> candidate(std::uint32_t id);
-    /// How it was when @p candidate was told first: the mission's end may be in another mode.
-    [[nodiscard]] FirstTold firstTold(const CandidateState& candidate) const;
     Result<void> sayCandidate(const CandidateSample& candidate);
     /// Waits until the mission @p has what was said last; the sequencer takes no longer than a moment.
     Result<void> await(const std::function<bool(const MissionState&)>& has) const;

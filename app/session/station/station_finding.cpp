@@ -76,7 +76,6 @@ void Station::State::search() {
         for (const auto& [key, known] : *mission->state()->victims) finds.push_back(known.victim);
         return finds;
     };
-    setup.earlierFinds = setup.finds();
     for (const ScoreProfile& profile : scoreProfiles().profiles)
         setup.tags.byName[profile.name] = profile.victimTags;
     if (now->info) setup.profile = now->info->sample.profile;

@@ -49,7 +49,7 @@ VictimWatch::VictimWatch(VictimWatchSetup setup)
     : m_setup(std::move(setup)), m_search(m_setup.robots, m_setup.station) {
     m_search.follow(m_setup.earlierPoses);
     for (const CandidateSample& sample : m_setup.earlier) m_search.restore(sample);
-    for (const VictimSample& find : m_setup.earlierFinds) m_search.restore(find);
+    restoreFinds();
     m_search.setTags(m_setup.tags, m_setup.profile);
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -111,6 +111,11 @@ void VictimWatch::ask(Question question) {
     m_came.notify_all();
 }
 
+void VictimWatch::restoreFinds() {
+    if (!m_setup.finds) return;
+    for (const VictimSample& find : m_setup.finds()) m_search.restore(find);
+}
+
 void VictimWatch::followRobots() {
     const RobotsInMapPtr places = m_setup.places ? m_setup.places() : nullptr;
     if (!places || places == m_places) return;
@@ -141,8 +146,7 @@ void VictimWatch::run(const std::stop_token& stop) {
             if (stop.stop_requested()) return;
             if (std::holds_alternative<UndoSample>(event.sample)) {
                 if (m_setup.poses) m_search.follow(m_setup.poses());
-                for (const VictimSample& find : m_setup.finds ? m_setup.finds() : std::vector<VictimSample>())
-                    m_search.restore(find);
+                restoreFinds();
                 continue;
             }
             m_search.take(event, may);

@@ -24,10 +24,9 @@ struct VictimWatchSetup {
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
     std::function<RobotsInMapPtr()> places;  ///< where the robots are now; without it, key scans alone tell
     std::function<std::vector<ScanPose>()> poses;      ///< where the mission's key scans are; after an undo
-    std::function<std::vector<VictimSample>()> finds;  ///< that stand in the mission; likewise
+    std::function<std::vector<VictimSample>()> finds;  ///< that stand in the mission; likewise, and at first
     std::vector<ScanPose> earlierPoses;                ///< of the mission's earlier sessions
     std::vector<CandidateSample> earlier;              ///< likewise
-    std::vector<VictimSample> earlierFinds;            ///< likewise
     TagsOfProfiles tags;                               ///< of victims
     std::string profile;                               ///< of the score, as the mission's data have it by now
 };
@@ -58,6 +57,7 @@ private:
     void ask(Question question);
     void run(const std::stop_token& stop);
     void followRobots();
+    void restoreFinds();
 
     const VictimWatchSetup m_setup;
     VictimSearch m_search;    ///< of the thread

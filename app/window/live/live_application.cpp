@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -40,6 +41,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
+constexpr std::chrono::seconds WholeMap(5);   ///< for a map on it that is drawn to its end
 constexpr std::chrono::minutes Recent(30);    ///< a mission that ended since may be meant
 constexpr auto Explores = "explore";          ///< mode of a robot that looks around by itself
 
@@ -90,17 +92,17 @@ QString hintAt(const fs::path& earlier) {
         .arg(QString::fromStdString(earlier.filename().string()));
 }
 
-/// Waits until all is to be seen, and then until it is drawn; false after the patience is over.
-bool waitUntilShown(const LiveWindow& window) {
+/// Lets the window go on until it @p holds; false after @p patience is over.
+bool waitUntil(const std::function<bool()>& holds, std::chrono::seconds patience) {
     QEventLoop loop;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-        if (window.missing().isEmpty()) loop.quit();
+        if (holds()) loop.quit();
     });
     look.start(100);
-    QTimer::singleShot(Patience, &loop, &QEventLoop::quit);
+    QTimer::singleShot(patience, &loop, &QEventLoop::quit);
     loop.exec();
-    return window.missing().isEmpty();
+    return holds();
 }
 
 /// Lets the window go on for @p time; @p explore: its robots look around by themselves meanwhile.
@@ -125,11 +127,14 @@ void goOn(Station& station, std::chrono::seconds time, bool explore) {
 int takePicture(LiveWindow& window, Station& station, const Options& options) {
     window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
-    if (!waitUntilShown(window)) {
+    if (!waitUntil([&] { return window.missing().isEmpty(); }, Patience)) {
         complain("no picture after 60 s: " + window.missing().toStdString());
         return 1;
     }
     if (options.after > 0) goOn(station, std::chrono::seconds(options.after), options.demo);
+    // A map that grows while this computer is busy is never drawn whole: the picture is then of what is
+    // there.
+    (void)waitUntil([&] { return window.mapView().settled(); }, WholeMap);
     QApplication::processEvents();
     if (!pictureOf(window, options.size).save(QString::fromStdString(options.screenshot))) {
         complain(options.screenshot + ": the picture could not be written");

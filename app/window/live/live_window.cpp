@@ -166,7 +166,8 @@ QStringList LiveWindow::recent() const {
 QString LiveWindow::missing() const {
     QStringList things;
     for (const RobotDescription& robot : m_selection->robots()) {
-        if (m_bridge.moment().view(robot.name).link.state != LinkState::Connected)
+        const LinkState state = m_bridge.moment().view(robot.name).link.state;
+        if (state == LinkState::NeverSeen || state == LinkState::Lost)
             things += tr("%1 is not connected").arg(QString::fromStdString(robot.title));
     }
     things += m_map->missing();

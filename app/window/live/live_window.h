@@ -54,8 +54,8 @@ public:
     [[nodiscard]] bool driving() const;
     [[nodiscard]] QString newest() const;      ///< message
     [[nodiscard]] QStringList recent() const;  ///< messages, the newest first
-    /// What is not to be seen yet; empty: each robot is connected, a turn is registered, and each camera pane
-    /// shows a picture.
+    /// What is not to be seen yet; empty: each robot speaks, a turn is registered and drawn, and each camera
+    /// pane shows a picture.
     [[nodiscard]] QString missing() const;
 
 signals:

@@ -220,8 +220,9 @@ std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
 }
 
 VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                       const std::string& station, Time now, const FrozenEvidence& seen,
-                       const FirstTold& first) {
+                       const std::string& station, Time now, const FrozenEvidence& seen) {
+    const auto known = state.candidates->find(candidate.id);
+    const FirstTold first = known == state.candidates->end() ? FirstTold() : known->second.told;
     FrozenEvidence frozen;
     frozen.found = seen.found == Time() ? now : seen.found;
     frozen.robot = candidate.cues.empty() ? seen.robot : candidate.cues.front().robot;

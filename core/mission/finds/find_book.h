@@ -28,14 +28,6 @@ struct FrozenEvidence {
     std::vector<VictimEvidence> evidence;
 };
 
-/// Who told a candidate first, and how that robot drove then: so a find of it counts, however late it is
-/// filed.
-struct FirstTold {
-    Time stamp{};                         ///< station's clock
-    std::string robot = {};               ///< empty: nobody knows
-    std::optional<bool> autonomous = {};  ///< it drove itself; empty: nobody knows
-};
-
 /// A place that a person pointed to is right within this, one standard deviation [m].
 inline constexpr double PointedDeviation = 0.2;
 /// Of a body's middle above the ground, where the height is not told [m].
@@ -81,10 +73,9 @@ inline constexpr double LeastShownConfidence = 0.5;
 [[nodiscard]] VictimSample filed(const MissionState& state, VictimSample::Kind kind,
                                  const FrozenEvidence& frozen, const std::string& station, Time now);
 /// What @p candidate becomes when the operator files it, with what was @p seen there at that moment; its
-/// place is the candidate's, its robot and mode are those that told it @p first, else those of now.
+/// place is the candidate's, its robot and mode are those that told it first, else those of now.
 [[nodiscard]] VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                                     const std::string& station, Time now, const FrozenEvidence& seen = {},
-                                     const FirstTold& first = {});
+                                     const std::string& station, Time now, const FrozenEvidence& seen = {});
 /// The candidates of @p kind that are shown within @ref SameFind of @p placeInMap [m] and are no other find,
 /// nearest first; of codes and hazard signs those that say what the nearest does.
 [[nodiscard]] std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,

@@ -112,7 +112,7 @@ private:
         const BatterySample& battery = m_robot.said.battery->sample;
         if (battery.status == BatterySample::Status::Charging) return;
         const AlarmId id = idOf(alarm_key::Battery);
-        const double minutes = minutesLeft(battery);
+        const double minutes = minutesLeft(m_robot.said);
         const auto byTime = std::isfinite(minutes)
                                 ? below(id, minutes, m_limits.batteryMinutes, m_limits.batteryMinutesAct)
                                 : std::nullopt;

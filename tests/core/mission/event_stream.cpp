@@ -1,5 +1,7 @@
 #include "tests/core/mission/event_stream.h"
 
+#include <cmath>
+
 namespace leitstand::test {
 
 Time at(std::int64_t milliseconds) {
@@ -130,6 +132,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
             case 12: {
                 BatterySample battery;
                 battery.voltage = x;
+                battery.current = -1.0 - std::abs(x);
                 sample = battery;
                 break;
             } break;

@@ -1,5 +1,6 @@
 #include "core/mission/fold.h"
 
+#include <optional>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -51,6 +52,57 @@ TEST(Fold, KeepsWhatARobotSaidLast) {
     EXPECT_EQ(state.first, at(10));
     EXPECT_EQ(state.last, at(40));
     EXPECT_EQ(state.events, 4U);
+}
+
+/// A battery that gives @p ampere.
+BatterySample giving(double ampere) {
+    BatterySample battery;
+    battery.current = -ampere;
+    battery.charge = 1.0;
+    return battery;
+}
+
+TEST(Fold, ABatterysLoadIsTheMeanOfTheLastMinute) {
+    Fold fold;
+    std::uint64_t sequence = 0;
+    const auto goOn = [&](int seconds, double ampere) {
+        for (int second = 0; second < seconds; ++second)
+            fold.add(event(sequence += 100, giving(ampere), "kurt3d"));  // once a second
+        return -fold.state().robots.at("kurt3d")->load.current;
+    };
+    EXPECT_NEAR(goOn(30, 1.0), 1.0, 1e-9);
+    EXPECT_LT(goOn(1, 9.0), 1.3) << "it starts to drive";
+    EXPECT_NEAR(goOn(29, 9.0), 5.0, 0.2) << "half a minute each";
+    EXPECT_NEAR(goOn(300, 9.0), 9.0, 0.1);
+    EXPECT_EQ(goOn(1, -2.0), -2.0) << "charging";
+    EXPECT_EQ(goOn(1, 3.0), 3.0) << "what was before does not count any more";
+    sequence += 6'100;  // nothing was heard for a minute
+    EXPECT_NEAR(goOn(1, 7.0), 7.0, 1e-9);
+}
+
+TEST(Fold, ACandidateKeepsWhoToldItFirstAndHowThatRobotDrove) {
+    const auto driving = [](bool autonomous) {
+        ModeSample mode;
+        mode.autonomous = autonomous;
+        return mode;
+    };
+    CandidateSample candidate;
+    candidate.id = 3;
+    candidate.stamp = at(20);
+    candidate.cues = {{.kind = "heat", .robot = "kurt3d"}};
+    CandidateSample again = candidate;
+    again.stamp = at(90);
+    again.cues = {{.kind = "heat", .robot = "crawler"}};
+    CandidateSample other = again;
+    other.id = 4;
+    const MissionState state = folded({event(1, driving(true), "kurt3d"), event(2, candidate),
+                                       event(3, driving(false), "kurt3d"), event(4, again), event(5, other)});
+    const CandidateState& kept = state.candidates->at(3);
+    EXPECT_EQ(kept.candidate.stamp, at(90));
+    EXPECT_EQ(kept.told.stamp, at(20));
+    EXPECT_EQ(kept.told.robot, "kurt3d");
+    EXPECT_EQ(kept.told.autonomous, true);
+    EXPECT_EQ(state.candidates->at(4).told.autonomous, std::nullopt) << "nobody said how the crawler drives";
 }
 
 TEST(Fold, FindsOfEveryKindHaveTheirOwnNumbers) {

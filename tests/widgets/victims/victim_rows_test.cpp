@@ -35,7 +35,7 @@ void believe(MissionState& state, std::uint32_t id, double x, double confidence)
     candidate.positionInMap = {x, 0.0, 0.3};
     candidate.confidence = confidence;
     candidate.cues = {{.kind = "heat", .value = 32.6}, {.kind = "motion"}};
-    state.candidates.edit()[id] = {id, id, candidate};
+    state.candidates.edit()[id] = {.sequence = id, .first = id, .told = {}, .candidate = candidate};
 }
 
 TEST(VictimRows, TellDistanceAndBearingFromTheRobot) {

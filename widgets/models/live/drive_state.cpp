@@ -163,7 +163,7 @@ BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& li
     } else if (std::isfinite(battery.voltage)) {
         figures.charge = {numberText(battery.voltage, 1), DriveTexts::tr("V"), Tone::Normal};
     }
-    const double minutes = minutesLeft(battery);
+    const double minutes = minutesLeft(said);
     if (!isFresh(said.battery, now, BatteryAge)) {
         const double age = std::chrono::duration<double>(now - said.battery->received).count();
         figures.left = lossText({.arrival = age});

@@ -66,7 +66,14 @@ MapSummary liveSummaryOf(const LiveMapFacts& facts) {
     summary.stale = matched && ago >= MapStaleAfter;
     // The verdict first: where there is little room, the age is what is cut; but not where that matters.
     QStringList result = {trustText(newest.pose.trust)};
-    if (newest.matched != 0) result += Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
+    if (newest.matched != 0) {
+        const QString overlap = Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
+        // A small map beside a picture has no room for it.
+        if (facts.followed.isEmpty())
+            result += overlap;
+        else
+            summary.hint.prepend(overlap + QLatin1Char('\n'));
+    }
     if (summary.stale)
         result.prepend(agoText(ago));
     else

@@ -59,8 +59,10 @@ TonePlayer::TonePlayer(QObject* parent) : QObject(parent), m_devices(std::make_u
 }
 
 void TonePlayer::lookForDevice() {
-    const bool none = QMediaDevices::defaultAudioOutput().isNull();
-    setTrouble(none ? tr("No sound device: alarms are seen, not heard.") : QString());
+    const QAudioDevice device = QMediaDevices::defaultAudioOutput();
+    if (device.isNull()) return setTrouble(tr("No sound device: alarms are seen, not heard."));
+    // One that did not work still does not because another one was plugged in or out.
+    if (device.id() != m_failed) setTrouble({});
 }
 
 TonePlayer::~TonePlayer() {
@@ -84,6 +86,7 @@ void TonePlayer::play(AlarmTone tone) {
     m_buffer->open(QIODevice::ReadOnly);
     m_sink->start(m_buffer.get());
     const bool failed = m_sink->error() != QAudio::NoError || m_samples.isEmpty();
+    m_failed = failed ? device.id() : QByteArray();
     setTrouble(failed ? tr("The sound device does not work: alarms are seen, not heard.") : QString());
 }
 

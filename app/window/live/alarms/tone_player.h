@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 
@@ -36,6 +37,7 @@ private:
     QByteArray m_samples;
     std::unique_ptr<QBuffer> m_buffer;
     std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: goes first
+    QByteArray m_failed;                 ///< the device that did not play, by its id
     QString m_trouble;
 };
 

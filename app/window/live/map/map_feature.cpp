@@ -43,7 +43,6 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     context.panes.keepInSight(QStringLiteral("map"));
     addCommands();
     connect(&context.source, &MomentSource::mapChanged, this, [this](const MapPtr& map) {
-        m_seen = m_seen || !map->scans.empty();
         m_map = map;
         m_pane->view().setMap(map);
     });
@@ -124,7 +123,7 @@ void MapFeature::addCommands() {
 }
 
 QStringList MapFeature::missing() const {
-    if (m_seen && m_pane->view().settled()) return {};
+    if (m_pane->view().showsScans()) return {};
     return {tr("no scan is registered and drawn")};
 }
 

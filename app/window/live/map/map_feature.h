@@ -58,7 +58,6 @@ private:
     MapPtr m_map;       ///< that is shown; null: none came
     QString m_pointed;  ///< the point under the pointer, in words; empty: none is
     QTimer m_resting;   ///< since the pointer moved
-    bool m_seen = false;
 };
 
 }  // namespace leitstand
