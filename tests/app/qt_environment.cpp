@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <QApplication>
+#include <QEvent>
 #include <QLocale>
 
 #include <gtest/gtest.h>
@@ -19,7 +20,11 @@ public:
         m_application = std::make_unique<QApplication>(argc, argv);
         QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
     }
-    void TearDown() override { m_application.reset(); }
+    void TearDown() override {
+        // As the end of QApplication::exec() does: a window that draws while the process ends would crash.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        m_application.reset();
+    }
 
 private:
     std::unique_ptr<QApplication> m_application;

@@ -149,6 +149,32 @@ TEST_F(LiveMapOfAHall, GoesToAPlaceThatWasClicked) {
     lookAt("map_went");
 }
 
+/// Kurt3D takes no goals, and the Crawler was not heard yet.
+class NobodyGoes : public LivePage {
+protected:
+    NobodyGoes() : LivePage(Robots::None, {withoutGoals(), shippedRobot("crawler")}) {}
+
+private:
+    static RobotDescription withoutGoals() {
+        RobotDescription robot = shippedRobot("kurt3d");
+        std::erase_if(robot.streams,
+                      [](const StreamDescription& one) { return one.role == StreamRole::GoalPose; });
+        return robot;
+    }
+};
+
+TEST_F(NobodyGoes, ADoubleClickSaysWhy) {
+    const auto says = [&](const char* robot, const char* why) {
+        m_window->selection().select(QLatin1String(robot));
+        emit m_window->mapView().groundActivated({1.0, 0.0, 0.0});
+        EXPECT_EQ(m_window->newest().toStdString(), why);
+    };
+    says("kurt3d", "Kurt3D takes no goals");
+    EXPECT_FALSE(m_window->commands().find(QStringLiteral("map.goTo"))->isEnabled());
+    says("crawler", "Crawler is not in the map yet");
+    EXPECT_TRUE(m_window->commands().find(QStringLiteral("map.goTo"))->isEnabled());
+}
+
 TEST_F(LiveMapOnScreen, SpaceTakesBackAGoalThatWasNotSentYet) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
     trigger("map.followAbove");

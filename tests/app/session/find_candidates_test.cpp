@@ -1,5 +1,6 @@
 #include "app/session/finds/find_desk.h"
 
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -37,13 +38,14 @@ TEST_F(FindDeskTest, AFindIsAutonomousWhenTheRobotDroveItselfAsItWasTold) {
     const auto drives = [&](double when, bool autonomous) {
         ModeSample mode;
         mode.autonomous = autonomous;
-        m_desk->take(m_robot.event(at(when), StreamRole::Mode, "mode", mode));
+        const Event event = m_robot.event(at(when), StreamRole::Mode, "mode", mode);
+        m_state = fold(std::move(m_state), event);
+        m_desk->take(event);
     };
-    believe();
     drives(3.0, true);
-    m_desk->take({20, at(5.0), "", "/leitstand/candidates", std::nullopt, "", candidate()});
+    believe();
     drives(8.0, false);
-    m_desk->take({21, at(9.0), "", "/leitstand/candidates", std::nullopt, "", candidate()});
+    believe(0.9);
     ASSERT_TRUE(m_desk->fileCandidate(7));
     m_desk->finish();
     EXPECT_TRUE(find(1).autonomous) << "the operator took over to look at it";
