@@ -1,6 +1,7 @@
 #include "app/window/application.h"
 
 #include <cstdio>
+#include <optional>
 
 #include <QApplication>
 
@@ -8,6 +9,7 @@
 #include "app/window/live/live_application.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
+#include "app/window/orderly_end.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_application.h"
 #include "app/window/scans_window.h"
@@ -87,6 +89,8 @@ int runStation(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("leitstand"));
     QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
     useLanguage(languageOf(options));
+    std::optional<OrderlyEnd> end;
+    if (!picture) end.emplace();
     if (options.live) return runLive(options);
     if (argc == 1 || options.resume) {
         const auto last = lastOptions();

@@ -114,6 +114,24 @@ TEST_F(ResumeTest, TheNewestMissionIsGoneOnWithAndWithTheRobotsOfLastTime) {
     EXPECT_EQ(recordedInto(*station), second);
 }
 
+TEST_F(ResumeTest, ASignalEndsItAsClosingItsWindowDoes) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const fs::path mission = m_home / ("mission" + std::to_string(signal)),
+                       out = m_home / ("hand-in" + std::to_string(signal));
+        auto arguments = onKurt();
+        arguments.insert(arguments.end(), {"--mission", mission.string()});
+        auto station = start(arguments);
+        ASSERT_EQ(recordedInto(*station), mission);
+        ASSERT_TRUE(isWritten(mission)) << station->out();
+        ASSERT_TRUE(keepReportFolder(mission, out)) << "as the window does";
+        station->signal(signal);
+        EXPECT_EQ(station->wait(), 0) << station->out();
+        EXPECT_TRUE(fs::exists(out / "SHA256SUMS")) << "the report is written once more";
+        const ProcessOutcome told = runProcess(program("leitstandctl"), {"info", mission.string()});
+        EXPECT_THAT(told.out, testing::Not(HasSubstr("cut off"))) << told.err;
+    }
+}
+
 TEST_F(ResumeTest, WithoutAMissionItIsTold) {
     auto station = start({"--resume"});
     EXPECT_EQ(station->wait(), 1);
