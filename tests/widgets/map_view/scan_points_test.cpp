@@ -28,8 +28,8 @@ TEST(ScanPoints, AKeyScanIsDrawnFromItsOwnMemory) {
     const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
     EXPECT_EQ(points.points.data(), scan->points.data());
     EXPECT_EQ(points.labels.data(), scan->labels.data());
-    // Its order is four bytes each; for picking, the places of whole runs of points are kept.
-    EXPECT_LE(points.memory(*scan), 5 * scan->points.size());
+    // Its order is two bytes each; for picking, the places of whole runs of points are kept.
+    EXPECT_LE(points.memory(*scan), 3 * scan->points.size());
     EXPECT_EQ(points.labelCounts[static_cast<std::size_t>(Label::Ceiling)], 2'000U);
 }
 
@@ -58,7 +58,7 @@ TEST(ScanPoints, ShadesGoAlongWithTheirPoints) {
     ASSERT_TRUE(some.shades);
     ASSERT_EQ(some.shades->size(), 999U);
     EXPECT_EQ(some.shades->front(), 1);
-    EXPECT_EQ(some.shadeOfSample(0), (*some.shades)[static_cast<std::size_t>(some.order->front())]);
+    EXPECT_EQ(some.shadeOfSample(0), (*some.shades)[(*some.order)[0]]);
     scan.points[0] = {2.0F, 0.0F, 0.0F};
     const auto whole = std::make_shared<const Scan>(scan);
     EXPECT_EQ(drawablePoints(whole, MinRange, MaxRange).shades->data(), whole->shades.data());
@@ -81,13 +81,26 @@ TEST(ScanPoints, AScanWithoutLabelsIsDrawnUnlabelled) {
 TEST(ScanPoints, TheOrderHasEveryPointOnceAndItsBeginningIsAFairSample) {
     const auto scan = std::make_shared<const Scan>(keyScan(10'000));
     const ScanPoints points = drawablePoints(scan, MinRange, MaxRange);
-    std::vector<std::int32_t> sorted = *points.order;
+    std::vector<std::size_t> sorted;
+    for (std::size_t i = 0; i < points.order->size(); ++i) sorted.push_back((*points.order)[i]);
     std::sort(sorted.begin(), sorted.end());
-    for (std::size_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], static_cast<std::int32_t>(i));
+    ASSERT_EQ(sorted.size(), 10'000U);
+    for (std::size_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
     std::size_t ceiling = 0;
     for (std::size_t i = 0; i < 1'000; ++i) ceiling += points.labelOfSample(i) == Label::Ceiling ? 1 : 0;
     EXPECT_NEAR(static_cast<double>(ceiling), 200.0, 60.0);
-    EXPECT_EQ(points.sample(0), scan->points[static_cast<std::size_t>(points.order->front())]);
+    EXPECT_EQ(points.sample(0), scan->points[(*points.order)[0]]);
+}
+
+TEST(ScanPoints, OneOfMorePointsThanTwoBytesCountIsOrderedAllTheSame) {
+    const std::size_t count = 70'000;
+    const ScanPoints points =
+        drawablePoints(std::make_shared<const Scan>(keyScan(count)), MinRange, MaxRange);
+    ASSERT_EQ(points.order->size(), count);
+    EXPECT_TRUE(points.order->narrow().empty());
+    std::vector<bool> met(count);
+    for (std::size_t i = 0; i < count; ++i) met.at((*points.order)[i]) = true;
+    EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](bool one) { return one; }));
 }
 
 TEST(ScanPoints, ItsCellsHaveEveryPointOnce) {

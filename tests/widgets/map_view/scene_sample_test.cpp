@@ -13,11 +13,11 @@ namespace {
 SceneScan scanOf(int count, std::uint8_t number, const Eigen::Vector3d& place) {
     const auto owner = std::make_shared<Scan>();
     const auto colours = std::make_shared<std::vector<Rgba>>();
-    const auto shown = std::make_shared<std::vector<std::int32_t>>();
+    std::vector<std::uint32_t> shown;
     for (int i = 0; i < count; ++i) {
         owner->points.emplace_back(0.001F * static_cast<float>(i), 0.0F, 0.0F);
         colours->push_back({number, 0, 0, 255});
-        shown->push_back(count - 1 - i);
+        shown.push_back(static_cast<std::uint32_t>(count - 1 - i));
     }
     const auto points = std::make_shared<ScanPoints>();
     points->points = owner->points;
@@ -25,7 +25,7 @@ SceneScan scanOf(int count, std::uint8_t number, const Eigen::Vector3d& place) {
     SceneScan scan;
     scan.poseInMap = Pose(Eigen::Translation3d(place));
     scan.points = points;
-    scan.look = {colours, shown};
+    scan.look = {colours, std::make_shared<const PointOrder>(shown)};
     return scan;
 }
 
@@ -46,7 +46,7 @@ TEST(SceneSampleTest, HasTheFirstOfEachScanAtTheirPlaces) {
     EXPECT_TRUE(sample.scan.poseInMap.isApprox(Pose::Identity()));
     EXPECT_TRUE(sample.scan.points->points[0].isApprox(Eigen::Vector3f(0.999F, 5, 0))) << "shown first";
     for (std::size_t i = 0; i < 300; ++i) {
-        const auto index = static_cast<std::size_t>((*sample.scan.look.shown)[i]);
+        const std::size_t index = (*sample.scan.look.shown)[i];
         const Eigen::Vector3f& point = sample.scan.points->points[index];
         const bool first = (*sample.scan.look.colours)[index].r == 1;
         EXPECT_FLOAT_EQ(point.y(), first ? 5.0F : -5.0F);

@@ -59,19 +59,6 @@ vtkNew<vtkCellArray> trianglesOver(const std::vector<std::int32_t>& indices) {
     return cells;
 }
 
-/// Cells of many points each, since each costs an offset; but not one of all points: VTK keeps a copy of the
-/// largest cell, in twice as many bytes.
-vtkNew<vtkCellArray> verticesOver(const std::vector<std::int32_t>& indices) {
-    constexpr std::size_t Most = 256;
-    vtkNew<vtkTypeInt32Array> offsets;
-    for (std::size_t first = 0; first < indices.size(); first += Most)
-        offsets->InsertNextValue(static_cast<std::int32_t>(first));
-    offsets->InsertNextValue(static_cast<std::int32_t>(indices.size()));
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(offsets, connectivityOver(indices));
-    return cells;
-}
-
 void useColoursAsTheyAre(vtkMapper* mapper) {
     mapper->SetColorModeToDirectScalars();
     mapper->SetScalarModeToUsePointData();
@@ -122,7 +109,7 @@ void ScanActor::rebuild() {
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOver(m_points->points));
     data->GetPointData()->SetScalars(coloursOver(*m_look.colours));
-    data->SetVerts(verticesOver(*m_look.shown));
+    m_mapper->setOrder(m_look.shown);
     m_mapper->SetInputData(data);
     m_mapper->Update();
 }

@@ -67,12 +67,11 @@ void addCells(ScanPoints& points) {
 }
 
 /// The points @p kept of @p scan and their labels, nothing else of it.
-ScanPtr copyOf(const Scan& scan, const std::vector<std::int32_t>& kept, bool labelled) {
+ScanPtr copyOf(const Scan& scan, const std::vector<std::uint32_t>& kept, bool labelled) {
     auto copy = std::make_shared<Scan>();
     copy->points.reserve(kept.size());
     copy->labels.reserve(kept.size());
-    for (const std::int32_t index : kept) {
-        const auto i = static_cast<std::size_t>(index);
+    for (const std::uint32_t i : kept) {
         copy->points.push_back(scan.points[i]);
         copy->labels.push_back(labelled ? scan.labels[i] : Label::Unlabelled);
     }
@@ -81,7 +80,7 @@ ScanPtr copyOf(const Scan& scan, const std::vector<std::int32_t>& kept, bool lab
 
 /// Of the points @p kept of @p scan, of which @p owner has the points; null: nobody told them.
 std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan, const ScanPtr& owner,
-                                                             const std::vector<std::int32_t>& kept) {
+                                                             const std::vector<std::uint32_t>& kept) {
     const std::size_t count = scan->points.size();
     const bool inBytes = scan->shades.size() == count;
     if (count == 0 || (!inBytes && scan->intensities.size() != count)) return nullptr;
@@ -89,7 +88,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan
     const std::vector<std::uint8_t> all = inBytes ? scan->shades : shadesOf(scan->intensities);
     auto some = std::make_shared<std::vector<std::uint8_t>>();
     some->reserve(kept.size());
-    for (const std::int32_t index : kept) some->push_back(all[static_cast<std::size_t>(index)]);
+    for (const std::uint32_t i : kept) some->push_back(all[i]);
     return some;
 }
 
@@ -97,7 +96,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan
 
 std::size_t ScanPoints::memory(const Scan& scan) const {
     std::size_t bytes = cells.capacity() * sizeof(PointCell) + runs.capacity() * sizeof(PointRun);
-    if (order) bytes += order->capacity() * sizeof(std::int32_t);
+    if (order) bytes += order->memory();
     if (owner && owner.get() != &scan) bytes += points.size_bytes() + labels.size_bytes();
     if (shades && shades.get() != &scan.shades) bytes += shades->size();
     return bytes;
@@ -106,11 +105,11 @@ std::size_t ScanPoints::memory(const Scan& scan) const {
 ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange) {
     const auto lowest = static_cast<float>(minRange * minRange);
     const auto highest = static_cast<float>(maxRange * maxRange);
-    std::vector<std::int32_t> drawn;
+    std::vector<std::uint32_t> drawn;
     drawn.reserve(scan->points.size());
     for (std::size_t i = 0; i < scan->points.size(); ++i) {
         const float range = scan->points[i].squaredNorm();  // NaN passes neither comparison
-        if (range >= lowest && range <= highest) drawn.push_back(static_cast<std::int32_t>(i));
+        if (range >= lowest && range <= highest) drawn.push_back(static_cast<std::uint32_t>(i));
     }
     ScanPoints result;
     const bool labelled = scan->labels.size() == scan->points.size();
@@ -119,10 +118,9 @@ ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange)
     result.labels = result.owner->labels;
     result.shades = drawnShades(scan, result.owner, drawn);
     for (const Label label : result.labels) ++result.labelCounts[static_cast<std::size_t>(label)];
-    std::iota(drawn.begin(), drawn.end(), 0);
-    drawn.shrink_to_fit();
+    std::iota(drawn.begin(), drawn.end(), 0U);
     std::shuffle(drawn.begin(), drawn.end(), std::minstd_rand(1));
-    result.order = std::make_shared<const std::vector<std::int32_t>>(std::move(drawn));
+    result.order = std::make_shared<const PointOrder>(drawn);
     addCells(result);
     return result;
 }

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "core/scan/scan.h"
+#include "widgets/map_view/scene/point_order.h"
 
 namespace leitstand {
 
@@ -34,7 +35,7 @@ struct ScanPoints {
     /// One per point, of their intensities (shadesOf()); null: nobody told them.
     std::shared_ptr<const std::vector<std::uint8_t>> shades;
     /// All points once, at random: every beginning of the list is a fair sample.
-    std::shared_ptr<const std::vector<std::int32_t>> order;
+    std::shared_ptr<const PointOrder> order;
     std::array<std::size_t, LabelCount> labelCounts{};
     std::vector<PointCell> cells;  ///< all points by place, for picking
     /// The cells' points. A scanner passes through a cell in runs of a dozen: these are a fraction of the
@@ -42,16 +43,13 @@ struct ScanPoints {
     std::vector<PointRun> runs;
 
     /// The @p i-th point at random.
-    [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[at(i)]; }
-    [[nodiscard]] Label labelOfSample(std::size_t i) const { return labels[at(i)]; }
+    [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[(*order)[i]]; }
+    [[nodiscard]] Label labelOfSample(std::size_t i) const { return labels[(*order)[i]]; }
     [[nodiscard]] std::uint8_t shadeOfSample(std::size_t i) const {
-        return shades ? (*shades)[at(i)] : std::uint8_t{0};
+        return shades ? (*shades)[(*order)[i]] : std::uint8_t{0};
     }
     /// Bytes that it takes beside the scan's own.
     [[nodiscard]] std::size_t memory(const Scan& scan) const;
-
-private:
-    [[nodiscard]] std::size_t at(std::size_t i) const { return static_cast<std::size_t>((*order)[i]); }
 };
 using ScanPointsPtr = std::shared_ptr<const ScanPoints>;
 

@@ -18,18 +18,18 @@ constexpr double UncertainTint = 0.7, HighlightTint = 0.9;
 /// One of so many points of an uncertain scan is drawn: what is behind shines through.
 constexpr std::size_t UncertainOneOf = 3;
 
-using Indices = std::vector<std::int32_t>;
-
-std::shared_ptr<const Indices> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
+std::shared_ptr<const PointOrder> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
     const std::size_t ceiling = points.labelCounts[static_cast<std::size_t>(Label::Ceiling)];
     if (!thinned && (withCeiling || ceiling == 0)) return points.order;
-    Indices shown;
+    std::vector<std::uint32_t> shown;
     const std::size_t count = points.points.size() / (thinned ? UncertainOneOf : 1);
     shown.reserve(thinned ? count : count - ceiling);
     for (std::size_t i = 0; i < count; ++i) {
-        if (withCeiling || points.labelOfSample(i) != Label::Ceiling) shown.push_back((*points.order)[i]);
+        if (withCeiling || points.labelOfSample(i) != Label::Ceiling) {
+            shown.push_back(static_cast<std::uint32_t>((*points.order)[i]));
+        }
     }
-    return std::make_shared<const Indices>(std::move(shown));
+    return std::make_shared<const PointOrder>(shown);
 }
 
 Rgba onRamp(double value, const ColourRamp& ramp) {

@@ -35,7 +35,7 @@ private:
         double minRange = 0.0, maxRange = 0.0;
         ScanPointsPtr points;
         bool withCeiling = true, thinned = false;
-        std::shared_ptr<const std::vector<std::int32_t>> shown;
+        std::shared_ptr<const PointOrder> shown;
         MapViewSettings settings;  ///< of the colours
         Pose poseInMap = Pose::Identity();
         ColourRamp ramp;

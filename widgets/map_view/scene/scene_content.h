@@ -17,8 +17,8 @@ namespace leitstand {
 
 /// How the points of a scan are drawn.
 struct PointCloudLook {
-    std::shared_ptr<const std::vector<Rgba>> colours;        ///< one per point
-    std::shared_ptr<const std::vector<std::int32_t>> shown;  ///< the points drawn, in drawing order
+    std::shared_ptr<const std::vector<Rgba>> colours;  ///< one per point
+    std::shared_ptr<const PointOrder> shown;           ///< the points drawn
 };
 
 /// A scan as it is drawn.

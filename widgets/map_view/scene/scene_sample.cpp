@@ -43,20 +43,20 @@ SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most) {
             const std::size_t end = taken(*scan);
             const Eigen::Affine3f inMap(scan->poseInMap.cast<float>());
             for (std::size_t i = first; i < std::min(end, first + AtATime); ++i) {
-                const auto index = static_cast<std::size_t>((*scan->look.shown)[i]);
+                const std::size_t index = (*scan->look.shown)[i];
                 merged->points.push_back(inMap * scan->points->points[index]);
                 colours->push_back((*scan->look.colours)[index]);
             }
             more = more || end > first + AtATime;
         }
     }
-    auto order = std::make_shared<std::vector<std::int32_t>>(merged->points.size());
-    std::iota(order->begin(), order->end(), 0);
+    std::vector<std::uint32_t> order(merged->points.size());
+    std::iota(order.begin(), order.end(), 0U);
     auto points = std::make_shared<ScanPoints>();
     points->points = merged->points;
     points->owner = merged;
     sample.scan.points = std::move(points);
-    sample.scan.look = {colours, std::move(order)};
+    sample.scan.look = {colours, std::make_shared<const PointOrder>(order)};
     return sample;
 }
 
