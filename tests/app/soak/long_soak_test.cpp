@@ -38,7 +38,7 @@ constexpr std::chrono::seconds Recorded(120);  ///< and the way back
 constexpr double Hour = 3600.0;                ///< [s]
 constexpr double Rate = 12.0;                  ///< of the mission's time to real time
 constexpr double MostMegabytes = 1500.0, MostCores = 1.0;
-constexpr double MostMegabytesAScan = 1.0;  ///< that enters the map
+constexpr double MostMegabytesAScan = 0.9;  ///< that enters the map
 constexpr double LeastHeard = 0.95;  ///< of what was said, pictures apart: 12 times as much as robots say
 constexpr double Warming = 5.0, AtRateOne = 40.0;  ///< [s]
 constexpr double MostSecondsOfReport = 20.0;       ///< of a mission of 20 minutes
