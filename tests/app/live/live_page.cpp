@@ -42,7 +42,7 @@ void fileNextFind(LiveWindow& window) {
     for (int row = 0; row < table->model()->rowCount(); ++row) {
         const QString name = table->model()->index(row, 0).data().toString();
         const QString state = table->model()->index(row, 1).data().toString();
-        if (name != QStringLiteral("?") && !state.contains(QStringLiteral("unconfirmed"))) continue;
+        if (!name.endsWith(u'?') && !state.contains(QStringLiteral("unconfirmed"))) continue;
         table->selectRow(row);
         QTest::keyClick(&window, Qt::Key_V);
         return;

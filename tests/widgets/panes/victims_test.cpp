@@ -27,7 +27,7 @@ std::vector<VictimRow> rows() {
               "CO₂ 1800 ppm · no sound"};
     second.tone = Tone::Attention;
     sign = {{Kind::Hazard, 1U}, 0, "H1", "hazard", "confirmed", "0.8 m, ahead", "flammable", true};
-    candidate = {{Kind::Victim, 0U}, 4, "?", "victim", "candidate 82 %", "5.1 m, 25° right", "heat 31 °C"};
+    candidate = {{Kind::Victim, 0U}, 4, "V?", "victim", "candidate 82 %", "5.1 m, 25° right", "heat 31 °C"};
     candidate.tone = Tone::Muted;
     return {first, second, sign, candidate};
 }

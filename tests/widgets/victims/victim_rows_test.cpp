@@ -75,6 +75,7 @@ TEST(VictimRows, CandidatesComeAfterFindsTheSurestFirstUntilTheyAreFiledOrDismis
     ASSERT_THAT(rows, SizeIs(3));
     EXPECT_TRUE(rows[0].filed());
     EXPECT_EQ(rows[1].candidate, 2U);
+    EXPECT_EQ(rows[1].name, "V?");
     EXPECT_EQ(rows[1].state.toStdString(), "candidate 90\u202f%");
     EXPECT_EQ(rows[1].signs.toStdString(), "heat 33 °C · motion");
     EXPECT_EQ(rows[2].candidate, 1U);

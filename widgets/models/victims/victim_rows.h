@@ -20,7 +20,7 @@ namespace leitstand {
 struct VictimRow {
     FindKey find{VictimSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
     std::uint32_t candidate = 0;                  ///< CandidateSample::id of one
-    QString name;                                 ///< "V1"; of candidates "?"
+    QString name;                                 ///< "V1"; of candidates "V?"
     QString what;                                 ///< "victim", "hazard", "QR code", "object"
     QString state;                                ///< as statusText(), or "candidate 82 %"
     QString where;                                ///< from the robot: "3.2 m, 40° left"
