@@ -24,7 +24,7 @@ MissionClock StationClock::now() const {
 
 MissionClock StationClock::present() const {
     std::optional<ClockSample> newest = m_said;
-    if (const auto& folded = m_mission.state()->clock;
+    if (const auto folded = m_mission.state()->clock;
         folded && (!newest || newest->stamp < folded->sample.stamp))
         newest = folded->sample;
     return clockAt(newest, stationTime());

@@ -51,7 +51,8 @@ void Station::State::file() {
         victims->seen(std::move(pictures), inMap, std::move(answer));
     };
     setup.robotInMap = [this](const std::string& robot) -> std::optional<Pose> {
-        for (const RobotInMap& one : *mapping->robots()) {
+        const RobotsInMapPtr placed = mapping->robots();
+        for (const RobotInMap& one : *placed) {
             if (one.robot == robot && one.placed) return one.baseInMap;
         }
         return std::nullopt;
@@ -73,7 +74,8 @@ void Station::State::search() {
     for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
     setup.finds = [this] {
         std::vector<VictimSample> finds;
-        for (const auto& [key, known] : *mission->state()->victims) finds.push_back(known.victim);
+        const MissionStatePtr newest = mission->state();
+        for (const auto& [key, known] : *newest->victims) finds.push_back(known.victim);
         return finds;
     };
     for (const ScoreProfile& profile : scoreProfiles().profiles)

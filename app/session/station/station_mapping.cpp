@@ -263,7 +263,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
             return poses != nullptr && poses->station != setup.station;
         });
-    for (const auto& [name, robot] : mission.state()->robots) {
+    for (const auto& [name, robot] : before->robots) {
         // One that was looked for in vain is nowhere: its place was a guess.
         const bool vain = robot->place && robot->place->sample.cause == RobotPlaceSample::Cause::Slot &&
                           !robot->place->sample.certain;

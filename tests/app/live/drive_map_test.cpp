@@ -17,7 +17,8 @@ namespace {
 class LiveDriveMap : public LivePage {
 protected:
     [[nodiscard]] RobotInMap place(const std::string& name) const {
-        for (const RobotInMap& one : *station().mapping().robots()) {
+        const RobotsInMapPtr robots = station().mapping().robots();
+        for (const RobotInMap& one : *robots) {
             if (one.robot == name) return one;
         }
         return {};

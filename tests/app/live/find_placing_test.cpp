@@ -34,7 +34,8 @@ protected:
         action->trigger();
     }
     [[nodiscard]] RobotInMap place() const {
-        for (const RobotInMap& one : *station().mapping().robots()) {
+        const RobotsInMapPtr robots = station().mapping().robots();
+        for (const RobotInMap& one : *robots) {
             if (one.robot == "kurt3d") return one;
         }
         return {};

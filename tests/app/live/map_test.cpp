@@ -35,7 +35,8 @@ protected:
         EXPECT_TRUE(soon([&] { return place("kurt3d").placed; })) << "no scan was registered";
     }
     [[nodiscard]] RobotInMap place(const std::string& name) const {
-        for (const RobotInMap& robot : *station().mapping().robots()) {
+        const RobotsInMapPtr robots = station().mapping().robots();
+        for (const RobotInMap& robot : *robots) {
             if (robot.robot == name) return robot;
         }
         return {};
@@ -48,7 +49,8 @@ protected:
     }
     [[nodiscard]] std::size_t operatorDecisions() const {
         std::size_t count = 0;
-        for (const Decision& one : *station().mission()->decisions) {
+        const MissionStatePtr mission = station().mission();
+        for (const Decision& one : *mission->decisions) {
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
             if (poses != nullptr && poses->cause == ScanPosesSample::Cause::Operator && !one.undone) ++count;
         }
@@ -137,7 +139,7 @@ TEST_F(LiveMapOfAHall, GoesToAPlaceThatWasClicked) {
     const auto mode = [&] { return station().mission()->robots.at("kurt3d")->mode; };
     EXPECT_TRUE(soon([&] { return mode() && mode()->sample.mode == "explore"; }));
     EXPECT_TRUE(soon([&] {
-        const auto& streams = station().mission()->robots.at("kurt3d")->streams;
+        const auto streams = station().mission()->robots.at("kurt3d")->streams;
         const auto goals = streams.find("/kurt3d/goal_pose");
         return goals != streams.end() && goals->second.events == 1;
     })) << "the goal is on the wire and in the log";

@@ -145,7 +145,8 @@ TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
     const VictimSample pictured = victim(1)->victim;
     Eigen::Vector3d seen = pictured.positionInMap;
     Pose base = Pose::Identity();
-    for (const RobotInMap& one : *station().mapping().robots()) {
+    const RobotsInMapPtr robots = station().mapping().robots();
+    for (const RobotInMap& one : *robots) {
         if (one.robot == "kurt3d") base = one.baseInMap;
     }
     seen = base.inverse() * seen;

@@ -264,7 +264,7 @@ TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
     ASSERT_TRUE(writes.fileCandidate(7).ok());
     const FindKey second{VictimSample::Kind::Victim, 2};
     ASSERT_TRUE(writes.state()->victims->contains(second));
-    const VictimSample& filed = writes.state()->victims->at(second).victim;
+    const VictimSample filed = writes.state()->victims->at(second).victim;
     EXPECT_EQ(filed.heat.value, 33.5);
     EXPECT_EQ(filed.found, Mission::at(31.0)) << "when it was told first";
     EXPECT_TRUE(filed.autonomous) << "so it drove then";

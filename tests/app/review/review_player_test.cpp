@@ -121,7 +121,8 @@ TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
     ReviewScene scene(*log, *index);
     const auto points = [&](double seconds) {
         std::vector<std::size_t> counted;
-        for (const LiveKeyScan& scan : scene.at(Mission::at(seconds))->scans->scans) {
+        const auto moment = scene.at(Mission::at(seconds));
+        for (const LiveKeyScan& scan : moment->scans->scans) {
             counted.push_back(scan.scan->points.size());
         }
         return counted;

@@ -93,7 +93,7 @@ TEST_F(ReviewPointingTest, WhatIsPointedToIsWhereTheScannerSawIt) {
 
     ReviewPen pen(m_mission, {Mission::robot()}, "reviewer", "test");
     ASSERT_TRUE(pen.file(VictimSample::Kind::Hazard, *seen).ok());
-    const VictimSample& filed = pen.state()->victims->at({VictimSample::Kind::Hazard, 1}).victim;
+    const VictimSample filed = pen.state()->victims->at({VictimSample::Kind::Hazard, 1}).victim;
     EXPECT_TRUE(filed.positionInMap.isApprox(seen->positionInMap, 1e-6));
 }
 

@@ -44,7 +44,7 @@ protected:
         settings.station = "us";
         LiveMissionListener listener;
         listener.onEvent = [this](const Event& event) {
-            if (m_mapping) m_mapping->take(event);
+            if (StationMapping* const mapping = m_hears) mapping->take(event);
         };
         auto earlier = keyScansOf(settings.folder);
         auto mission = LiveMission::open(settings, std::move(listener));
@@ -59,9 +59,11 @@ protected:
         m_mapping = std::make_unique<StationMapping>(
             *m_mission, [this] { return m_granted.load(); },
             StationMappingSetup{settings.robots, settings.station, {}, std::move(earlier)}, std::move(told));
+        m_hears = m_mapping.get();
     }
     void end() {
         m_mapping->end();
+        m_hears = nullptr;
         m_mission.reset();
         m_mapping.reset();
     }
@@ -139,6 +141,7 @@ protected:
     unsigned m_seed = 0;
     std::unique_ptr<LiveMission> m_mission;
     std::unique_ptr<StationMapping> m_mapping;
+    std::atomic<StationMapping*> m_hears = nullptr;  ///< the same, for the thread of the log
 };
 
 TEST_F(StationMappingTest, DecisionsAreInTheLogAndCanBeTakenBackAndDoneAgain) {
@@ -176,7 +179,7 @@ TEST_F(StationMappingTest, AScanThatDoesNotFitIsTriedAgain) {
     EXPECT_FALSE(m_mapping->robots()->front().certain);
     EXPECT_THAT(m_mapping->robots()->front().how, testing::Not(testing::IsEmpty()));
     RetrySettings settings;
-    const LiveKeyScan& first = m_mapping->scans()->scans.front();
+    const LiveKeyScan first = m_mapping->scans()->scans.front();
     settings.guessInMap = first.pose.scanInMap * poseFrom({0.7, 0.1, 0}, 0, 0, 0);
     ASSERT_TRUE(m_mapping->retry(3, settings).ok());
     ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
@@ -201,7 +204,7 @@ TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {
     const Eigen::Vector3f wrong = tip();
     EXPECT_LT((wrong - here().baseInMap.translation().cast<float>()).norm(), 0.11F);
     RetrySettings settings;
-    const LiveKeyScan& first = m_mapping->scans()->scans.front();
+    const LiveKeyScan first = m_mapping->scans()->scans.front();
     settings.guessInMap = first.pose.scanInMap * poseFrom({0.7, 0.1, 0}, 0, 0, 0);
     ASSERT_TRUE(m_mapping->retry(3, settings).ok());
     ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
@@ -257,7 +260,7 @@ TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
     scan();
     ASSERT_TRUE(scans(1)) << words();
     const auto farthestAhead = [&](std::size_t at) {
-        const LiveKeyScan& one = m_mapping->scans()->scans.at(at);
+        const LiveKeyScan one = m_mapping->scans()->scans.at(at);
         double x = -100.0;
         for (const Eigen::Vector3f& point : one.scan->points) {
             if (point.allFinite()) x = std::max(x, (one.pose.scanInMap * point.cast<double>()).x());

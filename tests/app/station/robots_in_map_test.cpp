@@ -49,7 +49,8 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
     };
     auto station = must(Station::open(settings, listener));
     const auto of = [&](const std::string& name) {
-        for (const RobotInMap& one : *station->mapping().robots()) {
+        const RobotsInMapPtr robots = station->mapping().robots();
+        for (const RobotInMap& one : *robots) {
             if (one.robot == name) return one;
         }
         return RobotInMap{};

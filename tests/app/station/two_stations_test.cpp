@@ -35,14 +35,16 @@ protected:
     }
     [[nodiscard]] static std::vector<std::uint64_t> ids(Station& station) {
         std::vector<std::uint64_t> all;
-        for (const LiveKeyScan& scan : station.mapping().scans()->scans) all.push_back(scan.id);
+        const LiveMapPtr map = station.mapping().scans();
+        for (const LiveKeyScan& scan : map->scans) all.push_back(scan.id);
         return all;
     }
     [[nodiscard]] static bool has(Station& station, std::size_t count) {
         return waitUntil([&] { return station.mapping().scans()->scans.size() == count; }, 60s);
     }
     [[nodiscard]] static std::optional<ScanTrust> trust(Station& station, std::uint64_t id) {
-        for (const LiveKeyScan& scan : station.mapping().scans()->scans) {
+        const LiveMapPtr map = station.mapping().scans();
+        for (const LiveKeyScan& scan : map->scans) {
             if (scan.id == id) return scan.pose.trust;
         }
         return std::nullopt;

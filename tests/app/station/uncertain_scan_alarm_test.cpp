@@ -51,8 +51,8 @@ TEST_F(UncertainScanAlarm, IsRaisedAndEndsWhenTheScanIsRejectedOrAccepted) {
     ASSERT_TRUE(scans(2)) << words();
     scan(poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25)));
     ASSERT_TRUE(scans(3)) << words();
-    for (const LiveKeyScan& one : m_station->mapping().scans()->scans)
-        EXPECT_EQ(one.counts(), one.id < 3) << one.id;
+    const LiveMapPtr map = m_station->mapping().scans();
+    for (const LiveKeyScan& one : map->scans) EXPECT_EQ(one.counts(), one.id < 3) << one.id;
     ASSERT_TRUE(raised()) << words();
     EXPECT_EQ(alarm()->cause.severity, AlarmSeverity::Attention);
     EXPECT_EQ(alarm()->cause.value, 1.0) << "scans";

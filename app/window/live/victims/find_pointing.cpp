@@ -96,7 +96,8 @@ void FindPointing::fileIn(const PicturePoint& at) {
 void FindPointing::fileBeside(const Eigen::Vector2d& placeInBase) {
     const std::string name = m_context.selection.name().toStdString();
     std::optional<Pose> baseInMap;
-    for (const RobotInMap& robot : *m_context.bridge.station().mapping().robots()) {
+    const RobotsInMapPtr robots = m_context.bridge.station().mapping().robots();
+    for (const RobotInMap& robot : *robots) {
         if (robot.robot == name && robot.placed) baseInMap = robot.baseInMap;
     }
     if (!baseInMap) return emit told(tr("The robot is not in the map yet: nothing was filed"));

@@ -216,7 +216,8 @@ void VictimsFeature::show(const LiveMoment& moment) {
     if (m_sinceRows++ % TicksARow != 0) return;
     const std::string robot = m_context.selection.name().toStdString();
     std::optional<Pose> baseInMap;
-    for (const RobotInMap& one : *m_context.bridge.station().mapping().robots()) {
+    const RobotsInMapPtr robots = m_context.bridge.station().mapping().robots();
+    for (const RobotInMap& one : *robots) {
         if (one.robot == robot && one.placed) baseInMap = one.baseInMap;
     }
     const bool following = std::exchange(m_following, true);
