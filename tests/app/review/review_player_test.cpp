@@ -246,6 +246,7 @@ TEST_F(ReviewPlayerTest, PlaysToTheEndAndBackToTheStart) {
 TEST_F(ReviewPlayerTest, RatesStayWithinTheirBounds) {
     m_player->play(1000.0);
     EXPECT_EQ(m_player->rate(), ReviewPlayer::Fastest);
+    m_player->seek(Mission::at(30.0));  // at the beginning it would stop at once
     m_player->play(-0.001);
     EXPECT_EQ(m_player->rate(), -ReviewPlayer::Slowest);
     m_player->play(std::numeric_limits<double>::quiet_NaN());
