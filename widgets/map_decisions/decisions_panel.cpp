@@ -125,6 +125,11 @@ QWidget* DecisionsPanel::worldLine() {
     return group;
 }
 
+// A field that goes while it has the focus says that it was edited, when this is no panel any more.
+DecisionsPanel::~DecisionsPanel() {
+    m_ceiling->disconnect(this);
+}
+
 void DecisionsPanel::addButtons(QGridLayout& grid, const std::vector<QAction*>& commands) {
     int place = 0;
     for (QAction* command : commands) {

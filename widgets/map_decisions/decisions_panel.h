@@ -25,6 +25,7 @@ class DecisionsPanel final : public QWidget {
 public:
     /// Shows @p scans, which must outlive it.
     explicit DecisionsPanel(KeyScanModel& scans, QWidget* parent = nullptr);
+    ~DecisionsPanel() override;
 
     /// Buttons for these commands, two a row; a null leaves room. They show the commands' short texts
     /// (iconText) and keys.

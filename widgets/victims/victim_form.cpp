@@ -160,6 +160,16 @@ void VictimForm::show(const std::optional<VictimSample>& find) {
     m_showing = false;
 }
 
+// A field that goes while it has the focus says that it was edited, when this is no form any more.
+VictimForm::~VictimForm() {
+    for (QWidget* field : m_fields) field->disconnect(this);
+}
+
+void VictimForm::hideEvent(QHideEvent* event) {
+    read();
+    QWidget::hideEvent(event);
+}
+
 void VictimForm::read() {
     if (m_showing || !m_find) return;
     VictimSample now = *m_find;

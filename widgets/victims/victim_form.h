@@ -20,6 +20,7 @@ class VictimForm final : public QWidget {
     Q_OBJECT
 public:
     explicit VictimForm(QWidget* parent = nullptr);
+    ~VictimForm() override;
 
     /// Shows @p find as it is now; what is being typed stays. Empty: none is chosen.
     void show(const std::optional<VictimSample>& find);
@@ -38,6 +39,9 @@ public:
 
 signals:
     void edited(const leitstand::VictimSample& find);
+
+protected:
+    void hideEvent(QHideEvent* event) override;  ///< what was being typed counts, also when a window closes
 
 private:
     struct Sign {

@@ -261,6 +261,14 @@ TEST_F(FormByPad, WhatWasTypedIsNotLost) {
     EXPECT_EQ(tag.text(), QStringLiteral("illegible, begins with K"));
 }
 
+TEST_F(FormByPad, WhatIsBeingTypedIsFiledWhenTheWindowCloses) {
+    QLineEdit& tag = goTo(QStringLiteral("Tag"));
+    tag.selectAll();
+    QTest::keyClicks(&tag, QStringLiteral("Anna"));
+    m_form.close();
+    EXPECT_EQ(said().tag, "Anna");
+}
+
 TEST(TagChoices, AreCodesThatWereReadTheNearestFirst) {
     MissionState mission;
     using Status = VictimSample::Status;
