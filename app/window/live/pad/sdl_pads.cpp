@@ -154,6 +154,7 @@ void SdlPads::State::run(const std::stop_token& stop) {
     }
     pads.clear();
     SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
+    SDL_TLSCleanup();  // this thread is none of SDL's own
 }
 
 SdlPads::SdlPads(PadListener listener) : m_state(std::make_unique<State>()) {
