@@ -64,7 +64,7 @@ void addBattery(FitOut& fit, BatterySettings settings) {
 
 std::unique_ptr<Camera> camera(FitOut& fit, const SensorPlace& place, const MountAt& mount,
                                const std::shared_ptr<SharedLight>& light,
-                               const std::function<bool()>& mayDraw) {
+                               const std::function<bool(std::string_view)>& mayDraw) {
     CameraSettings settings;
     settings.mayDraw = mayDraw;
     settings.model = pinholeCamera();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/robot/robot_description.h"
 #include "robots/hardware/robot_hardware.h"
@@ -20,7 +21,7 @@ struct HardwareSettings {
     ScannerMount scanner = ScannerMount::ScanDrive;  ///< of Kurt3D
     bool turningLaser = false;                       ///< of the Crawler: its laser gives 3D slices too
     bool cameras = true;                             ///< off: nothing is drawn (quicker tests)
-    std::function<bool()> mayDraw = {};              ///< asked before each picture; none: always
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
 };
 
 /// The sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings as in the

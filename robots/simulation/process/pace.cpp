@@ -11,9 +11,10 @@ bool Pace::step(Clock::time_point now) {
     return true;
 }
 
-bool Pace::mayDraw(Clock::time_point now) {
-    const bool draw = now - m_lived <= DrawsBehind || m_leftOut + 1 >= Few;
-    m_leftOut = draw ? 0 : m_leftOut + 1;
+bool Pace::mayDraw(std::string_view camera, Clock::time_point now) {
+    int& leftOut = m_leftOut.try_emplace(std::string(camera)).first->second;
+    const bool draw = now - m_lived <= DrawsBehind || leftOut + 1 >= Few;
+    leftOut = draw ? 0 : leftOut + 1;
     return draw;
 }
 

@@ -157,7 +157,7 @@ Result<void> runRobot(const RobotOptions& options) {
     const int number = world.addRobot(body, start->second);
     Pace pace;
     HardwareSettings fitting;
-    fitting.mayDraw = [&pace] { return pace.mayDraw(Pace::Clock::now()); };
+    fitting.mayDraw = [&pace](std::string_view camera) { return pace.mayDraw(camera, Pace::Clock::now()); };
     fitting.seed = options.seed;
     const bool tilting = options.tilting || motionOf(*robot, StreamRole::Points) == SensorMotion::Tilting;
     fitting.scanner = tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;

@@ -1,5 +1,8 @@
 #include "robots/simulation/process/pace.h"
 
+#include <map>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace leitstand::simulation::test {
@@ -36,11 +39,24 @@ TEST(Pace, LeavesOutWhatIsMoreThanAFifthOfASecond) {
 TEST(Pace, DrawsFewPicturesWhileItIsBehind) {
     Pace pace;
     pace.begin(Begin);
-    for (int i = 0; i < 10; ++i) EXPECT_TRUE(pace.mayDraw(Begin + 100ms)) << "in time";
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(pace.mayDraw("left", Begin + 100ms)) << "in time";
     int drawn = 0;
-    for (int i = 0; i < 50; ++i) drawn += pace.mayDraw(Begin + 110ms) ? 1 : 0;
+    for (int i = 0; i < 50; ++i) drawn += pace.mayDraw("left", Begin + 110ms) ? 1 : 0;
     EXPECT_EQ(drawn, 10) << "one of five: never none";
-    EXPECT_TRUE(pace.mayDraw(Begin));
+    EXPECT_TRUE(pace.mayDraw("left", Begin));
+}
+
+// Left and infrared camera at 10 Hz each and the right one at 5 Hz: with one share for all of them, the right
+// one's turn never came.
+TEST(Pace, EveryCameraHasItsShareOfTheFew) {
+    Pace pace;
+    pace.begin(Begin);
+    std::map<std::string, int> drawn;
+    for (int i = 0; i < 50; ++i) {
+        for (const char* camera : {"left", "right", "infrared", "left", "infrared"})
+            drawn[camera] += pace.mayDraw(camera, Begin + 110ms) ? 1 : 0;
+    }
+    EXPECT_EQ(drawn, (std::map<std::string, int>{{"infrared", 20}, {"left", 20}, {"right", 10}}));
 }
 
 }  // namespace

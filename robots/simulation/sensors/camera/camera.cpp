@@ -18,7 +18,7 @@ void Camera::run(const World& world, int robot, std::vector<HardwareSample>& sam
     const auto stamp = m_schedule.newest(world.now());
     if (!stamp) return;
     const SampleHeader header{*stamp, m_settings.frame};
-    if (m_enabled && (!m_settings.mayDraw || m_settings.mayDraw())) {
+    if (m_enabled && (!m_settings.mayDraw || m_settings.mayDraw(m_settings.sensor))) {
         const Pose cameraInArena = world.baseInArena(robot, *stamp) * m_settings.cameraInBase(*stamp);
         const CastRays cast = castInto(world.scene(), RayKind::Camera, m_settings.seesRobot ? -1 : robot);
         const auto& pixels = m_renderer.render(cameraInArena, cast, m_light->of(world.scene()));

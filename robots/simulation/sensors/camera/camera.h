@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "robots/simulation/sensors/camera/picture_renderer.h"
 #include "robots/simulation/sensors/schedule.h"
@@ -33,8 +34,8 @@ struct CameraSettings {
     int quality = 70;                     ///< of JPEG
     bool seesRobot = false;               ///< whether its own robot is in the picture
     std::string sensor, frame;
-    MountAt cameraInBase;                ///< optical frame
-    std::function<bool()> mayDraw = {};  ///< asked before each picture; none: always
+    MountAt cameraInBase;                                       ///< optical frame
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
 };
 
 /// A camera that sends JPEG pictures and its calibration.

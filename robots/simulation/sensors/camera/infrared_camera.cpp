@@ -84,7 +84,7 @@ void InfraredCamera::run(const World& world, int robot, std::vector<HardwareSamp
     const auto stamp = m_schedule.newest(world.now());
     if (!stamp) return;
     const SampleHeader header{*stamp, m_settings.frame};
-    if (m_enabled && (!m_settings.mayDraw || m_settings.mayDraw())) {
+    if (m_enabled && (!m_settings.mayDraw || m_settings.mayDraw(m_settings.sensor))) {
         const Pose cameraInArena = world.baseInArena(robot, *stamp) * m_settings.cameraInBase(*stamp);
         render(cameraInArena, castInto(world.scene(), RayKind::Infrared, robot),
                world.arena().ambient + ZeroCelsius);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robots/simulation/sensors/camera/camera.h"
@@ -18,8 +19,8 @@ struct InfraredSettings {
     double scale = 0.01;  ///< of the numbers it sends [K]
     double offset = 0.0;  ///< [K]
     std::string sensor, frame;
-    MountAt cameraInBase;                ///< optical frame
-    std::function<bool()> mayDraw = {};  ///< asked before each picture; none: always
+    MountAt cameraInBase;                                       ///< optical frame
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
 };
 
 /// Temperature that a camera (which takes everything for black) shows for what @p hit is of, with foil that
