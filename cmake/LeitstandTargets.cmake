@@ -97,3 +97,10 @@ function(leitstand_library name)
         set_target_properties(${name} PROPERTIES AUTOMOC ON)
     endif()
 endfunction()
+
+# Libraries that pcl_io brings in fail ThreadSanitizer at start; what they do is not ours to check. For programs.
+function(leitstand_tsan target)
+    if(LEITSTAND_SANITIZE MATCHES thread)
+        target_sources(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/sanitizers/tsan_suppressions.cpp)
+    endif()
+endfunction()

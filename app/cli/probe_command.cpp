@@ -11,7 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
-#include "app/cli/interrupt.h"
+#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <functional>
+#include <stop_token>
+
 #include <QObject>
+
+#include "app/session/interrupt.h"
 
 namespace leitstand {
 
@@ -11,7 +16,10 @@ class OrderlyEnd final : public QObject {
     Q_OBJECT
 public:
     explicit OrderlyEnd(QObject* parent = nullptr);
-    ~OrderlyEnd() override;
+
+private:
+    const InterruptGuard m_interrupt;
+    const std::stop_callback<std::function<void()>> m_came;
 };
 
 }  // namespace leitstand

@@ -1,52 +1,25 @@
 #include "tests/architecture/include_rules.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/architecture/sources.h"
 #include "tests/support/places.h"
 
 namespace leitstand::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-/// All sources of ours below the checkout's program folders, as paths relative to it.
-std::vector<std::string> sources(std::initializer_list<const char*> folders) {
-    std::vector<std::string> found;
-    for (const char* top : folders) {
-        const fs::path folder = fs::path(sourceFolder()) / top;
-        if (!fs::is_directory(folder)) continue;
-        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-            const auto ending = entry.path().extension();
-            if (ending == ".h" || ending == ".cpp") {
-                found.push_back(fs::relative(entry.path(), sourceFolder()).generic_string());
-            }
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
 
 TEST(IncludeRules, EverySourceKeepsThem) {
     const auto files = sources({"core", "transport", "robots", "widgets", "app"});
     EXPECT_GT(files.size(), 10u) << "the sources were not found below " << sourceFolder();
     for (const std::string& file : files) {
-        EXPECT_THAT(includeViolations(file, content(fs::path(sourceFolder()) / file)), IsEmpty());
+        EXPECT_THAT(includeViolations(file, content(file)), IsEmpty());
     }
 }
 
@@ -80,7 +53,7 @@ TEST(IncludeRules, FilesInUnknownFoldersAreFound) {
 TEST(SourceSizes, NoFileIsLongerThan400Lines) {
     for (const std::string& file :
          sources({"core", "transport", "robots", "widgets", "app", "tests", "benchmarks", "fuzz"})) {
-        const std::string text = content(fs::path(sourceFolder()) / file);
+        const std::string text = content(file);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 400) << file;
     }
 }
@@ -88,7 +61,7 @@ TEST(SourceSizes, NoFileIsLongerThan400Lines) {
 TEST(SourceSizes, MainFilesHaveAtMost40Lines) {
     for (const std::string& file : sources({"app", "robots"})) {
         if (!file.ends_with("/main.cpp")) continue;
-        const std::string text = content(fs::path(sourceFolder()) / file);
+        const std::string text = content(file);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 40) << file;
     }
 }

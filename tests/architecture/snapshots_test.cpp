@@ -1,19 +1,15 @@
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/places.h"
+#include "tests/architecture/sources.h"
 
 namespace leitstand::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -33,19 +29,12 @@ std::vector<std::string> unheldSnapshots(const std::string& text) {
 }
 
 TEST(Snapshots, WhoLooksAtAPartHoldsTheWhole) {
-    std::size_t files = 0;
-    for (const char* top : {"core", "transport", "robots", "widgets", "app", "tests"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(sourceFolder()) / top)) {
-            if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-            if (entry.path().filename() == "snapshots_test.cpp") continue;
-            std::ifstream in(entry.path());
-            std::stringstream text;
-            text << in.rdbuf();
-            EXPECT_THAT(unheldSnapshots(text.str()), IsEmpty()) << entry.path();
-            ++files;
-        }
+    const auto files = sources({"core", "transport", "robots", "widgets", "app", "tests"});
+    EXPECT_GT(files.size(), 100U);
+    for (const std::string& file : files) {
+        if (file == "tests/architecture/snapshots_test.cpp") continue;
+        EXPECT_THAT(unheldSnapshots(content(file)), IsEmpty()) << file;
     }
-    EXPECT_GT(files, 100U);
 }
 
 TEST(Snapshots, UnheldOnesAreSeen) {

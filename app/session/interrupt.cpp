@@ -1,4 +1,4 @@
-#include "app/cli/interrupt.h"
+#include "app/session/interrupt.h"
 
 #include <array>
 #include <cassert>
@@ -6,19 +6,30 @@
 #include <memory>
 #include <thread>
 
+#include <fcntl.h>
 #include <unistd.h>
 
-namespace leitstand::cli {
+namespace leitstand {
 namespace {
+
+struct Taken {
+    int signal;
+    void (*before)(int) = SIG_DFL;
+};
 
 // request_stop is not allowed in a signal handler, so the handler writes to a pipe and a thread stops the
 // work.
+std::array<Taken, 3> signals = {{{SIGINT}, {SIGTERM}, {SIGHUP}}};
 std::array<int, 2> wakeUp = {-1, -1};
 std::unique_ptr<std::stop_source> source;
 std::jthread waiter;
 
-void onSignal(int signal) {
-    std::signal(signal, SIG_DFL);
+void giveBack() {
+    for (const Taken& one : signals) std::signal(one.signal, one.before);
+}
+
+void onSignal(int /*signal*/) {
+    giveBack();
     const char byte = 1;
     [[maybe_unused]] const auto written = write(wakeUp[1], &byte, 1);
 }
@@ -28,19 +39,20 @@ void onSignal(int signal) {
 InterruptGuard::InterruptGuard() {
     assert(!source);
     source = std::make_unique<std::stop_source>();
-    if (pipe(wakeUp.data()) != 0) return;  // Ctrl-C then ends the process at once
+    if (pipe2(wakeUp.data(), O_CLOEXEC) != 0) return;  // Ctrl-C then ends the process at once
     waiter = std::jthread([] {
         char byte = 0;
         if (read(wakeUp[0], &byte, 1) == 1 && byte == 1) source->request_stop();
     });
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    for (Taken& one : signals) {
+        one.before = std::signal(one.signal, SIG_IGN);
+        if (one.before != SIG_IGN) std::signal(one.signal, onSignal);
+    }
 }
 
 InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
     if (waiter.joinable()) {
+        giveBack();
         const char byte = 0;
         [[maybe_unused]] const auto written = write(wakeUp[1], &byte, 1);
         waiter.join();
@@ -54,4 +66,4 @@ std::stop_token InterruptGuard::token() const {
     return source->get_token();
 }
 
-}  // namespace leitstand::cli
+}  // namespace leitstand
