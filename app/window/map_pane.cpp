@@ -11,12 +11,11 @@
 #include "app/window/look_bar.h"
 #include "widgets/elided_label.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map_summary.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int ToolGap = 8, ToolSpacing = 6, IconSize = 20;  ///< [px]
+constexpr int ToolGap = 8, ToolSpacing = 6, IconSize = 20, HeadMargin = 10, HeadSpacing = 14;  ///< [px]
 
 void setTone(QLabel& label, Tone tone) {
     const QVariant before = label.property("attention");
@@ -67,8 +66,8 @@ QWidget* MapPane::header(ViewState& state) {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
     auto* line = new QHBoxLayout;
-    line->setContentsMargins(10, 8, 10, 7);
-    line->setSpacing(14);
+    line->setContentsMargins(HeadMargin, 8, HeadMargin, 7);
+    line->setSpacing(HeadSpacing);
     m_title->setObjectName(QStringLiteral("mapTitle"));
     m_result->setObjectName(QStringLiteral("mapResult"));
     m_result->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -107,11 +106,28 @@ void MapPane::setTools(const QList<QAction*>& tools) {
 }
 
 void MapPane::setSummary(const MapSummary& summary) {
-    m_title->setText(summary.title);
-    m_result->setText(summary.result);
+    m_summary = summary;
+    showTexts();
+    m_title->setToolTip(summary.title);
     m_result->setToolTip(summary.result + QLatin1Char('\n') + summary.hint);
     setTone(*m_result, summary.tone);
     m_view->setStale(summary.stale);
+}
+
+void MapPane::showTexts() {
+    const int wanted = m_title->fontMetrics().horizontalAdvance(m_summary.title) +
+                       m_result->fontMetrics().horizontalAdvance(m_summary.result);
+    const bool brief = wanted + 2 * HeadMargin + HeadSpacing > width();
+    const auto chosen = [brief](const QString& text, const QString& briefText) {
+        return brief && !briefText.isEmpty() ? briefText : text;
+    };
+    m_title->setText(chosen(m_summary.title, m_summary.briefTitle));
+    m_result->setText(chosen(m_summary.result, m_summary.briefResult));
+}
+
+void MapPane::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showTexts();
 }
 
 void MapPane::setHelpVisible(bool visible) {

@@ -3,6 +3,8 @@
 #include <QList>
 #include <QWidget>
 
+#include "widgets/models/map_summary.h"
+
 class QAction;
 class QGridLayout;
 class QLabel;
@@ -12,7 +14,6 @@ namespace leitstand {
 
 class MapView;
 class ViewState;
-struct MapSummary;
 
 /// The map with its title, the tool column, the settings of the present look, and a word of help while it is
 /// empty.
@@ -25,12 +26,16 @@ public:
     [[nodiscard]] MapView& view() const { return *m_view; }
     /// Puts @p tools into the column, from top to bottom; a null stands for a gap.
     void setTools(const QList<QAction*>& tools);
-    /// Sums the map up in the title.
+    /// Sums the map up in the title; in brief where the pane is narrow.
     void setSummary(const MapSummary& summary);
     /// Shows what to do while the map is empty.
     void setHelpVisible(bool visible);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void showTexts();
     [[nodiscard]] QWidget* header(ViewState& state);
     [[nodiscard]] QLabel* help();
 
@@ -39,6 +44,7 @@ private:
     QLabel* m_result;
     QLabel* m_help;
     QGridLayout* m_stage;
+    MapSummary m_summary;
 };
 
 }  // namespace leitstand

@@ -14,6 +14,8 @@ struct MapSummary {
     Tone tone = Tone::Normal;  ///< of the result: Attention when a scan is not certain
     QString hint = {};         ///< what the result means
     bool stale = false;        ///< nothing came to it lately: it is greyed
+    QString briefTitle = {};   ///< for where both have no room; empty: as the title
+    QString briefResult = {};  ///< likewise
 };
 
 /// Sums @p map up; overlap is the lowest of all scans, time the sum.

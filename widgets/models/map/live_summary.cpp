@@ -14,6 +14,7 @@ namespace leitstand {
 namespace {
 
 constexpr double LongAgo = 100.0;  ///< [s]
+constexpr QStringView Between = u" · ";
 
 struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::LiveSummary)
@@ -49,11 +50,14 @@ MapSummary liveSummaryOf(const LiveMapFacts& facts) {
     if (!facts.maker.isEmpty()) title += Say::tr("made by %1").arg(facts.maker);
     if (scans > 0) {
         title += scans == 1 ? Say::tr("1 key scan") : Say::tr("%1 key scans").arg(countText(scans));
-        // A map that follows is a small one beside a picture.
-        if (facts.followed.isEmpty()) title += Say::tr("%1 points").arg(shortCountText(points));
     }
-    if (!facts.followed.isEmpty()) title += Say::tr("follows %1").arg(facts.followed);
-    summary.title = title.join(QStringLiteral(" · "));
+    QStringList brief = title;
+    if (scans > 0) title += Say::tr("%1 points").arg(shortCountText(points));
+    if (!facts.followed.isEmpty()) {
+        for (QStringList* const one : {&title, &brief}) *one += Say::tr("follows %1").arg(facts.followed);
+    }
+    summary.title = title.join(Between);
+    summary.briefTitle = brief.join(Between);
     if (facts.map.scans.empty()) return summary;
     summary.hint = Say::tr(
         "The newest key scan: whether it is certain, and how much of it meets the map; and how long ago any "
@@ -64,21 +68,14 @@ MapSummary liveSummaryOf(const LiveMapFacts& facts) {
         std::chrono::duration<double>(facts.now - std::max(matched.value_or(newest.entered), newest.entered))
             .count();
     summary.stale = matched && ago >= MapStaleAfter;
-    // The verdict first: where there is little room, the age is what is cut; but not where that matters.
-    QStringList result = {trustText(newest.pose.trust)};
-    if (newest.matched != 0) {
-        const QString overlap = Say::tr("overlap %1").arg(percentText(newest.pose.overlap));
-        // A small map beside a picture has no room for it.
-        if (facts.followed.isEmpty())
-            result += overlap;
-        else
-            summary.hint.prepend(overlap + QLatin1Char('\n'));
-    }
-    if (summary.stale)
-        result.prepend(agoText(ago));
-    else
-        result += agoText(ago);
-    summary.result = result.join(QStringLiteral(" · "));
+    // The verdict first: where there is too little room even so, the age is what is cut; but not where that
+    // matters.
+    QStringList parts = {trustText(newest.pose.trust), agoText(ago)};
+    if (summary.stale) parts.swapItemsAt(0, 1);
+    summary.briefResult = parts.join(Between);
+    if (newest.matched != 0)
+        parts.insert(summary.stale ? 2 : 1, Say::tr("overlap %1").arg(percentText(newest.pose.overlap)));
+    summary.result = parts.join(Between);
     if (newest.pose.trust == ScanTrust::Uncertain || summary.stale) summary.tone = Tone::Attention;
     return summary;
 }

@@ -19,8 +19,8 @@ struct LiveMapFacts {
 };
 
 /// A map that grows in a line: "3D map · 47 key scans · 1.21 M points · follows K" and "certain · overlap
-/// 83 % · last scan 1.4 s ago". It is stale where scans were laid onto it and none has been for
-/// MapStaleAfter.
+/// 83 % · last scan 1.4 s ago"; in brief without points and overlap. It is stale where scans were laid onto
+/// it and none has been for MapStaleAfter.
 [[nodiscard]] MapSummary liveSummaryOf(const LiveMapFacts& facts);
 
 /// A few turns of a slow scanner [s].

@@ -79,7 +79,8 @@ void MapFeature::showSummary(const LiveMoment& moment) {
     if (m_robots != nullptr && !summary.hint.isEmpty() && !m_robots->details().isEmpty())
         summary.hint += QLatin1Char('\n') + m_robots->details();
     // What is under the pointer; but never in place of a doubt about the map.
-    if (!m_pointed.isEmpty() && summary.tone == Tone::Normal) summary.result = m_pointed;
+    if (!m_pointed.isEmpty() && summary.tone == Tone::Normal)
+        summary.result = summary.briefResult = m_pointed;
     m_pane->setSummary(summary);
 }
 
