@@ -19,7 +19,9 @@ Error unknown(std::uint64_t id) {
 }
 
 bool same(const ScanPose& a, const ScanPose& b) {
-    return a.trust == b.trust && a.scanInMap.matrix() == b.scanInMap.matrix();
+    return a.trust == b.trust && a.doubts == b.doubts && a.converged == b.converged && a.rms == b.rms &&
+           a.inlierRatio == b.inlierRatio && a.overlap == b.overlap && a.certainty == b.certainty &&
+           a.scanInMap.matrix() == b.scanInMap.matrix();
 }
 
 }  // namespace

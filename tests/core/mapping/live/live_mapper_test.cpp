@@ -1,5 +1,7 @@
 #include "core/mapping/live/live_mapper.h"
 
+#include <tuple>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -230,6 +232,13 @@ TEST(LiveMapper, TheMapComesAgainFromTheLog) {
     for (const LiveKeyScan& scan : map->scans) poses.push_back(scan.pose);
     EXPECT_TRUE(alike(poses, room.poses()));
     ASSERT_EQ(again.map()->scans.size(), room.mapper.map()->scans.size());
+    EXPECT_GT(poses[1].overlap, 0.5);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const ScanPose& before = room.mapper.map()->scans[i].pose;
+        EXPECT_EQ(std::tie(poses[i].overlap, poses[i].rms, poses[i].inlierRatio, poses[i].certainty),
+                  std::tie(before.overlap, before.rms, before.inlierRatio, before.certainty));
+        EXPECT_EQ(poses[i].doubts, before.doubts);
+    }
     EXPECT_EQ(again.map()->scans[0].scan, room.mapper.map()->scans[0].scan);
     // It goes on: the next scan gets the next number.
     EXPECT_TRUE(again.reject(6, room.now));
