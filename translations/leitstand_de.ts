@@ -5977,6 +5977,14 @@ F1 listet alle Tasten</translation>
         <source>sticks must be neutral first</source>
         <translation>erst Sticks loslassen</translation>
     </message>
+    <message>
+        <source>the heat is hidden from here</source>
+        <translation>die Wärme ist von hier verdeckt</translation>
+    </message>
+    <message>
+        <source>warm, but no person: no clothes beside the heat</source>
+        <translation>warm, aber kein Mensch: keine Kleidung daneben</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotsFeature</name>

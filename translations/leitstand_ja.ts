@@ -5977,6 +5977,14 @@ F1 でキー一覧</translation>
         <source>sticks must be neutral first</source>
         <translation>先にスティックを中立へ</translation>
     </message>
+    <message>
+        <source>the heat is hidden from here</source>
+        <translation>ここからは熱源が隠れている</translation>
+    </message>
+    <message>
+        <source>warm, but no person: no clothes beside the heat</source>
+        <translation>温かいが人ではない：そばに衣服がない</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotsFeature</name>

@@ -59,6 +59,9 @@ constexpr auto NoRule = translatable("leitstand::RobotSays", "no rule applies: s
 // While it drives to a victim.
 constexpr auto NoHeat = translatable("leitstand::RobotSays", "no heat to drive to");
 constexpr auto HeatLost = translatable("leitstand::RobotSays", "the heat was lost");
+constexpr auto HeatHidden = translatable("leitstand::RobotSays", "the heat is hidden from here");
+constexpr auto HeatBare =
+    translatable("leitstand::RobotSays", "warm, but no person: no clothes beside the heat");
 constexpr auto HeatUnreachable = translatable("leitstand::RobotSays", "the heat cannot be reached");
 constexpr auto VictimKnown = translatable("leitstand::RobotSays", "that victim is known");
 constexpr auto GaveUp = translatable("leitstand::RobotSays", "gave the approach up");
@@ -95,7 +98,7 @@ inline constexpr std::array All = {
     LinkLostStands, LinkLostFinishes, LinkLostReturns, LinkLostWaits, LinkLostFinished, LinkLostIsBack,
     LinkLostNoWay, BackWhereLinkWasGood, ScannerSilent, LooksAround, AtTheGoal, LooksAgain,
     NoWayToTheGoal, NothingLeft, MakesRoom, LooksForAWay, BacksOut, LeansBacksOut, NoWayOff,
-    RolledOverStands, NoRule, NoHeat, HeatLost, HeatUnreachable, VictimKnown, GaveUp, TurnsToHeat,
+    RolledOverStands, NoRule, NoHeat, HeatLost, HeatHidden, HeatBare, HeatUnreachable, VictimKnown, GaveUp, TurnsToHeat,
     DrivesToHeat, DrivesAround, MeasuresAgain, HeatAhead, AtAVictim, BeforeAVictim, NoNumber, Obstacle,
     OldScan, NotSeenYet, RollOver, Upright, AboutToRollOver, RolledOver, Front, Left, Rear, Right,
     BodyHeat};

@@ -52,8 +52,7 @@ void Kurt3dAgent::see(const HardwareSample& sample, const PictureSample& picture
     const auto heat = temperatures(*decoded, stream->thermal);
     if (!heat) return;
     const auto blobs = findHeat(*heat, camera->second);
-    auto cues =
-        cuesFrom(blobs, camera->second, heat->width, heat->height, *robotThen * *place, picture.header.stamp);
+    auto cues = cuesFrom(blobs, *heat, camera->second, *robotThen * *place, picture.header.stamp);
     if (!cues.empty()) m_cues = std::move(cues);
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/perception/cues/body_heat.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -57,14 +58,15 @@ double bearingOf(const HeatCue& cue, const Pose& baseInOdom) {
 
 }  // namespace
 
-std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const CameraInfoSample& camera, int width,
-                              int height, const Pose& opticalInOdom, Time at) {
+std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
+                              const CameraInfoSample& camera, const Pose& opticalInOdom, Time at) {
     std::vector<HeatCue> cues;
     for (const HeatBlob& blob : blobs) {
         if (blob.kind != HeatBlob::Kind::Body) continue;
-        const auto direction = pixelDirection(camera, blob.centre, width, height);
+        const auto direction = pixelDirection(camera, blob.centre, picture.width, picture.height);
         if (!direction) continue;
-        cues.push_back({at, rayFrom(opticalInOdom, *direction), blob.width, blob.mean, blob.confidence});
+        cues.push_back({at, rayFrom(opticalInOdom, *direction), blob.width, blob.mean, blob.confidence,
+                        blob.size, blob.cut, judgeBody(picture, blob, 1.0).clothes});
     }
     return cues;
 }
@@ -210,9 +212,18 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
     if (!surface || !surface->certain) return false;
     const Eigen::Vector2d place = flat(baseInOdom) * surface->inBase;
     if (heightAt(cue, place, baseInOdom) > m_settings.highest) return false;
-    return !isKnown(place) && std::none_of(m_givenUp.begin(), m_givenUp.end(), [&](const auto& other) {
-        return (other - place).norm() < m_settings.sameVictim;
-    });
+    const auto there = [&](const auto& other) { return (other - place).norm() < m_settings.sameVictim; };
+    if (isKnown(place) || std::any_of(m_givenUp.begin(), m_givenUp.end(), there)) return false;
+    const auto glimpses = std::count_if(m_hidden.begin(), m_hidden.end(), there);
+    return glimpses == 0 || (glimpses < m_settings.tries && seenOf(cue, place) > 2.0 * m_settings.glimpse);
+}
+
+double VictimApproach::seenOf(const HeatCue& cue, const Eigen::Vector2d& place) {
+    return cue.size * (place - cue.ray.origin.head<2>()).norm();
+}
+
+double VictimApproach::clothesOf(const HeatCue& cue, const Eigen::Vector2d& place) {
+    return cue.clothes * (place - cue.ray.origin.head<2>()).squaredNorm();
 }
 
 bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
@@ -224,6 +235,10 @@ bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
 ApproachStep VictimApproach::giveUp(const std::string& reason, const Eigen::Vector2d& place) {
     m_givenUp.push_back(place);
     if (m_begun) m_givenUp.push_back(*m_begun);
+    return leave(reason);
+}
+
+ApproachStep VictimApproach::leave(const std::string& reason) {
     m_phase = Phase::Idle;
     ApproachStep step;
     step.failed = true;
@@ -363,6 +378,12 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             step.reason = robot_says::MeasuresAgain;
             if (secondsBetween(m_since, now) < m_settings.settle) break;
             if (surface && isKnown(place)) return giveUp(robot_says::VictimKnown, place);
+            if (surface && inSight && !m_cue.cut && seenOf(m_cue, place) < m_settings.glimpse) {
+                m_hidden.push_back(place);
+                return leave(robot_says::HeatHidden);
+            }
+            if (surface && inSight && !m_cue.cut && clothesOf(m_cue, place) < m_settings.clothes)
+                return giveUp(robot_says::HeatBare, place);
             if (surface && (std::abs(error) < 1.2 * m_settings.tolerance || m_corrections >= 4))
                 return reach(*surface, baseInOdom);
             ++m_corrections;

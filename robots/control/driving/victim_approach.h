@@ -22,12 +22,15 @@ struct HeatCue {
     double width = 0.0;         ///< of the blob [rad]
     double temperature = 33.0;  ///< mean [degrees C]
     double confidence = 0.5;    ///< 0 to 1
+    double size = 1.0;          ///< square root of the solid angle of what is seen of it [rad]
+    bool cut = false;           ///< by the picture's border: there may be more of it
+    double clothes = 1.0;       ///< what is lukewarm and hangs together with it [sr]
 };
 /// The cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x right,
 /// y down, z forward) when the picture was taken.
-[[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs,
-                                            const CameraInfoSample& camera, int width, int height,
-                                            const Pose& opticalInOdom, Time at);
+[[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
+                                            const CameraInfoSample& camera, const Pose& opticalInOdom,
+                                            Time at);
 
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
@@ -44,6 +47,9 @@ struct VictimApproachSettings {
     double length = 1.2;        ///< of a victim, from its heat [m]
     double link = 0.25;         ///< between points of one victim [m]
     double highest = 1.0;       ///< heat higher over the ground is of people beyond walls [m]
+    double glimpse = 0.03;      ///< of skin: what is smaller from where it stands goes on behind an edge [m]
+    double clothes = 0.004;     ///< beside the skin; with less it is a lamp, or a heater [m2]
+    int tries = 3;              ///< to see more of a victim of which it had a glimpse
 };
 
 /// One step of an approach.
@@ -56,7 +62,9 @@ struct ApproachStep {
 };
 
 /// Drives up to a source of body heat (paper, section 2.3): turns, approaches, stops with its front 80 cm
-/// from the nearest surface, reports, waits. Gives up safely when the cue is lost. Pure: times are passed in.
+/// from the nearest surface, reports, waits. Gives up safely when the cue is lost; also where only a glimpse
+/// of it is left, past an edge, until more of it is seen from elsewhere; and where what is warm is bare, as
+/// lamps and heaters are. Pure: times are passed in.
 class VictimApproach {
 public:
     VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings = {});
@@ -99,6 +107,11 @@ private:
     [[nodiscard]] std::vector<Target> wholeVictim(std::vector<Target> heat,
                                                   const VirtualScanView& view) const;
     [[nodiscard]] bool isKnown(const Eigen::Vector2d& place) const;
+    /// How much of the skin is seen, across, when it is at @p place in odom [m].
+    [[nodiscard]] static double seenOf(const HeatCue& cue, const Eigen::Vector2d& place);
+    /// Likewise of clothes [m2].
+    [[nodiscard]] static double clothesOf(const HeatCue& cue, const Eigen::Vector2d& place);
+    [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place);
     [[nodiscard]] ApproachStep reach(const Target& target, const Pose& baseInOdom);
     [[nodiscard]] bool isBehindSomething(const std::optional<Target>& target, double bearing,
@@ -120,6 +133,7 @@ private:
     bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
     std::vector<Eigen::Vector2d> m_givenUp;  ///< places in odom [m]
+    std::vector<Eigen::Vector2d> m_hidden;   ///< likewise, where it had a glimpse, each time
 };
 
 }  // namespace leitstand

@@ -131,6 +131,71 @@ TEST(VictimApproach, WaitsInFrontOfTheVictim) {
     EXPECT_FALSE(approach.isActive());
 }
 
+// Past the corner of a wall a hand was all that was left in sight; the robot stood there for ever, and
+// nobody else could tell what it stood before.
+TEST(VictimApproach, WhereOnlyAGlimpseIsLeftItExploresOnAndComesAgainWhenItSeesMore) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    const auto seen = [&](double size, bool cut = false) {
+        auto cue = cueOf(ground, random, 3.2);
+        if (cue) cue->size = size, cue->cut = cut;
+        return *cue;
+    };
+    VictimApproach approach(shippedDrive());
+    const auto drive = [&](double size, bool cut = false) {
+        approach.start(seen(size), ground.now());
+        ApproachStep step;
+        const double begun = ground.seconds();
+        while (ground.seconds() < begun + 60.0 && !step.done && !step.failed) {
+            step = approach.step(seen(size, cut), ground.view(), ground.baseInOdom(), ground.now());
+            ground.step(step.velocity);
+        }
+        return step;
+    };
+    const auto isNew = [&](double size) {
+        return approach.isNew(seen(size), ground.view(), ground.baseInOdom());
+    };
+    const ApproachStep hidden = drive(0.02);
+    EXPECT_TRUE(hidden.failed);
+    EXPECT_EQ(hidden.reason, "the heat is hidden from here");
+    EXPECT_TRUE(approach.sightings().empty());
+    EXPECT_FALSE(isNew(0.03)) << "it would see no more of it";
+    EXPECT_TRUE(isNew(0.08));
+    EXPECT_TRUE(drive(0.02).failed);
+    EXPECT_TRUE(isNew(0.08));
+    EXPECT_TRUE(drive(0.02).failed);
+    EXPECT_FALSE(isNew(0.08)) << "three times are enough";
+    VictimApproach another(shippedDrive());
+    std::swap(approach, another);
+    EXPECT_TRUE(drive(0.02, true).done) << "the rest of it is beyond the picture's border";
+    EXPECT_EQ(approach.sightings().size(), 1U);
+}
+
+TEST(VictimApproach, WhatIsBareIsALampAndNotApproachedAgain) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    const auto lamp = [&] {
+        HeatCue cue = *cueOf(ground, random, 3.2);
+        cue.clothes = 0.0005;
+        return cue;
+    };
+    VictimApproach approach(shippedDrive());
+    approach.start(lamp(), ground.now());
+    ApproachStep step;
+    while (ground.seconds() < 60.0 && !step.done && !step.failed) {
+        step = approach.step(lamp(), ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    EXPECT_TRUE(step.failed);
+    EXPECT_EQ(step.reason, "warm, but no person: no clothes beside the heat");
+    EXPECT_TRUE(approach.sightings().empty());
+    EXPECT_FALSE(approach.isNew(lamp(), ground.view(), ground.baseInOdom()));
+}
+
 TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     CameraInfoSample camera;
     camera.width = 160;
@@ -141,13 +206,30 @@ TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     body.kind = HeatBlob::Kind::Body;
     body.centre = {80.0, 60.0};
     body.width = 0.1;
+    body.size = 0.05;
+    body.cut = true;
     body.mean = 32.0;
     const Pose optical = opticalFrame(poseFrom({1.0, 2.0, 0.5}, 0.0, 0.0, degrees(90)));
-    EXPECT_TRUE(cuesFrom({lamp}, camera, 160, 120, optical, Time{}).empty());
-    const auto cues = cuesFrom({lamp, body}, camera, 160, 120, optical, Time{});
+    ThermalPicture picture{160, 120, std::vector<float>(160 * 120, 20.0F)};
+    EXPECT_TRUE(cuesFrom({lamp}, picture, camera, optical, Time{}).empty());
+    const auto cues = cuesFrom({lamp, body}, picture, camera, optical, Time{});
     ASSERT_EQ(cues.size(), 1U);
     EXPECT_TRUE(cues[0].ray.direction.isApprox(Eigen::Vector3d::UnitY(), 1e-9));
     EXPECT_DOUBLE_EQ(cues[0].temperature, 32.0);
+    EXPECT_DOUBLE_EQ(cues[0].size, 0.05);
+    EXPECT_TRUE(cues[0].cut);
+    EXPECT_DOUBLE_EQ(cues[0].clothes, 0.0);
+    // A sleeve beside a hand: 20 by 40 pixels of 4.5 mrad each.
+    body.left = 78, body.right = 83, body.top = 55, body.bottom = 64;
+    body.pixels = 60;
+    body.size = std::sqrt(60.0) / 220.0;
+    for (int y = 50; y < 70; ++y) {
+        for (int x = 78; x < 124; ++x) picture.celsius[static_cast<std::size_t>(160 * y + x)] = 26.0F;
+    }
+    for (int y = 55; y < 65; ++y) {
+        for (int x = 78; x < 84; ++x) picture.celsius[static_cast<std::size_t>(160 * y + x)] = 33.0F;
+    }
+    EXPECT_NEAR(cuesFrom({body}, picture, camera, optical, Time{})[0].clothes, 0.016, 0.003);
 }
 
 TEST(VictimApproach, PassesByPeopleBeyondWallsAndFindsTheNewOneBesideTheKnown) {
