@@ -233,8 +233,9 @@ TEST(LiveMapper, TheMapComesAgainFromTheLog) {
     EXPECT_TRUE(alike(poses, room.poses()));
     ASSERT_EQ(again.map()->scans.size(), room.mapper.map()->scans.size());
     EXPECT_GT(poses[1].overlap, 0.5);
+    const LiveMapPtr was = room.mapper.map();
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        const ScanPose& before = room.mapper.map()->scans[i].pose;
+        const ScanPose& before = was->scans[i].pose;
         EXPECT_EQ(std::tie(poses[i].overlap, poses[i].rms, poses[i].inlierRatio, poses[i].certainty),
                   std::tie(before.overlap, before.rms, before.inlierRatio, before.certainty));
         EXPECT_EQ(poses[i].doubts, before.doubts);
