@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
+#include "app/session/interrupt.h"
 #include "app/session/report/mission_export.h"
 
 namespace leitstand::cli {

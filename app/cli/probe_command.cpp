@@ -11,11 +11,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/session/domain/domain_probe.h"
+#include "app/session/interrupt.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand::cli {

@@ -7,11 +7,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/register_options.h"
 #include "app/cli/register_report.h"
+#include "app/session/interrupt.h"
 #include "core/io/cloud_writer.h"
 #include "core/io/tum.h"
 #include "core/mapping/mapper.h"

@@ -9,9 +9,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
+#include "app/session/interrupt.h"
 #include "app/session/log/mission_replay.h"
 
 namespace leitstand::cli {

@@ -13,13 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/offscreen_fonts.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/language/language.h"
 #include "app/report/pdf_report.h"
+#include "app/session/interrupt.h"
 #include "app/session/report/report_writer.h"
 
 namespace leitstand::cli {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/text_table.h"
+#include "app/session/interrupt.h"
 #include "core/mapping/scan_preparation.h"
 #include "core/mapping/table1.h"
 

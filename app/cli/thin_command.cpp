@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/interrupt.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/progress_line.h"
+#include "app/session/interrupt.h"
 #include "app/session/log/mission_thinning.h"
 
 namespace leitstand::cli {
