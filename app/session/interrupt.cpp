@@ -14,18 +14,18 @@ namespace {
 
 struct Taken {
     int signal;
-    void (*before)(int) = SIG_DFL;
+    struct sigaction before = {};
 };
 
 // request_stop is not allowed in a signal handler, so the handler writes to a pipe and a thread stops the
 // work.
-std::array<Taken, 3> signals = {{{SIGINT}, {SIGTERM}, {SIGHUP}}};
+std::array<Taken, 3> signals = {{{.signal = SIGINT}, {.signal = SIGTERM}, {.signal = SIGHUP}}};
 std::array<int, 2> wakeUp = {-1, -1};
 std::unique_ptr<std::stop_source> source;
 std::jthread waiter;
 
 void giveBack() {
-    for (const Taken& one : signals) std::signal(one.signal, one.before);
+    for (const Taken& one : signals) sigaction(one.signal, &one.before, nullptr);
 }
 
 void onSignal(int /*signal*/) {
@@ -44,9 +44,12 @@ InterruptGuard::InterruptGuard() {
         char byte = 0;
         if (read(wakeUp[0], &byte, 1) == 1 && byte == 1) source->request_stop();
     });
-    for (Taken& one : signals) {
-        one.before = std::signal(one.signal, SIG_IGN);
-        if (one.before != SIG_IGN) std::signal(one.signal, onSignal);
+    struct sigaction handler = {};
+    handler.sa_handler = onSignal;
+    handler.sa_flags = SA_RESTART;
+    for (Taken& one : signals) sigaction(one.signal, nullptr, &one.before);
+    for (const Taken& one : signals) {
+        if (one.before.sa_handler != SIG_IGN) sigaction(one.signal, &handler, nullptr);
     }
 }
 

@@ -52,6 +52,15 @@ TEST(HeatLabels, LeaveTheScaleAlone) {
     EXPECT_FALSE(meet(labels[0].box, QRectF(180, 100, 18, 18)));
 }
 
+TEST(HeatLabels, LeaveTheScaleAloneAlsoAtTheEdge) {
+    const QRectF scale(157, 30, 83, 180);
+    for (const double y : {30.0, 110.0, 195.0}) {
+        const auto labels = heatLabels({markAt(228, y, 12)}, sizeOf, Area, {scale});
+        ASSERT_EQ(labels.size(), 1U);
+        EXPECT_FALSE(meet(labels[0].box, scale)) << y;
+    }
+}
+
 TEST(HeatLabels, AreNotWhereThereIsNoRoom) {
     EXPECT_TRUE(heatLabels({markAt(10, 40)}, sizeOf, {0, 30, 100, 180}).empty());
     EXPECT_TRUE(heatLabels({markAt(10, 40)}, sizeOf, {}).empty());

@@ -8,7 +8,7 @@ namespace leitstand {
 namespace {
 
 constexpr double Beside = 5.0;    // from a frame to its words [px]
-constexpr double Farthest = 3.0;  // from it, of the height of the words
+constexpr double Farthest = 5.5;  // from it, of the height of the words: past the scale at the edge
 constexpr double OneBody = 2.0;   // gaps between parts of one body, of the longer side of the larger part
 // What a label costs that lies on these, against pixels away from what it is about.
 constexpr double OnFrame = 1'000.0, OnTaken = 3'000.0;
