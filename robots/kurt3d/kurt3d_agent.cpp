@@ -98,6 +98,10 @@ DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     told().done = step.done;
     told().failed = step.failed;
     told().text = step.reason;
+    if (step.failed) {  // what it has just left is no reason to begin again
+        told().cue = false;
+        m_cue.reset();
+    }
     if (m_approach.sightings().size() != m_sightings) {
         m_sightings = m_approach.sightings().size();
         explorer().shun(m_approach.sightings().back().position.head<2>(), 0.6);

@@ -35,14 +35,22 @@ public:
         }
         for (std::size_t i = 0; i < m_open.size(); ++i) spread(m_open[i], reach);
     }
+    struct Clothes {
+        int pixels = 0;
+        bool cut = false;  ///< by the picture's border
+    };
     /// Lukewarm pixels beyond the mixed ones around what is warm.
-    [[nodiscard]] int clothes(double mixed) const {
-        int count = 0;
+    [[nodiscard]] Clothes clothes(double mixed) const {
+        Clothes result;
         for (const int place : m_open) {
             const auto away = static_cast<double>(m_distance[static_cast<std::size_t>(place)]);
-            if (away > mixed && m_picture.celsius[static_cast<std::size_t>(place)] < m_warm) ++count;
+            if (away <= mixed || m_picture.celsius[static_cast<std::size_t>(place)] >= m_warm) continue;
+            ++result.pixels;
+            const int x = place % m_picture.width, y = place / m_picture.width;
+            result.cut =
+                result.cut || x == 0 || y == 0 || x + 1 == m_picture.width || y + 1 == m_picture.height;
         }
-        return count;
+        return result;
     }
 
 private:
@@ -87,7 +95,9 @@ BodyHeat judgeBody(const ThermalPicture& picture, const HeatBlob& blob, double r
     const double warm = std::max(HeatSettings{}.coolest, air + HeatSettings{}.contrast);
     const int reach = static_cast<int>(std::ceil(0.7 / std::max(1e-4, pixel)));
     const Flood flood(picture, blob, air + settings.lukewarm, warm, std::min(reach, picture.width));
-    body.clothes = flood.clothes(settings.mixed) * pixel * pixel;
+    const Flood::Clothes clothes = flood.clothes(settings.mixed);
+    body.clothes = clothes.pixels * pixel * pixel;
+    body.clothesCut = clothes.cut;
     if (body.across < settings.smallest || body.across > settings.largest) {
         body.likelihood = 0.1;
         return body;

@@ -17,9 +17,10 @@ struct BodyHeatSettings {
 
 /// How a warm blob would look as part of a person at a distance.
 struct BodyHeat {
-    double across = 0.0;    ///< square root of its surface [m]
-    double clothes = 0.0;   ///< lukewarm surface that hangs together with it [m2]
-    double likelihood = 0;  ///< 0 to 1: a person's skin beside clothes near 1; bare and even: a lamp's
+    double across = 0.0;      ///< square root of its surface [m]
+    double clothes = 0.0;     ///< lukewarm surface that hangs together with it [m2]
+    bool clothesCut = false;  ///< they touch the picture's border: there may be more of them
+    double likelihood = 0;    ///< 0 to 1: a person's skin beside clothes near 1; bare and even: a lamp's
 };
 
 /// Judges @p blob of @p picture, a body by its temperature, seen at @p range [m]. Skin is beside clothes,

@@ -32,6 +32,12 @@ double yawOf(const Pose& pose) {
     return std::atan2(ahead.y(), ahead.x());
 }
 
+double lengthOf(const std::vector<Eigen::Vector2d>& way) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+    return length;
+}
+
 }  // namespace
 
 Explorer::Explorer(FuzzyDrive drive, const ExplorerSettings& settings)
@@ -67,11 +73,19 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
         m_way = m_memory.wayTo(here, *m_goal, m_settings.goalNear);
     } else {
         // Keeps its aim as long as there is something to see: no dithering between two.
-        const bool keep = !m_way.empty() && (m_way.back() - here).norm() > m_settings.arrived &&
-                          m_memory.isBorderNear(m_way.back());
+        bool keep = !m_way.empty() && (m_way.back() - here).norm() > m_settings.arrived &&
+                    m_memory.isBorderNear(m_way.back());
+        // There are ways that seem free from afar only, and others from there.
+        if (keep && now > m_patience) {
+            m_memory.giveUp(m_way.back(), 0.5);
+            keep = false;
+        }
         if (keep) m_way = m_memory.wayTo(here, m_way.back());
-        if (!keep || m_way.empty())
+        if (!keep || m_way.empty()) {
             m_way = m_memory.wayToUnseen(here, {yawOf(baseInOdom), m_settings.turnCost});
+            m_patience =
+                after(now, m_settings.patience + lengthOf(m_way) / (0.25 * m_drive.settings().speed));
+        }
     }
     m_emptyPlans = m_way.empty() ? m_emptyPlans + 1 : 0;
 }

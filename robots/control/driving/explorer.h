@@ -22,6 +22,7 @@ struct ExplorerSettings {
     double blindAfter = 3.5;  ///< without a raw scan it stands [s]
     double lookFirst = 5.0;   ///< at the beginning: two turns of the scanner [s]
     double replan = 0.5;      ///< [s]
+    double patience = 30.0;   ///< with one aim, beside the time of a slow drive to it [s]
     /// Without a way it looks again, so long each of two times: another robot may stand in it [s].
     double waitForOthers = 12.0;
 };
@@ -70,6 +71,7 @@ private:
     std::vector<Eigen::Vector2d> m_way;
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
     Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
+    Time m_patience{};  ///< until then it tries to come to where its way ends
     int m_emptyPlans = 0;
     std::optional<Time> m_doubted;  ///< found no way, and looks again since
     int m_doubts = 0;               ///< since it saw something new

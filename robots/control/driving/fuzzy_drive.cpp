@@ -37,24 +37,33 @@ double gap(const VirtualScanView& view, const BodyBox& body, double from, double
 }
 
 /// Where a corner of the body stands in the way of a turn on the spot: the same turn while it drives on or
-/// back, whichever is free for longer, as drivers do in narrow streets; or at least straight.
-DriveVelocity turnInTheNarrow(const DriveVelocity& wish, const VirtualScanView& view,
+/// back, whichever is free for longer, as drivers do in narrow streets. Else it leaves a blind alley as it
+/// came, on the curve that is free for longest, while the goal is behind and it sees there; or drives
+/// straight at least.
+DriveVelocity turnInTheNarrow(const DriveVelocity& wish, double goal, const VirtualScanView& view,
                               const FuzzyDriveSettings& settings, double share) {
     const BodyBox body = settings.safety.body.grown(settings.safety.margin);
     const double slow = 0.35 * share * settings.speed;
     const double turn = std::copysign(0.4 * share * settings.turnRate, wish.turn);
     constexpr double Useful = 0.06;  // [m]
-    DriveVelocity best;
-    for (const double bend : {turn, 0.0}) {
+    constexpr double Lately = 4.0;   // [s]
+    const auto longestOf = [&](std::initializer_list<DriveVelocity> motions) {
+        DriveVelocity best;
         double longest = Useful;
-        for (const double forward : {slow, -slow}) {
-            const double free = view.freeTravel(forward, bend, body, 0.5);
+        for (const DriveVelocity& one : motions) {
+            const double free = view.freeTravel(one.forward, one.turn, body, 0.5);
             if (free <= longest) continue;
             longest = free;
-            best = {forward, 0.0, bend};
+            best = one;
         }
-        if (longest > Useful) break;
-    }
+        return best;
+    };
+    DriveVelocity best = longestOf({{slow, 0.0, turn}, {-slow, 0.0, turn}});
+    const bool seesBehind = view.oldest(degrees(165), degrees(-165)) < Lately;
+    if (isZero(best) && std::abs(goal) > 0.5 * Pi && seesBehind)
+        best = longestOf(
+            {{-slow, 0.0, 0.0}, {-slow, 0.0, 0.5 * turn}, {-slow, 0.0, -0.5 * turn}, {-slow, 0.0, -turn}});
+    if (isZero(best)) best = longestOf({{slow, 0.0, 0.0}, {-slow, 0.0, 0.0}});
     return best;
 }
 
@@ -127,7 +136,8 @@ FuzzyDriveStep FuzzyDrive::step(const VirtualScanView& view, std::optional<doubl
         if (turning.share > safe.share) safe = turning;
     }
     if (safe.share < 0.15 && std::abs(wish.turn) > 0.05) {
-        const DriveVelocity bent = turnInTheNarrow(wish, view, m_settings, bounded);
+        const DriveVelocity bent =
+            turnInTheNarrow(wish, std::remainder(goal.value_or(0.0), 2.0 * Pi), view, m_settings, bounded);
         const SafeVelocity moving = safeVelocity(bent, view, m_settings.safety);
         if (!isZero(bent) && moving.share > safe.share) safe = moving;
     }

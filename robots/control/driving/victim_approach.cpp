@@ -13,12 +13,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Pi = std::numbers::pi;
-constexpr double InSight = 0.5;   // cues so young show it now [s]
-constexpr double Deepest = 0.4;   // of a victim, before and behind what is seen in its middle [m]
-constexpr double Beside = 0.12;   // of the heat: walls go on there [rad]
-constexpr double Blurred = 0.15;  // heights of heat are as sure as that [m]
-constexpr double Farthest = 9.0;  // surfaces beyond are not those of a victim that was seen [m]
+constexpr double InSight = 0.5;  // cues so young show it now [s]
 
 double secondsBetween(Time from, Time to) {
     return std::chrono::duration<double>(to - from).count();
@@ -29,20 +24,6 @@ std::string metres(double length) {
     return fmt::format("{:.2f}", length);
 }
 
-Eigen::Isometry2d flat(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    Eigen::Isometry2d result = Eigen::Isometry2d::Identity();
-    result.rotate(std::atan2(ahead.y(), ahead.x()));
-    result.pretranslate(Eigen::Vector2d(pose.translation().head<2>()));
-    return result;
-}
-
-/// Distance of @p point from the front edge of @p body [m].
-double fromFront(const BodyBox& body, const Eigen::Vector2d& point) {
-    const double beside = std::max({0.0, point.y() - body.left, -body.right - point.y()});
-    return std::hypot(point.x() - body.front, beside) * (point.x() < body.front ? -1.0 : 1.0);
-}
-
 ExplorerSettings detourSettings(const VictimApproachSettings& settings) {
     ExplorerSettings detour;
     detour.lookFirst = 0.0;
@@ -50,26 +31,7 @@ ExplorerSettings detourSettings(const VictimApproachSettings& settings) {
     return detour;
 }
 
-/// Direction of a cue in base_link [rad].
-double bearingOf(const HeatCue& cue, const Pose& baseInOdom) {
-    const Eigen::Vector2d towards = flat(baseInOdom).linear().transpose() * cue.ray.direction.head<2>();
-    return std::atan2(towards.y(), towards.x());
-}
-
 }  // namespace
-
-std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
-                              const CameraInfoSample& camera, const Pose& opticalInOdom, Time at) {
-    std::vector<HeatCue> cues;
-    for (const HeatBlob& blob : blobs) {
-        if (blob.kind != HeatBlob::Kind::Body) continue;
-        const auto direction = pixelDirection(camera, blob.centre, picture.width, picture.height);
-        if (!direction) continue;
-        cues.push_back({at, rayFrom(opticalInOdom, *direction), blob.width, blob.mean, blob.confidence,
-                        blob.size, blob.cut, judgeBody(picture, blob, 1.0).clothes});
-    }
-    return cues;
-}
 
 VictimApproach::VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings)
     : m_drive(std::move(drive)), m_settings(settings), m_around(m_drive, detourSettings(settings)) {}
@@ -108,12 +70,6 @@ std::optional<HeatCue> VictimApproach::pick(const std::vector<HeatCue>& cues, co
     return first == cues.end() ? std::nullopt : std::optional<HeatCue>(*first);
 }
 
-double VictimApproach::heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom) {
-    const double run = std::max(0.05, cue.ray.direction.head<2>().norm());
-    const double away = (place - cue.ray.origin.head<2>()).norm();
-    return cue.ray.origin.z() + cue.ray.direction.z() / run * away - baseInOdom.translation().z();
-}
-
 void VictimApproach::take(const HeatCue& cue) {
     if (cue.at <= m_cue.at || !cue.ray.direction.allFinite()) return;
     // Another body does not draw it away from the one that it drives to.
@@ -123,88 +79,13 @@ void VictimApproach::take(const HeatCue& cue) {
     m_cue = cue;
 }
 
-std::vector<VictimApproach::Target> VictimApproach::wholeVictim(std::vector<Target> heat,
-                                                                const VirtualScanView& view) const {
-    std::erase_if(heat, [&](const Target& one) {
-        return one.top > m_settings.lying && std::any_of(heat.begin(), heat.end(), [&](const Target& other) {
-                   return other.top <= m_settings.lying;
-               });
-    });
-    if (heat.empty() || heat.front().top > m_settings.lying) return heat;
-    std::vector<Target> rest;
-    for (const VirtualObstacle& one : view.obstacles) {
-        const bool near = std::any_of(heat.begin(), heat.end(), [&](const Target& other) {
-            return (other.inBase - one.where).norm() < m_settings.length;
-        });
-        if (one.top > m_settings.lying || !near) continue;
-        rest.push_back({one.where, fromFront(m_drive.settings().safety.body, one.where), one.age, one.top});
-    }
-    for (std::size_t i = 0; i < heat.size(); ++i) {
-        const Eigen::Vector2d here = heat[i].inBase;
-        const auto linked = std::stable_partition(rest.begin(), rest.end(), [&](const Target& one) {
-            return (one.inBase - here).norm() > m_settings.link;
-        });
-        heat.insert(heat.end(), linked, rest.end());
-        rest.erase(linked, rest.end());
-    }
-    return heat;
+bool VictimApproach::Left::isAt(const Eigen::Vector2d& where) const {
+    return std::min((place - where).norm(), (begun - where).norm()) < radius;
 }
 
-std::optional<VictimApproach::Target> VictimApproach::target(const HeatCue& cue, const VirtualScanView& view,
-                                                             const Pose& baseInOdom) const {
-    const Eigen::Isometry2d toBase = flat(baseInOdom).inverse();
-    const Eigen::Vector2d origin = toBase * Eigen::Vector2d(cue.ray.origin.head<2>());
-    const Eigen::Vector2d towards = (toBase.linear() * cue.ray.direction.head<2>()).normalized();
-    const double band = 0.5 * cue.width + m_settings.bandMargin;
-    struct Seen {
-        Target target;
-        double off, range;  ///< off: left positive [rad]
-        bool lies;          ///< low, and the heat is at its height
-    };
-    std::vector<Seen> seen;
-    for (const VirtualObstacle& one : view.obstacles) {
-        const Eigen::Vector2d away = one.where - origin;
-        const double off = std::atan2(towards.x() * away.y() - towards.y() * away.x(), towards.dot(away));
-        if (std::abs(off) > band + Beside || away.norm() > Farthest) continue;
-        const double distance = fromFront(m_drive.settings().safety.body, one.where);
-        const double height = heightAt(cue, flat(baseInOdom) * one.where, baseInOdom);
-        const bool lies = one.top <= m_settings.lying && height > -Blurred && height < one.top + Blurred;
-        seen.push_back({{one.where, distance, one.age, one.top}, off, away.norm(), lies});
-    }
-    if (seen.empty()) return std::nullopt;
-    // Past the edge of a wall: the heat is on what lies behind.
-    const auto inBand = [band](const Seen& one) { return std::abs(one.off) <= band; };
-    const auto lying =
-        std::count_if(seen.begin(), seen.end(), [&](const Seen& one) { return one.lies && inBand(one); });
-    if (lying > 1) std::erase_if(seen, [](const Seen& one) { return !one.lies; });
-    // What the middle of the heat is on; what else is in the band may stand before or behind it.
-    const double range = std::min_element(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
-                             return std::abs(a.off) < std::abs(b.off);
-                         })->range;
-    std::vector<Target> found;
-    bool left = false, right = false, beyond = false;
-    for (const Seen& one : seen) {
-        if (std::abs(one.range - range) > Deepest) continue;
-        if (!inBand(one)) {
-            beyond = true;
-            continue;
-        }
-        found.push_back(one.target);
-        left = left || one.off >= 0.0;
-        right = right || one.off <= 0.0;
-    }
-    if (found.empty()) return std::nullopt;
-    found = wholeVictim(std::move(found), view);
-    std::sort(found.begin(), found.end(),
-              [](const Target& a, const Target& b) { return a.distance < b.distance; });
-    // The second nearest of one surface: a single point is too near by its noise.
-    const bool second = found.size() > 3 && found[1].distance < found[0].distance + 0.05;
-    Target nearest = found[second ? 1 : 0];
-    nearest.certain = (left && right) || !beyond;
-    for (const Target& one : found) {
-        if (one.distance < nearest.distance + 0.15) nearest.age = std::max(nearest.age, one.age);
-    }
-    return nearest;
+std::optional<HeatTarget> VictimApproach::target(const HeatCue& cue, const VirtualScanView& view,
+                                                 const Pose& baseInOdom) const {
+    return heatTarget(cue, view, baseInOdom, m_drive.settings().safety.body);
 }
 
 bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const {
@@ -212,18 +93,25 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
     if (!surface || !surface->certain) return false;
     const Eigen::Vector2d place = flat(baseInOdom) * surface->inBase;
     if (heightAt(cue, place, baseInOdom) > m_settings.highest) return false;
-    const auto there = [&](const auto& other) { return (other - place).norm() < m_settings.sameVictim; };
+    const auto there = [&](const Left& other) { return other.isAt(place); };
     if (isKnown(place) || std::any_of(m_givenUp.begin(), m_givenUp.end(), there)) return false;
     const auto glimpses = std::count_if(m_hidden.begin(), m_hidden.end(), there);
-    return glimpses == 0 || (glimpses < m_settings.tries && seenOf(cue, place) > 2.0 * m_settings.glimpse);
+    return glimpses == 0 ||
+           (glimpses < m_settings.tries && cue.size * surface->heat > 2.0 * m_settings.glimpse);
 }
 
-double VictimApproach::seenOf(const HeatCue& cue, const Eigen::Vector2d& place) {
-    return cue.size * (place - cue.ray.origin.head<2>()).norm();
+void VictimApproach::look(const HeatTarget& target) {
+    m_seen.skin = std::max(m_seen.skin, m_cue.size * target.heat);
+    m_seen.clothes = std::max(m_seen.clothes, m_cue.clothes * target.heat * target.heat);
+    m_seen.skinCut = m_seen.skinCut || m_cue.cut;
+    m_seen.clothesCut = m_seen.clothesCut || m_cue.clothesCut;
 }
 
-double VictimApproach::clothesOf(const HeatCue& cue, const Eigen::Vector2d& place) {
-    return cue.clothes * (place - cue.ray.origin.head<2>()).squaredNorm();
+std::string VictimApproach::whyNobody() const {
+    if (m_seen.skinCut) return {};
+    if (m_seen.skin < m_settings.glimpse) return robot_says::HeatHidden;
+    if (m_seen.clothes < m_settings.clothes && !m_seen.clothesCut) return robot_says::HeatBare;
+    return {};
 }
 
 bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
@@ -232,9 +120,12 @@ bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
     });
 }
 
-ApproachStep VictimApproach::giveUp(const std::string& reason, const Eigen::Vector2d& place) {
-    m_givenUp.push_back(place);
-    if (m_begun) m_givenUp.push_back(*m_begun);
+VictimApproach::Left VictimApproach::leftAt(const Eigen::Vector2d& place, double radius) const {
+    return {place, m_begun.value_or(place), radius};
+}
+
+ApproachStep VictimApproach::giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius) {
+    m_givenUp.push_back(leftAt(place, radius));
     return leave(reason);
 }
 
@@ -246,7 +137,20 @@ ApproachStep VictimApproach::leave(const std::string& reason) {
     return step;
 }
 
-ApproachStep VictimApproach::reach(const Target& target, const Pose& baseInOdom) {
+ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
+    const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
+    if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
+    const std::string nobody = whyNobody();
+    if (nobody == robot_says::HeatBare) return giveUp(nobody, place, m_settings.sameLamp);
+    if (!nobody.empty()) {
+        m_hidden.push_back(leftAt(place, m_settings.sameVictim));
+        return leave(nobody);
+    }
+    const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
+    return right || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
+}
+
+ApproachStep VictimApproach::reach(const HeatTarget& target, const Pose& baseInOdom) {
     m_phase = Phase::Reached;
     Sighting sighting;
     sighting.id = static_cast<std::uint32_t>(m_sightings.size() + 1);
@@ -266,7 +170,7 @@ ApproachStep VictimApproach::reach(const Target& target, const Pose& baseInOdom)
     return step;
 }
 
-bool VictimApproach::isBehindSomething(const std::optional<Target>& target, double bearing,
+bool VictimApproach::isBehindSomething(const std::optional<HeatTarget>& target, double bearing,
                                        const VirtualScanView& view) const {
     const SafeTeleoperationSettings& safety = m_drive.settings().safety;
     const BodyBox body = safety.body.grown(safety.margin);
@@ -288,7 +192,7 @@ ApproachStep VictimApproach::goAround(const Eigen::Vector2d& place, const Virtua
     return step;
 }
 
-DriveVelocity VictimApproach::towards(const std::optional<Target>& target, double bearing,
+DriveVelocity VictimApproach::towards(const std::optional<HeatTarget>& target, double bearing,
                                       const VirtualScanView& view, std::string& reason) const {
     const FuzzyDriveSettings& drive = m_drive.settings();
     const double turn = std::clamp(1.5 * bearing, -m_settings.turnRate, m_settings.turnRate);
@@ -313,17 +217,16 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         step.reason = robot_says::NoHeat;
         return step;
     }
-    if (cue && cue->at > m_cue.at) {
-        const Time before = m_cue.at;
-        take(*cue);
-        if (m_cue.at > before) m_cueAt = now;
-    }
+    const Time before = m_cue.at;
+    if (cue && cue->at > m_cue.at) take(*cue);
+    if (m_cue.at > before) m_cueAt = now;
     m_around.see(view, baseInOdom, now);
     const bool inSight = secondsBetween(m_cueAt, now) < InSight;
     const auto surface = target(m_cue, view, baseInOdom);
     if (surface && inSight) m_place = flat(baseInOdom) * surface->inBase;
     if (surface && !m_begun) m_begun = flat(baseInOdom) * surface->inBase;
     if (surface) step.distance = surface->distance;
+    if (surface && m_cue.at > before) look(*surface);
     if (m_phase == Phase::Reached) {
         step.done = true;
         step.reason = robot_says::AtAVictim;
@@ -336,9 +239,9 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     // Near the end a victim on the floor may be out of the camera's sight.
     const bool close = surface && surface->distance < m_settings.distance + 0.5;
     if (secondsBetween(m_cueAt, now) > m_settings.lostAfter * (close || m_detour ? 3.0 : 1.0))
-        return giveUp(robot_says::HeatLost, place);
+        return giveUp(robot_says::HeatLost, place, m_settings.sameVictim);
     if (secondsBetween(m_started, now) > m_settings.giveUpAfter)
-        return giveUp(robot_says::HeatUnreachable, place);
+        return giveUp(robot_says::HeatUnreachable, place, m_settings.sameVictim);
 
     const double bearing = std::atan2(ahead.y(), ahead.x());
     const double error = surface ? surface->distance - m_settings.distance : 1.0;
@@ -361,6 +264,8 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             if (surface && std::abs(error) < 0.3 * m_settings.tolerance && std::abs(bearing) < 0.3) {
                 m_phase = Phase::Settle;
                 m_since = now;
+                m_seen = {};
+                look(*surface);
                 step.reason = robot_says::MeasuresAgain;
                 break;
             }
@@ -377,15 +282,10 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         case Phase::Settle:
             step.reason = robot_says::MeasuresAgain;
             if (secondsBetween(m_since, now) < m_settings.settle) break;
-            if (surface && isKnown(place)) return giveUp(robot_says::VictimKnown, place);
-            if (surface && inSight && !m_cue.cut && seenOf(m_cue, place) < m_settings.glimpse) {
-                m_hidden.push_back(place);
-                return leave(robot_says::HeatHidden);
+            if (surface) {
+                const ApproachStep end = settled(*surface, baseInOdom);
+                if (end.done || end.failed) return end;
             }
-            if (surface && inSight && !m_cue.cut && clothesOf(m_cue, place) < m_settings.clothes)
-                return giveUp(robot_says::HeatBare, place);
-            if (surface && (std::abs(error) < 1.2 * m_settings.tolerance || m_corrections >= 4))
-                return reach(*surface, baseInOdom);
             ++m_corrections;
             m_phase = Phase::Approach;
             break;

@@ -5,32 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/perception/heat.h"
-#include "core/perception/pixel_ray.h"
 #include "core/robot/samples/status_samples.h"
 #include "robots/control/driving/explorer.h"
 #include "robots/control/driving/fuzzy_drive.h"
+#include "robots/control/driving/heat_target.h"
 
 namespace leitstand {
-
-/// A body's heat, seen from the robot.
-struct HeatCue {
-    Time at{};
-    Ray ray;                    ///< through its middle; in the odometry's frame
-    double width = 0.0;         ///< of the blob [rad]
-    double temperature = 33.0;  ///< mean [degrees C]
-    double confidence = 0.5;    ///< 0 to 1
-    double size = 1.0;          ///< square root of the solid angle of what is seen of it [rad]
-    bool cut = false;           ///< by the picture's border: there may be more of it
-    double clothes = 1.0;       ///< what is lukewarm and hangs together with it [sr]
-};
-/// The cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x right,
-/// y down, z forward) when the picture was taken.
-[[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
-                                            const CameraInfoSample& camera, const Pose& opticalInOdom,
-                                            Time at);
 
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
@@ -38,14 +19,11 @@ struct VictimApproachSettings {
     double slowFrom = 0.6;      ///< before the end, it slows down [m]
     double speed = 0.25;        ///< [m/s]
     double turnRate = 0.6;      ///< [rad/s]
-    double bandMargin = 0.05;   ///< beside the heat, points still count as the victim's [rad]
     double lostAfter = 4.0;     ///< without a cue it gives up [s]
     double giveUpAfter = 90.0;  ///< altogether [s]
     double settle = 2.6;        ///< stands before it believes a distance: a turn of the scanner [s]
     double sameVictim = 1.0;    ///< reports nearer than that are of one victim [m]
-    double lying = 0.55;        ///< what is higher is no part of a victim that lies [m]
-    double length = 1.2;        ///< of a victim, from its heat [m]
-    double link = 0.25;         ///< between points of one victim [m]
+    double sameLamp = 0.6;      ///< likewise of what is no person: a victim may lie beside it [m]
     double highest = 1.0;       ///< heat higher over the ground is of people beyond walls [m]
     double glimpse = 0.03;      ///< of skin: what is smaller from where it stands goes on behind an edge [m]
     double clothes = 0.004;     ///< beside the skin; with less it is a lamp, or a heater [m2]
@@ -88,35 +66,33 @@ public:
 
 private:
     enum class Phase : std::uint8_t { Idle, Turn, Approach, Settle, Reached };
-    /// The victim's nearest surface point.
-    struct Target {
-        Eigen::Vector2d inBase = Eigen::Vector2d::Zero();  ///< [m]
-        double distance = 0.0;                             ///< from the body's front [m]
-        double age = 0.0;                                  ///< of the measurement [s]
-        double top = 0.0;                                  ///< height of what stands there [m]
-        bool certain = false;                              ///< the heat does not pass by its edge
+    /// Where heat was that it left; the same heat, seen from afar, may seem to be where it seemed to be then.
+    struct Left {
+        Eigen::Vector2d place, begun;  ///< in odom [m]
+        double radius = 0.0;           ///< around both [m]
+        [[nodiscard]] bool isAt(const Eigen::Vector2d& where) const;
+    };
+    /// The most that was seen of the heat while it stood before it.
+    struct Seen {
+        double skin = 0.0;     ///< across [m]
+        double clothes = 0.0;  ///< [m2]
+        bool skinCut = false, clothesCut = false;
     };
     void take(const HeatCue& cue);
-    /// How high the heat is where it meets the vertical through @p place in odom; over the robot's ground
-    /// [m].
-    [[nodiscard]] static double heightAt(const HeatCue& cue, const Eigen::Vector2d& place,
-                                         const Pose& baseInOdom);
-    [[nodiscard]] std::optional<Target> target(const HeatCue& cue, const VirtualScanView& view,
-                                               const Pose& baseInOdom) const;
-    /// What is low and hangs together with @p heat: the whole victim, not only what is warm of it.
-    [[nodiscard]] std::vector<Target> wholeVictim(std::vector<Target> heat,
-                                                  const VirtualScanView& view) const;
+    void look(const HeatTarget& target);
+    [[nodiscard]] Left leftAt(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] bool isKnown(const Eigen::Vector2d& place) const;
-    /// How much of the skin is seen, across, when it is at @p place in odom [m].
-    [[nodiscard]] static double seenOf(const HeatCue& cue, const Eigen::Vector2d& place);
-    /// Likewise of clothes [m2].
-    [[nodiscard]] static double clothesOf(const HeatCue& cue, const Eigen::Vector2d& place);
+    [[nodiscard]] std::optional<HeatTarget> target(const HeatCue& cue, const VirtualScanView& view,
+                                                   const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
-    [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place);
-    [[nodiscard]] ApproachStep reach(const Target& target, const Pose& baseInOdom);
-    [[nodiscard]] bool isBehindSomething(const std::optional<Target>& target, double bearing,
+    [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
+    /// What it is that it stands before, after all that was seen of it: why it leaves, or empty.
+    [[nodiscard]] std::string whyNobody() const;
+    [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
+    [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
+    [[nodiscard]] bool isBehindSomething(const std::optional<HeatTarget>& target, double bearing,
                                          const VirtualScanView& view) const;
-    [[nodiscard]] DriveVelocity towards(const std::optional<Target>& target, double bearing,
+    [[nodiscard]] DriveVelocity towards(const std::optional<HeatTarget>& target, double bearing,
                                         const VirtualScanView& view, std::string& reason) const;
     [[nodiscard]] ApproachStep goAround(const Eigen::Vector2d& place, const VirtualScanView& view,
                                         const Pose& baseInOdom, Time now);
@@ -132,8 +108,9 @@ private:
     std::optional<Eigen::Vector2d> m_begun;  ///< where it seemed to be at first; odom [m]
     bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
-    std::vector<Eigen::Vector2d> m_givenUp;  ///< places in odom [m]
-    std::vector<Eigen::Vector2d> m_hidden;   ///< likewise, where it had a glimpse, each time
+    Seen m_seen;
+    std::vector<Left> m_givenUp;
+    std::vector<Left> m_hidden;  ///< where it had a glimpse, each time
 };
 
 }  // namespace leitstand

@@ -10,7 +10,14 @@
 namespace leitstand::test {
 namespace {
 
-TEST(InterruptGuard, TheFirstSignalAsksTheWorkToStop) {
+/// Tests that run in the background of a script, or by nohup, begin with ignored signals.
+struct InterruptGuardTest : testing::Test {
+    InterruptGuardTest() {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    }
+};
+
+TEST_F(InterruptGuardTest, TheFirstSignalAsksTheWorkToStop) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const InterruptGuard guard;
         EXPECT_FALSE(guard.token().stop_requested());
@@ -19,7 +26,7 @@ TEST(InterruptGuard, TheFirstSignalAsksTheWorkToStop) {
     }
 }
 
-TEST(InterruptGuard, ASecondSignalEndsTheProgram) {
+TEST_F(InterruptGuardTest, ASecondSignalEndsTheProgram) {
     EXPECT_EXIT(
         {
             const InterruptGuard guard;
@@ -29,8 +36,26 @@ TEST(InterruptGuard, ASecondSignalEndsTheProgram) {
         testing::KilledBySignal(SIGINT), "");
 }
 
+// The shell tells it, and then the system.
+TEST_F(InterruptGuardTest, ATerminalThatClosesMaySaySoTwice) {
+    const InterruptGuard guard;
+    std::raise(SIGHUP);
+    std::raise(SIGHUP);
+    EXPECT_TRUE(waitUntil([&] { return guard.token().stop_requested(); }));
+}
+
+// As Qt does when the display goes.
+TEST_F(InterruptGuardTest, ALibraryMayExitMeanwhile) {
+    EXPECT_EXIT(
+        {
+            const InterruptGuard guard;
+            std::exit(3);
+        },
+        testing::ExitedWithCode(3), "");
+}
+
 // A station that nohup started outlives its terminal, also after a Ctrl-C while it ends.
-TEST(InterruptGuard, WhatWasIgnoredStaysSo) {
+TEST_F(InterruptGuardTest, WhatWasIgnoredStaysSo) {
     EXPECT_EXIT(
         {
             std::signal(SIGHUP, SIG_IGN);

@@ -211,6 +211,31 @@ TEST(FuzzyDrive, SteersIntoFreeSpaceWithoutAGoal) {
     std::printf("%.1f m in 90 s\n", way);
 }
 
+// It went to and fro in it, whichever way was free for longer just then.
+TEST(FuzzyDrive, LeavesAnAlleyInWhichItCannotTurnAsItCame) {
+    const FuzzyDrive drive = shippedDrive();
+    const BodyBox& body = drive.settings().safety.body;
+    const auto alley = [&](double ahead, double ageBehind) {
+        VirtualScanView view;
+        view.sectors.resize(360);
+        for (int i = 0; i < 360; ++i) {
+            const bool behind = std::abs(view.directionOf(i)) > degrees(120);
+            view.sectors[static_cast<std::size_t>(i)].age = behind ? ageBehind : 0.5;
+        }
+        for (double x = -2.0; x < ahead; x += 0.02) {
+            view.obstacles.push_back({{x, body.left + 0.06}, 0.5, 1.0});
+            view.obstacles.push_back({{x, -body.right - 0.06}, 0.5, 1.0});
+        }
+        for (double y = -0.3; y < 0.3; y += 0.02) view.obstacles.push_back({{ahead, y}, 0.5, 1.0});
+        return view;
+    };
+    for (const double ahead : {0.4, 0.6, 1.0, 1.6}) {
+        for (const double goal : {degrees(150), degrees(-150), degrees(100)})
+            EXPECT_LT(drive.step(alley(ahead, 0.5), goal).velocity.forward, -0.03) << ahead;
+    }
+    EXPECT_GE(drive.step(alley(1.6, 20.0), degrees(150)).velocity.forward, 0.0) << "it does not see behind";
+}
+
 TEST(FuzzyDrive, RefusesRulesThatItDoesNotUnderstand) {
     const auto system = parseFuzzySystem(Small, "small.yaml");
     ASSERT_TRUE(system);

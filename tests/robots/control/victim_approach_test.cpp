@@ -1,6 +1,7 @@
 #include "robots/control/driving/victim_approach.h"
 
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -196,6 +197,73 @@ TEST(VictimApproach, WhatIsBareIsALampAndNotApproachedAgain) {
     EXPECT_FALSE(approach.isNew(lamp(), ground.view(), ground.baseInOdom()));
 }
 
+/// What becomes of it before a victim that looks like that, @p i pictures after the first.
+ApproachStep stepsBefore(const std::function<std::optional<HeatCue>(int i, const HeatCue& cue)>& look) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    VictimApproach approach(shippedDrive());
+    approach.start(look(0, *cueOf(ground, random, 3.2)).value(), ground.now());
+    ApproachStep step;
+    std::optional<HeatCue> newest;
+    for (int i = 1; ground.seconds() < 60.0 && !step.done && !step.failed; ++i) {
+        if (const auto cue = look(i, *cueOf(ground, random, 3.2))) newest = cue;
+        step = approach.step(newest, ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    return step;
+}
+
+// On a thin link the infrared camera sends one picture a second.
+TEST(VictimApproach, ALampIsOneAlsoWherePicturesComeSlowly) {
+    const ApproachStep step = stepsBefore([](int i, HeatCue cue) -> std::optional<HeatCue> {
+        cue.clothes = 0.0005;
+        if (i % 20 != 0) return std::nullopt;
+        return cue;
+    });
+    EXPECT_TRUE(step.failed) << step.reason;
+    EXPECT_EQ(step.reason, "warm, but no person: no clothes beside the heat");
+}
+
+// A sleeve hides behind the waving arm now and then, or is below the picture.
+TEST(VictimApproach, AVictimWhoseClothesAreSeenNowAndThenOrGoOnBeyondThePictureIsOne) {
+    EXPECT_TRUE(stepsBefore([](int i, HeatCue cue) {
+                    cue.clothes = i % 10 == 0 ? 0.01 : 0.001;
+                    return std::optional(cue);
+                }).done);
+    EXPECT_TRUE(stepsBefore([](int, HeatCue cue) {
+                    cue.clothes = 0.001;
+                    cue.clothesCut = true;
+                    return std::optional(cue);
+                }).done);
+}
+
+TEST(VictimApproach, AVictimBesideALampIsApproached) {
+    TestGround ground(room({7.0, 3.0}));
+    ground.place(5.2, 2.8, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    const auto lamp = [&] {
+        HeatCue cue = *cueOf(ground, random, 3.2);
+        cue.clothes = 0.0005;
+        return cue;
+    };
+    VictimApproach approach(shippedDrive());
+    approach.start(lamp(), ground.now());
+    ApproachStep step;
+    while (ground.seconds() < 60.0 && !step.done && !step.failed) {
+        step = approach.step(lamp(), ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    ASSERT_TRUE(step.failed);
+    EXPECT_FALSE(approach.isNew(lamp(), ground.view(), ground.baseInOdom()));
+    ground.obstacles[5] = {{7.0, 3.85}, {7.0, 3.85}, 0.22, 0.35};
+    const double begun = ground.seconds();
+    while (ground.seconds() < begun + 15.0) ground.step({});
+    EXPECT_TRUE(approach.isNew(*cueOf(ground, random, 3.2), ground.view(), ground.baseInOdom()));
+}
+
 TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     CameraInfoSample camera;
     camera.width = 160;
@@ -229,7 +297,11 @@ TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     for (int y = 55; y < 65; ++y) {
         for (int x = 78; x < 84; ++x) picture.celsius[static_cast<std::size_t>(160 * y + x)] = 33.0F;
     }
-    EXPECT_NEAR(cuesFrom({body}, picture, camera, optical, Time{})[0].clothes, 0.016, 0.003);
+    const HeatCue sleeve = cuesFrom({body}, picture, camera, optical, Time{})[0];
+    EXPECT_NEAR(sleeve.clothes, 0.016, 0.003);
+    EXPECT_FALSE(sleeve.clothesCut);
+    for (int x = 78; x < 160; ++x) picture.celsius[static_cast<std::size_t>(160 * 60 + x)] = 26.0F;
+    EXPECT_TRUE(cuesFrom({body}, picture, camera, optical, Time{})[0].clothesCut);
 }
 
 TEST(VictimApproach, PassesByPeopleBeyondWallsAndFindsTheNewOneBesideTheKnown) {

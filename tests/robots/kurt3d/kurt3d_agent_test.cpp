@@ -212,5 +212,65 @@ TEST_F(Kurt3d, LooksAsideForHeatWhileItExploresUnlessTheOperatorLooks) {
     EXPECT_EQ(robot.cameras["right"], std::make_pair(0.0, 0.0)) << "ahead again for the operator";
 }
 
+/// What Kurt3D measures where it stands: walls of a room of 6 m, and @p ahead [m] of its base a plate, in the
+/// middle of which it sees something bare that is as warm as skin.
+void showALamp(FakeRobot& robot, double ahead) {
+    robot.samples.push_back(
+        {StreamRole::Transforms,
+         {},
+         TransformsSample{{{{robot.time, "base_link"}, "laser", poseFrom({0.0, 0.0, 0.2}, 0.0, 0.0, 0.0)}}}});
+    RangesSample laser;
+    laser.header = {robot.time, "laser"};
+    laser.angleMin = -degrees(180);
+    laser.angleStep = degrees(1);
+    laser.rangeMin = 0.1, laser.rangeMax = 10.0;
+    for (int i = 0; i < 360; ++i) {
+        const double angle = laser.angleMin + i * laser.angleStep;
+        const bool plate = std::abs(angle) < degrees(8);
+        laser.ranges.push_back(static_cast<float>(plate ? ahead / std::cos(angle) : 3.0));
+    }
+    robot.samples.push_back({StreamRole::Ranges, "scanner", laser});
+    CameraInfoSample camera;
+    camera.header = {robot.time, "infrared"};
+    camera.width = 160, camera.height = 120;
+    camera.intrinsics = {220, 0, 79.5, 0, 220, 59.5, 0, 0, 1};
+    robot.samples.push_back({StreamRole::CameraInfo, "ir", camera});
+    const auto bytes = std::make_shared<std::vector<std::byte>>();
+    for (int i = 0; i < 160 * 120; ++i) {
+        const bool warm = std::abs(i % 160 - 80) <= 5 && std::abs(i / 160 - 62) <= 5;
+        const int centikelvin = warm ? 30'750 : 29'315;
+        bytes->push_back(static_cast<std::byte>(centikelvin & 255));
+        bytes->push_back(static_cast<std::byte>(centikelvin >> 8));
+    }
+    PictureSample picture;
+    picture.header = {robot.time, "infrared"};
+    picture.encoding = "16UC1";
+    picture.width = 160, picture.height = 120, picture.step = 320;
+    picture.content = {bytes, *bytes};
+    robot.samples.push_back({StreamRole::Thermal, "ir", picture});
+}
+
+// It came back to a lamp at once after it had left it: what it had seen last was still a reason to begin.
+TEST_F(Kurt3d, WhatItHasLeftIsNoReasonToBeginAgain) {
+    const RobotDescription description = *readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml");
+    const double ahead = boxAround(description.footprint).front + 0.8;
+    station->keepDriving(0.0, 0.1);
+    station->mode("explore");
+    for (int i = 0; i < 80; ++i) {
+        station->hold();
+        showALamp(robot, ahead);
+        station->pass(0.1);
+    }
+    int approaches = 0, lamps = 0;
+    for (const ModeSample& mode : station->all<ModeSample>()) {
+        if (mode.mode == "victim_approach" && mode.reason == "body heat in sight") ++approaches;
+        if (mode.reason.find("no person") != std::string::npos) ++lamps;
+    }
+    EXPECT_EQ(approaches, 1);
+    EXPECT_EQ(lamps, 1);
+    EXPECT_EQ(agent->mode(), DriveMode::Explore);
+    EXPECT_TRUE(station->all<SightingSample>().empty());
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "core/perception/virtual_scan.h"
+#include "robots/control/driving/heat_cue.h"
+
+namespace leitstand {
+
+struct HeatTargetSettings {
+    double bandMargin = 0.05;  ///< beside the heat, points still count as the victim's [rad]
+    double lying = 0.55;       ///< what is higher is no part of a victim that lies [m]
+    double length = 1.2;       ///< of a victim, from its heat [m]
+    double link = 0.25;        ///< between points of one victim [m]
+};
+
+/// The surface point of a victim that is nearest to the robot's front.
+struct HeatTarget {
+    Eigen::Vector2d inBase = Eigen::Vector2d::Zero();  ///< [m]
+    double distance = 0.0;                             ///< from the body's front [m]
+    double age = 0.0;                                  ///< of the measurement [s]
+    double top = 0.0;                                  ///< height of what stands there [m]
+    bool certain = false;                              ///< the heat does not pass by its edge
+    double heat = 0.0;                                 ///< from the camera to what is warm of it, level [m]
+};
+
+/// What @p cue is on, as @p view has it, with all of the victim that hangs together with it; nothing where
+/// there is no surface. @p body: of the robot, in base_link.
+[[nodiscard]] std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& view,
+                                                   const Pose& baseInOdom, const BodyBox& body,
+                                                   const HeatTargetSettings& settings = {});
+
+}  // namespace leitstand
