@@ -2322,6 +2322,398 @@ Funk: %4 %5</translation>
         <source>{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found x {:g}, y {:g} m with {:g} m</source>
         <translation>{}: erwartet wurde die Ecke bei x {:g}, y {:g} m mit Pixeln von {:g} m, gefunden x {:g}, y {:g} m mit {:g} m</translation>
     </message>
+    <message>
+        <source>{}: expected at least {} pages, found {}</source>
+        <translation>{}: erwartet mindestens {} Seiten, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: it is not a regular file</source>
+        <translation>{}: lässt sich nicht schreiben: keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>expected either a button or an axis, found both</source>
+        <translation>erwartet wurde entweder button oder axis, gefunden beides</translation>
+    </message>
+    <message>
+        <source>expected either a button or an axis, found neither</source>
+        <translation>erwartet wurde entweder button oder axis, gefunden keines von beiden</translation>
+    </message>
+    <message>
+        <source>expected -1 or 1, the end to which the axis is pushed from its rest</source>
+        <translation>erwartet wurde -1 oder 1, das Ende, zu dem die Achse aus ihrer Ruhelage geht</translation>
+    </message>
+    <message>
+        <source>expected at most {} commands, found {}</source>
+        <translation>erwartet wurden höchstens {} Befehle, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected the command that the control does, found nothing</source>
+        <translation>erwartet wurde der Befehl des Bedienelements, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected a command such as camera.recentre, found {}</source>
+        <translation>erwartet wurde ein Befehl wie camera.recentre, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}: lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>{}: its SHA-256 is not as {} says</source>
+        <translation>{}: seine SHA-256 ist nicht die in {}</translation>
+    </message>
+    <message>
+        <source>{}: is not written: the position of {} is no number</source>
+        <translation>{}: wird nicht geschrieben: der Ort von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: expected a picture of RGB</source>
+        <translation>{}: lässt sich nicht schreiben: erwartet ein RGB-Bild</translation>
+    </message>
+    <message>
+        <source>expected at most {:.0f} pixels, found {} x {}</source>
+        <translation>erwartet höchstens {:.0f} Pixel, gefunden {} x {}</translation>
+    </message>
+    <message>
+        <source>expected three bands of 8 bits (24-bit RGB)</source>
+        <translation>erwartet drei Kanäle von 8 Bit (24-Bit-RGB)</translation>
+    </message>
+    <message>
+        <source>expected a georeference</source>
+        <translation>erwartet eine Georeferenz</translation>
+    </message>
+    <message>
+        <source>expected square pixels, north up (a negative y pixel size)</source>
+        <translation>erwartet quadratische Pixel, Norden oben (negative Pixelgröße in y)</translation>
+    </message>
+    <message>
+        <source>{}: is not written: the map is too far from its origin for an OctoMap</source>
+        <translation>{}: wird nicht geschrieben: für eine OctoMap ist die Karte zu weit von ihrem Ursprung</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written as an OctoMap</source>
+        <translation>{}: lässt sich nicht als OctoMap schreiben</translation>
+    </message>
+    <message>
+        <source>{}: expected &quot;# Octomap OcTree binary file&quot; in its first line</source>
+        <translation>{}: erwartet &quot;# Octomap OcTree binary file&quot; in der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as an OctoMap: expected a whole tree</source>
+        <translation>{}: lässt sich nicht als OctoMap lesen: erwartet ein vollständiger Baum</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as an OctoMap: {}</source>
+        <translation>{}: lässt sich nicht als OctoMap lesen: {}</translation>
+    </message>
+    <message>
+        <source>{}: is not written: a figure of {} is no number</source>
+        <translation>{}: wird nicht geschrieben: ein Wert von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>expected a name as in topics (letters, digits and _, not leitstand), found {}</source>
+        <translation>erwartet wurde ein Name wie in Topics (Buchstaben, Ziffern und _, nicht leitstand), gefunden {}</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>expected one capital letter, found {}</source>
+        <translation>erwartet wurde ein Großbuchstabe, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a frame such as base_link, without a slash before it and without blanks, found {}</source>
+        <translation>erwartet wurde ein Frame wie base_link, ohne Schrägstrich davor und ohne Leerzeichen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a list of corners, found {}</source>
+        <translation>erwartet wurde eine Liste von Ecken, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected [x, y], each from {} to {} m, found {}</source>
+        <translation>erwartet wurde [x, y], jeweils von {} bis {} m, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a key or pad control of its own, found {}, which is that of {}</source>
+        <translation>erwartet wurde eine eigene Taste oder ein eigenes Bedienelement des Gamepads, gefunden {}; das gehört zu {}</translation>
+    </message>
+    <message>
+        <source>expected stop, since nobody drives, found {}</source>
+        <translation>erwartet wurde stop, da niemand fährt, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected YAML, found a mistake: {}</source>
+        <translation>erwartet wurde YAML, gefunden ein Fehler: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, found none that can be read</source>
+        <translation>{}: erwartet wurde die Datei eines Roboters, gefunden wurde keine lesbare</translation>
+    </message>
+    <message>
+        <source>expected what the topic carries, such as points, found nothing</source>
+        <translation>erwartet wurde, was das Topic trägt, etwa points, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected one stream of this role, found {} of line {} again</source>
+        <translation>erwartet wurde ein einziger Strom dieser Rolle, gefunden noch einmal {} aus Zeile {}</translation>
+    </message>
+    <message>
+        <source>expected a topic of its own, found {} of line {} again</source>
+        <translation>erwartet wurde ein eigenes Topic, gefunden noch einmal {} aus Zeile {}</translation>
+    </message>
+    <message>
+        <source>expected the camera that it belongs to, a name under sensors, found nothing</source>
+        <translation>erwartet wurde die Kamera, zu der er gehört, ein Name unter sensors, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected a name under sensors, which has none, found {}</source>
+        <translation>erwartet wurde ein Name unter sensors, wo keiner steht, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected {} (under sensors), found {}{}</source>
+        <translation>erwartet wurde {} (unter sensors), gefunden {}{}</translation>
+    </message>
+    <message>
+        <source>expected {} for {}, found {}{}</source>
+        <translation>erwartet wurde {} für {}, gefunden {}{}</translation>
+    </message>
+    <message>
+        <source>expected a topic such as /kurt3d/odom (words of letters, digits and _ that begin with no digit), found {}</source>
+        <translation>erwartet wurde ein Topic wie /kurt3d/odom (Wörter aus Buchstaben, Ziffern und _, die nicht mit einer Ziffer beginnen), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a topic of the robot, found one of the stations: {}</source>
+        <translation>erwartet wurde ein Topic des Roboters, gefunden eines der Stationen: {}</translation>
+    </message>
+    <message>
+        <source>expected 0, since a stop never grows old, found &quot;{}&quot;</source>
+        <translation>erwartet wurde 0, da ein STOP nie veraltet, gefunden &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>expected it only for commands that have a stamp, found it for {} of type {}</source>
+        <translation>erwartet nur für Befehle mit Zeitstempel, gefunden für {} vom Typ {}</translation>
+    </message>
+    <message>
+        <source>expected it only for diagnostics, found it for {} of type {}</source>
+        <translation>erwartet nur für diagnostics, gefunden für {} vom Typ {}</translation>
+    </message>
+    <message>
+        <source>expected it only for thermal, found it for {} of type {}</source>
+        <translation>erwartet nur für thermal, gefunden für {} vom Typ {}</translation>
+    </message>
+    <message>
+        <source>expected a list of topics, found nothing</source>
+        <translation>erwartet wurde eine Liste von Topics, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected one YAML document, found a second one</source>
+        <translation>erwartet wurde ein einziges YAML-Dokument, gefunden ein zweites</translation>
+    </message>
+    <message>
+        <source>expected no alias, found one (*name)</source>
+        <translation>erwartet wurde kein Alias, gefunden einer (*name)</translation>
+    </message>
+    <message>
+        <source>expected no anchor, found one (&amp;name)</source>
+        <translation>erwartet wurde kein Anker, gefunden einer (&amp;name)</translation>
+    </message>
+    <message>
+        <source>expected no tag, found {}</source>
+        <translation>erwartet wurde kein Tag, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at most {} levels, found more</source>
+        <translation>erwartet wurden höchstens {} Ebenen, gefunden mehr</translation>
+    </message>
+    <message>
+        <source>expected UTF-8 text, found byte 0x{:02x}</source>
+        <translation>erwartet wurde UTF-8-Text, gefunden Byte 0x{:02x}</translation>
+    </message>
+    <message>
+        <source>expected spaces before the first word, found a tab</source>
+        <translation>erwartet wurden Leerzeichen vor dem ersten Wort, gefunden ein Tabulator</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} bytes, found more</source>
+        <translation>{}: erwartet wurden höchstens {} Bytes, gefunden mehr</translation>
+    </message>
+    <message>
+        <source>expected keys and values, found {}</source>
+        <translation>erwartet wurden Schlüssel und Werte, gefunden {}</translation>
+    </message>
+    <message>
+        <source>keys and values</source>
+        <translation>Schlüssel und Werte</translation>
+    </message>
+    <message>
+        <source>a list of {}</source>
+        <translation>eine Liste der Länge {}</translation>
+    </message>
+    <message>
+        <source>, did you mean {}?</source>
+        <translation>, ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} oder {}</translation>
+    </message>
+    <message>
+        <source>{}: {} errors more</source>
+        <translation>{}: {} weitere Fehler</translation>
+    </message>
+    <message>
+        <source>expected one of the keys {}, found {}{}</source>
+        <translation>erwartet wurde einer der Schlüssel {}, gefunden {}{}</translation>
+    </message>
+    <message>
+        <source>expected a name of at most {} letters, digits and _ that begins with a letter, found {}</source>
+        <translation>erwartet wurde ein Name aus höchstens {} Buchstaben, Ziffern und _, der mit einem Buchstaben beginnt, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected each key once, found {} of line {} again</source>
+        <translation>erwartet wurde jeder Schlüssel einmal, gefunden noch einmal {} aus Zeile {}</translation>
+    </message>
+    <message>
+        <source>expected a text of {} to {} printable characters, found {}</source>
+        <translation>erwartet wurde ein Text aus {} bis {} druckbaren Zeichen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected true or false, found {}</source>
+        <translation>erwartet wurde true oder false, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a number from {} to {}{}, found {}</source>
+        <translation>erwartet wurde eine Zahl von {} bis {}{}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from {} to {}, found {}</source>
+        <translation>erwartet wurde eine ganze Zahl von {} bis {}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected {} numbers from {} to {}{}, found {}</source>
+        <translation>erwartet wurden {} Zahlen von {} bis {}{}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}{}</source>
+        <translation>erwartet wurde {}, gefunden {}{}</translation>
+    </message>
+    <message>
+        <source>expected a list, found {}</source>
+        <translation>erwartet wurde eine Liste, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{}: expected limits of alarms, found no file that can be read</source>
+        <translation>{}: erwartet wurden Grenzwerte der Alarme, gefunden wurde keine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>expected x y z [m] and a quaternion x y z w of length 1</source>
+        <translation>erwartet wurden x y z [m] und eine Quaternion x y z w der Länge 1</translation>
+    </message>
+    <message>
+        <source>expected a distance [m] and a share from 0 to 1</source>
+        <translation>erwartet wurden ein Abstand [m] und ein Anteil von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>expected a count and two amounts, none below 0</source>
+        <translation>erwartet wurden eine Anzahl und zwei Größen, keine unter 0</translation>
+    </message>
+    <message>
+        <source>expected counts and amounts, none below 0, and no more wrong finds than finds</source>
+        <translation>erwartet wurden Anzahlen und Größen, keine unter 0, und nicht mehr falsche Funde als Funde</translation>
+    </message>
+    <message>
+        <source>stands in this file already</source>
+        <translation>steht schon in dieser Datei</translation>
+    </message>
+    <message>
+        <source>expected distances above 0 and up to 1000 m</source>
+        <translation>erwartet wurden Abstände über 0 und bis 1000 m</translation>
+    </message>
+    <message>
+        <source>expected at least one distance</source>
+        <translation>erwartet wurde mindestens ein Abstand</translation>
+    </message>
+    <message>
+        <source>expected a list of key scans</source>
+        <translation>erwartet wurde eine Liste von Schlüsselscans</translation>
+    </message>
+    <message>
+        <source>{}: {} scans are more than it takes</source>
+        <translation>{}: {} Scans sind mehr, als die Datei fasst</translation>
+    </message>
+    <message>
+        <source>expected one of pane, horizontal and vertical</source>
+        <translation>erwartet wurde genau eines von pane, horizontal und vertical</translation>
+    </message>
+    <message>
+        <source>expected letters, digits, _ . and -</source>
+        <translation>erwartet wurden Buchstaben, Ziffern, _ . und -</translation>
+    </message>
+    <message>
+        <source>stands in this layout already</source>
+        <translation>steht schon in diesem Layout</translation>
+    </message>
+    <message>
+        <source>expected a list of 2 to {} places</source>
+        <translation>erwartet wurde eine Liste von 2 bis {} Plätzen</translation>
+    </message>
+    <message>
+        <source>expected keys and values</source>
+        <translation>erwartet wurden Schlüssel und Werte</translation>
+    </message>
+    <message>
+        <source>expected a command or button and its text</source>
+        <translation>erwartet wurde ein Befehl oder Knopf und der Text dazu</translation>
+    </message>
+    <message>
+        <source>is too long, or stands here twice</source>
+        <translation>ist zu lang oder steht hier zweimal</translation>
+    </message>
+    <message>
+        <source>expected the places of panes, found nothing</source>
+        <translation>erwartet wurden die Plätze der Teilfenster, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected what the window wrote here</source>
+        <translation>erwartet wurde, was das Fenster hier geschrieben hat</translation>
+    </message>
+    <message>
+        <source>expected keys of this file</source>
+        <translation>erwartet wurden Schlüssel dieser Datei</translation>
+    </message>
+    <message>
+        <source>expected at most 32 patterns such as &quot;V-#*&quot;</source>
+        <translation>erwartet wurden höchstens 32 Muster wie &quot;V-#*&quot;</translation>
+    </message>
+    <message>
+        <source>expected JSON, found a mistake: {}</source>
+        <translation>erwartet wurde JSON, gefunden ein Fehler: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected the rules of a score, found no file that can be read</source>
+        <translation>{}: erwartet wurden Regeln einer Wertung, gefunden wurde keine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>expected 3 to {} corners, found {}</source>
+        <translation>erwartet wurden 3 bis {} Ecken, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected corners that differ, found [{}, {}] twice in a row</source>
+        <translation>erwartet wurden verschiedene Ecken, gefunden [{}, {}] zweimal hintereinander</translation>
+    </message>
+    <message>
+        <source>expected sides that do not cross, found side {} crossing side {}</source>
+        <translation>erwartet wurden Seiten, die sich nicht kreuzen, gefunden Seite {}, die Seite {} kreuzt</translation>
+    </message>
+    <message>
+        <source>expected an area, found {:.3g} square metres</source>
+        <translation>erwartet wurde eine Fläche, gefunden {:.3g} Quadratmeter</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>
@@ -4138,6 +4530,26 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Rules of the score</source>
         <translation>Regeln der Wertung</translation>
+    </message>
+    <message>
+        <source>Names of the report&apos;s files begin with it</source>
+        <translation>Damit beginnen die Namen der Dateien des Berichts</translation>
+    </message>
+    <message>
+        <source>As it was registered; in all lists of the report</source>
+        <translation>Wie angemeldet; in allen Listen des Berichts</translation>
+    </message>
+    <message>
+        <source>Of the team; in all lists of the report</source>
+        <translation>Des Teams; in allen Listen des Berichts</translation>
+    </message>
+    <message>
+        <source>Which run of the competition it is</source>
+        <translation>Welcher Lauf des Wettbewerbs es ist</translation>
+    </message>
+    <message>
+        <source>By these the score is estimated, here and in the report</source>
+        <translation>Danach wird die Wertung geschätzt, hier und im Bericht</translation>
     </message>
 </context>
 <context>
@@ -7466,6 +7878,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Where the find is; unknown: in the area of the mission</source>
+        <translation>Wo der Fund ist; unbekannt: im Bereich der Mission</translation>
     </message>
 </context>
 <context>

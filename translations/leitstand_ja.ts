@@ -2322,6 +2322,398 @@ Link: %4 %5</source>
         <source>{}: expected its corner at x {:g}, y {:g} m with pixels of {:g} m, found x {:g}, y {:g} m with {:g} m</source>
         <translation>{}: 角は x {:g}, y {:g} m、画素 {:g} m のはずが x {:g}, y {:g} m、{:g} m</translation>
     </message>
+    <message>
+        <source>{}: expected at least {} pages, found {}</source>
+        <translation>{}: 少なくとも {} ページのはずが {} でした</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: it is not a regular file</source>
+        <translation>{}: 書き込めません: 通常のファイルではありません</translation>
+    </message>
+    <message>
+        <source>expected either a button or an axis, found both</source>
+        <translation>button か axis の一方のはずが、両方あります</translation>
+    </message>
+    <message>
+        <source>expected either a button or an axis, found neither</source>
+        <translation>button か axis の一方のはずが、どちらもありません</translation>
+    </message>
+    <message>
+        <source>expected -1 or 1, the end to which the axis is pushed from its rest</source>
+        <translation>-1 または 1 (静止位置から軸を倒す側) が必要</translation>
+    </message>
+    <message>
+        <source>expected at most {} commands, found {}</source>
+        <translation>コマンドは最大 {} 件のはずが {} 件</translation>
+    </message>
+    <message>
+        <source>expected the command that the control does, found nothing</source>
+        <translation>操作で行うコマンドが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected a command such as camera.recentre, found {}</source>
+        <translation>camera.recentre のようなコマンドのはずが {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}: 読み込めません</translation>
+    </message>
+    <message>
+        <source>{}: its SHA-256 is not as {} says</source>
+        <translation>{}: SHA-256 が {} の記載と異なります</translation>
+    </message>
+    <message>
+        <source>{}: is not written: the position of {} is no number</source>
+        <translation>{}: 書き込みません: {} の位置が数値ではありません</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: expected a picture of RGB</source>
+        <translation>{}: 書き込めません: RGB 画像が必要です</translation>
+    </message>
+    <message>
+        <source>expected at most {:.0f} pixels, found {} x {}</source>
+        <translation>最大 {:.0f} 画素のはずが {} x {} でした</translation>
+    </message>
+    <message>
+        <source>expected three bands of 8 bits (24-bit RGB)</source>
+        <translation>8 ビットのバンド 3 つ(24 ビット RGB)が必要です</translation>
+    </message>
+    <message>
+        <source>expected a georeference</source>
+        <translation>地理参照が必要です</translation>
+    </message>
+    <message>
+        <source>expected square pixels, north up (a negative y pixel size)</source>
+        <translation>正方形の画素、北が上(y 方向の画素サイズが負)が必要です</translation>
+    </message>
+    <message>
+        <source>{}: is not written: the map is too far from its origin for an OctoMap</source>
+        <translation>{}: 書き込みません: 地図が原点から遠すぎて OctoMap にできません</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written as an OctoMap</source>
+        <translation>{}: OctoMap として書き込めません</translation>
+    </message>
+    <message>
+        <source>{}: expected &quot;# Octomap OcTree binary file&quot; in its first line</source>
+        <translation>{}: 最初の行に &quot;# Octomap OcTree binary file&quot; が必要です</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as an OctoMap: expected a whole tree</source>
+        <translation>{}: OctoMap として読み込めません: 完全な木が必要です</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as an OctoMap: {}</source>
+        <translation>{}: OctoMap として読み込めません: {}</translation>
+    </message>
+    <message>
+        <source>{}: is not written: a figure of {} is no number</source>
+        <translation>{}: 書き込みません: {} の値が数値ではありません</translation>
+    </message>
+    <message>
+        <source>expected a name as in topics (letters, digits and _, not leitstand), found {}</source>
+        <translation>トピックに使う名前 (英数字と _、leitstand 以外) のはずが {}</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>expected one capital letter, found {}</source>
+        <translation>英大文字 1 字のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a frame such as base_link, without a slash before it and without blanks, found {}</source>
+        <translation>base_link のようなフレーム (先頭の / と空白なし) のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a list of corners, found {}</source>
+        <translation>角のリストのはずが {}</translation>
+    </message>
+    <message>
+        <source>expected [x, y], each from {} to {} m, found {}</source>
+        <translation>[x, y] (各 {}～{} m) のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a key or pad control of its own, found {}, which is that of {}</source>
+        <translation>固有のキーまたはパッド操作のはずが、{} は {} に割り当て済み</translation>
+    </message>
+    <message>
+        <source>expected stop, since nobody drives, found {}</source>
+        <translation>操縦者がいないため stop のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected YAML, found a mistake: {}</source>
+        <translation>YAML の誤り: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a robot&apos;s file, found none that can be read</source>
+        <translation>{}: ロボットのファイルが必要ですが、読めません</translation>
+    </message>
+    <message>
+        <source>expected what the topic carries, such as points, found nothing</source>
+        <translation>トピックの内容 (points など) が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected one stream of this role, found {} of line {} again</source>
+        <translation>この役割のストリームは 1 つのはずが、{} ({} 行目) が重複</translation>
+    </message>
+    <message>
+        <source>expected a topic of its own, found {} of line {} again</source>
+        <translation>固有のトピックのはずが、{} ({} 行目) が重複</translation>
+    </message>
+    <message>
+        <source>expected the camera that it belongs to, a name under sensors, found nothing</source>
+        <translation>対応するカメラ (sensors の名前) が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected a name under sensors, which has none, found {}</source>
+        <translation>sensors にある名前のはずが {} (sensors には名前なし)</translation>
+    </message>
+    <message>
+        <source>expected {} (under sensors), found {}{}</source>
+        <translation>{} (sensors の名前) のはずが {}{}</translation>
+    </message>
+    <message>
+        <source>expected {} for {}, found {}{}</source>
+        <translation>{} ({} の型) のはずが {}{}</translation>
+    </message>
+    <message>
+        <source>expected a topic such as /kurt3d/odom (words of letters, digits and _ that begin with no digit), found {}</source>
+        <translation>/kurt3d/odom のようなトピック (英数字と _ の語、先頭は数字以外) のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a topic of the robot, found one of the stations: {}</source>
+        <translation>ロボットのトピックのはずが、ステーションのトピック: {}</translation>
+    </message>
+    <message>
+        <source>expected 0, since a stop never grows old, found &quot;{}&quot;</source>
+        <translation>停止は古くならないため 0 のはずが &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>expected it only for commands that have a stamp, found it for {} of type {}</source>
+        <translation>時刻付きの指令だけの項目ですが、{} (型 {}) にあります</translation>
+    </message>
+    <message>
+        <source>expected it only for diagnostics, found it for {} of type {}</source>
+        <translation>diagnostics だけの項目ですが、{} (型 {}) にあります</translation>
+    </message>
+    <message>
+        <source>expected it only for thermal, found it for {} of type {}</source>
+        <translation>thermal だけの項目ですが、{} (型 {}) にあります</translation>
+    </message>
+    <message>
+        <source>expected a list of topics, found nothing</source>
+        <translation>トピックのリストが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected one YAML document, found a second one</source>
+        <translation>YAML 文書は 1 つのはずが、2 つ目があります</translation>
+    </message>
+    <message>
+        <source>expected no alias, found one (*name)</source>
+        <translation>エイリアス (*name) は使えません</translation>
+    </message>
+    <message>
+        <source>expected no anchor, found one (&amp;name)</source>
+        <translation>アンカー (&amp;name) は使えません</translation>
+    </message>
+    <message>
+        <source>expected no tag, found {}</source>
+        <translation>タグは使えませんが、{} があります</translation>
+    </message>
+    <message>
+        <source>expected at most {} levels, found more</source>
+        <translation>階層は最大 {} のはずが、超えています</translation>
+    </message>
+    <message>
+        <source>expected UTF-8 text, found byte 0x{:02x}</source>
+        <translation>UTF-8 テキストのはずが、バイト 0x{:02x} があります</translation>
+    </message>
+    <message>
+        <source>expected spaces before the first word, found a tab</source>
+        <translation>行頭は空白のはずが、タブがあります</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} bytes, found more</source>
+        <translation>{}: 最大 {} バイトのはずが、超えています</translation>
+    </message>
+    <message>
+        <source>expected keys and values, found {}</source>
+        <translation>キーと値のはずが {}</translation>
+    </message>
+    <message>
+        <source>keys and values</source>
+        <translation>キーと値</translation>
+    </message>
+    <message>
+        <source>a list of {}</source>
+        <translation>長さ {} のリスト</translation>
+    </message>
+    <message>
+        <source>, did you mean {}?</source>
+        <translation> ({} の間違い?)</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} または {}</translation>
+    </message>
+    <message>
+        <source>{}: {} errors more</source>
+        <translation>{}: ほかにエラー {} 件</translation>
+    </message>
+    <message>
+        <source>expected one of the keys {}, found {}{}</source>
+        <translation>キーは {} のはずが {}{}</translation>
+    </message>
+    <message>
+        <source>expected a name of at most {} letters, digits and _ that begins with a letter, found {}</source>
+        <translation>英字で始まる最大 {} 文字の名前 (英数字と _) のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected each key once, found {} of line {} again</source>
+        <translation>キーは 1 回ずつのはずが、{} ({} 行目) が重複</translation>
+    </message>
+    <message>
+        <source>expected a text of {} to {} printable characters, found {}</source>
+        <translation>印字可能な {}～{} 文字のテキストのはずが {}</translation>
+    </message>
+    <message>
+        <source>expected true or false, found {}</source>
+        <translation>true または false のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a number from {} to {}{}, found {}</source>
+        <translation>{}～{}{} の数値のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from {} to {}, found {}</source>
+        <translation>{}～{} の整数のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected {} numbers from {} to {}{}, found {}</source>
+        <translation>{} 個の数値 ({}～{}{}) のはずが {}</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}{}</source>
+        <translation>{} のはずが {}{}</translation>
+    </message>
+    <message>
+        <source>expected a list, found {}</source>
+        <translation>リストのはずが {}</translation>
+    </message>
+    <message>
+        <source>{}: expected limits of alarms, found no file that can be read</source>
+        <translation>{}: 警報のしきい値が必要ですが、ファイルを読めません</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>ありません</translation>
+    </message>
+    <message>
+        <source>expected x y z [m] and a quaternion x y z w of length 1</source>
+        <translation>x y z [m] と長さ 1 の四元数 x y z w が必要</translation>
+    </message>
+    <message>
+        <source>expected a distance [m] and a share from 0 to 1</source>
+        <translation>距離 [m] と 0～1 の割合が必要</translation>
+    </message>
+    <message>
+        <source>expected a count and two amounts, none below 0</source>
+        <translation>個数と 2 つの量 (いずれも 0 以上) が必要</translation>
+    </message>
+    <message>
+        <source>expected counts and amounts, none below 0, and no more wrong finds than finds</source>
+        <translation>個数と量 (いずれも 0 以上)、誤った発見は発見の数以下が必要</translation>
+    </message>
+    <message>
+        <source>stands in this file already</source>
+        <translation>このファイルにすでにあります</translation>
+    </message>
+    <message>
+        <source>expected distances above 0 and up to 1000 m</source>
+        <translation>0 より大きく 1000 m 以下の距離が必要</translation>
+    </message>
+    <message>
+        <source>expected at least one distance</source>
+        <translation>距離が 1 つ以上必要</translation>
+    </message>
+    <message>
+        <source>expected a list of key scans</source>
+        <translation>キースキャンのリストが必要</translation>
+    </message>
+    <message>
+        <source>{}: {} scans are more than it takes</source>
+        <translation>{}: スキャン {} 件はファイルの上限を超えています</translation>
+    </message>
+    <message>
+        <source>expected one of pane, horizontal and vertical</source>
+        <translation>pane、horizontal、vertical のどれか 1 つが必要</translation>
+    </message>
+    <message>
+        <source>expected letters, digits, _ . and -</source>
+        <translation>使えるのは英数字、_ . - のみ</translation>
+    </message>
+    <message>
+        <source>stands in this layout already</source>
+        <translation>このレイアウトにすでにあります</translation>
+    </message>
+    <message>
+        <source>expected a list of 2 to {} places</source>
+        <translation>2～{} か所のリストが必要</translation>
+    </message>
+    <message>
+        <source>expected keys and values</source>
+        <translation>キーと値が必要</translation>
+    </message>
+    <message>
+        <source>expected a command or button and its text</source>
+        <translation>コマンドまたはボタンとそのテキストが必要</translation>
+    </message>
+    <message>
+        <source>is too long, or stands here twice</source>
+        <translation>長すぎるか、重複しています</translation>
+    </message>
+    <message>
+        <source>expected the places of panes, found nothing</source>
+        <translation>ペインの配置が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected what the window wrote here</source>
+        <translation>ウィンドウが書き込んだ内容が必要</translation>
+    </message>
+    <message>
+        <source>expected keys of this file</source>
+        <translation>このファイルのキーが必要</translation>
+    </message>
+    <message>
+        <source>expected at most 32 patterns such as &quot;V-#*&quot;</source>
+        <translation>&quot;V-#*&quot; のようなパターンが必要 (最大 32 個)</translation>
+    </message>
+    <message>
+        <source>expected JSON, found a mistake: {}</source>
+        <translation>JSON の誤り: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected the rules of a score, found no file that can be read</source>
+        <translation>{}: 採点規則が必要ですが、ファイルを読めません</translation>
+    </message>
+    <message>
+        <source>expected 3 to {} corners, found {}</source>
+        <translation>角は 3～{} 個のはずが {} 個</translation>
+    </message>
+    <message>
+        <source>expected corners that differ, found [{}, {}] twice in a row</source>
+        <translation>角は異なるはずが、[{}, {}] が 2 回続いています</translation>
+    </message>
+    <message>
+        <source>expected sides that do not cross, found side {} crossing side {}</source>
+        <translation>辺は交差しないはずが、辺 {} と辺 {} が交差</translation>
+    </message>
+    <message>
+        <source>expected an area, found {:.3g} square metres</source>
+        <translation>面積が必要ですが、{:.3g} 平方メートルです</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::FileCommands</name>
@@ -4138,6 +4530,26 @@ F1 でキー一覧</translation>
     <message>
         <source>Rules of the score</source>
         <translation>採点規則</translation>
+    </message>
+    <message>
+        <source>Names of the report&apos;s files begin with it</source>
+        <translation>報告のファイル名はこれで始まります</translation>
+    </message>
+    <message>
+        <source>As it was registered; in all lists of the report</source>
+        <translation>登録したとおりの名前。報告のすべてのリストに入ります</translation>
+    </message>
+    <message>
+        <source>Of the team; in all lists of the report</source>
+        <translation>チームの国。報告のすべてのリストに入ります</translation>
+    </message>
+    <message>
+        <source>Which run of the competition it is</source>
+        <translation>競技会のどのランか</translation>
+    </message>
+    <message>
+        <source>By these the score is estimated, here and in the report</source>
+        <translation>これに従って、ここと報告で得点を見積もります</translation>
     </message>
 </context>
 <context>
@@ -7466,6 +7878,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Where the find is; unknown: in the area of the mission</source>
+        <translation>発見物の場所。不明なら任務の区域とみなします</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "core/base/words.h"
 
 namespace leitstand {
 namespace {
@@ -46,22 +46,27 @@ double signedArea(const std::vector<Corner>& corners) {
 std::string footprintProblem(const std::vector<Corner>& corners) {
     const std::size_t count = corners.size();
     if (count < 3 || count > MostCorners)
-        return fmt::format("expected 3 to {} corners, found {}", MostCorners, count);
+        return leitstand::fill(translate("leitstand::Error", "expected 3 to {} corners, found {}"),
+                               MostCorners, count);
     for (std::size_t i = 0; i < count; ++i) {
         if (corners[i] == corners[(i + 1) % count])
-            return fmt::format("expected corners that differ, found [{}, {}] twice in a row", corners[i].x(),
-                               corners[i].y());
+            return leitstand::fill(
+                translate("leitstand::Error", "expected corners that differ, found [{}, {}] twice in a row"),
+                corners[i].x(), corners[i].y());
     }
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 2; j < count; ++j) {
             if ((j + 1) % count == i) continue;  // neighbours share a corner
             if (meet(corners[i], corners[i + 1], corners[j], corners[(j + 1) % count]))
-                return fmt::format("expected sides that do not cross, found side {} crossing side {}", i + 1,
-                                   j + 1);
+                return leitstand::fill(
+                    translate("leitstand::Error",
+                              "expected sides that do not cross, found side {} crossing side {}"),
+                    i + 1, j + 1);
         }
     }
     if (std::abs(signedArea(corners)) < LeastArea)
-        return fmt::format("expected an area, found {:.3g} square metres", std::abs(signedArea(corners)));
+        return leitstand::fill(translate("leitstand::Error", "expected an area, found {:.3g} square metres"),
+                               std::abs(signedArea(corners)));
     return {};
 }
 

@@ -11,11 +11,13 @@
 namespace leitstand {
 namespace {
 
-QLineEdit* line(QFormLayout& form, const QString& name, const std::string& text, const QString& hint) {
+QLineEdit* line(QFormLayout& form, const QString& name, const std::string& text, const QString& tip,
+                const QString& hint = {}) {
     auto* made = new QLineEdit(QString::fromStdString(text));
     made->setMaxLength(100);
     made->setPlaceholderText(hint);
     made->setAccessibleName(name);
+    made->setToolTip(tip);
     form.addRow(name, made);
     return made;
 }
@@ -32,10 +34,12 @@ MissionForm::MissionForm(const MissionInfoSample& info, const Profiles& profiles
     setWindowTitle(tr("Mission data"));
     setModal(false);
     auto* form = new QFormLayout(this);
-    m_competition = line(*form, tr("Competition"), info.competition, tr("RoboCup2026"));
-    m_team = line(*form, tr("Team"), info.team, {});
-    m_country = line(*form, tr("Country"), info.country, {});
-    m_mission = line(*form, tr("Mission"), info.mission, tr("Preliminary1"));
+    m_competition = line(*form, tr("Competition"), info.competition,
+                         tr("Names of the report's files begin with it"), tr("RoboCup2026"));
+    m_team = line(*form, tr("Team"), info.team, tr("As it was registered; in all lists of the report"));
+    m_country = line(*form, tr("Country"), info.country, tr("Of the team; in all lists of the report"));
+    m_mission = line(*form, tr("Mission"), info.mission, tr("Which run of the competition it is"),
+                     tr("Preliminary1"));
     m_operators->setRange(1, 20);
     m_operators->setValue(static_cast<int>(info.operators));
     m_operators->setAccessibleName(tr("Operators"));
@@ -51,6 +55,7 @@ MissionForm::MissionForm(const MissionInfoSample& info, const Profiles& profiles
     const int chosen = m_profile->findData(QString::fromStdString(info.profile));
     m_profile->setCurrentIndex(chosen >= 0 ? chosen : m_profile->count() - 1);
     m_profile->setAccessibleName(tr("Rules of the score"));
+    m_profile->setToolTip(tr("By these the score is estimated, here and in the report"));
     form->addRow(tr("Rules of the score"), m_profile);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     form->addRow(buttons);

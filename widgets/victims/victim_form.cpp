@@ -46,6 +46,7 @@ VictimForm::VictimForm(QWidget* parent)
     setAccessibleName(tr("Form of the chosen find"));
     m_situation->setObjectName(QStringLiteral("situation"));
     m_area->setObjectName(QStringLiteral("area"));
+    m_area->setToolTip(tr("Where the find is; unknown: in the area of the mission"));
     m_tag->setObjectName(QStringLiteral("tag"));
     m_text->setObjectName(QStringLiteral("remarks"));
     // A low pane scrolls, and follows the focus.

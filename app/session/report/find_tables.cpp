@@ -43,11 +43,12 @@ std::string contentOf(const ReportFind& find) {
 }  // namespace
 
 FindList listOf(const ReportModel& model, FindList::Kind kind) {
+    const bool known = model.facts.begin > Time{};
     FindList list{.kind = kind,
                   .team = model.facts.team,
                   .country = model.facts.country,
-                  .date = dateText(model.facts.begin),
-                  .time = clockText(model.facts.begin),
+                  .date = known ? dateText(model.facts.begin) : std::string(),
+                  .time = known ? clockText(model.facts.begin) : std::string(),
                   .mission = model.facts.mission,
                   .finds = {}};
     for (const ReportFind& find : model.finds) {

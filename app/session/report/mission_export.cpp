@@ -63,7 +63,7 @@ Result<ReportFile> exportCloud(const fs::path& out, const ReportInput& input, do
 }
 
 FindList::Kind listKind(const fs::path& out) {
-    const std::string name = out.filename().string();
+    const std::string name = detail::lowerCase(out.filename().string());
     for (const auto kind : {FindList::Kind::Victims, FindList::Kind::Codes}) {
         const std::string ending = endingOf(kind);
         if (name.ends_with(ending) || name == ending.substr(1)) return kind;
@@ -117,6 +117,10 @@ Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, 
         return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
     }
     if (ending == ".tum") return exportTrajectories(out, model, options.robot);
+    if (detail::lowerCase(out.filename().string()).ends_with("searched.csv")) {
+        const std::vector<ListedSearch> rows = searchListOf(model);
+        return one(again(writeSearchList(out, rows), out, {.count = rows.size()}));
+    }
     const FindList list = listOf(model, listKind(out));
     return one(again(writeFindList(out, list), out, {.count = list.finds.size()}));
 }

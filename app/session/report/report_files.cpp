@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/words.h"
+#include "core/io/detail/numbers.h"
 #include "core/io/ply.h"
 #include "core/io/report/checksums.h"
 #include "core/io/report/find_lists.h"
@@ -112,7 +113,8 @@ Result<std::string> checkPdf(const fs::path& file, const FileContents& expected)
         ++pages;
     if (expected.count && pages < *expected.count)
         return Error{
-            fmt::format("{}: expected at least {} pages, found {}", file.string(), *expected.count, pages)};
+            leitstand::fill(translate("leitstand::Error", "{}: expected at least {} pages, found {}"),
+                            file.string(), *expected.count, pages)};
     return pages > 0 ? fmt::format("{} pages", pages) : fmt::format("{} bytes", bytes.size());
 }
 
@@ -155,9 +157,10 @@ FileContents contentsOf(const MapPicture& map) {
 }
 
 Result<std::string> checkFile(const fs::path& file, const FileContents& expected) {
-    const std::string ending = file.extension().string();
+    const std::string ending = detail::lowerCase(file.extension().string());
     if (ending == ".tif") return checkTiff(file, expected);
-    if (file.filename().string().ends_with("_searched.csv")) return checkSearch(file, expected);
+    if (detail::lowerCase(file.filename().string()).ends_with("searched.csv"))
+        return checkSearch(file, expected);
     if (ending == ".csv") return checkList(file, expected);
     if (ending == ".bt") return checkOctomap(file);
     if (ending == ".ply") return checkCloud(file, expected);

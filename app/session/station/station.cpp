@@ -146,6 +146,9 @@ Result<void> Station::release(const std::string& robot) {
 }
 
 Result<void> Station::setMode(const std::string& robot, const std::string& mode) {
+    // In teleoperation it goes by the sticks, which are held back by themselves.
+    const bool byItself = !mode.ends_with("teleoperation");
+    if (auto may = maySend(robot); byItself && !may) return may;
     return m_state->wish(robot, StreamRole::ModeCommand,
                          ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
 }

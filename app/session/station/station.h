@@ -109,7 +109,8 @@ public:
     void stop(const std::string& robot);
     Result<void> release(const std::string& robot);  ///< as of StopSender
 
-    /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind.
+    /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind; and
+    /// those of maySend(), but for modes of teleoperation.
     Result<void> setMode(const std::string& robot, const std::string& mode);
     /// Whether @p robot may be sent anywhere: not while drive commands are refused for its brakes.
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 
 namespace fs = std::filesystem;
@@ -27,7 +29,9 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
     std::error_code ignored;
     const fs::file_status status = fs::status(target, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        return Error{target.string() + ": cannot be written: it is not a regular file"};
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: cannot be written: it is not a regular file"),
+                            target.string())};
     }
     OutputFile file;
     file.m_target = target;
@@ -70,8 +74,8 @@ Result<void> OutputFile::commit() {
 }
 
 Error OutputFile::problem(int number) const {
-    return Error{
-        fmt::format("{}: cannot be written: {}", m_target.string(), std::generic_category().message(number))};
+    return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written: {}"),
+                                 m_target.string(), std::generic_category().message(number))};
 }
 
 Result<void> writeWhole(const fs::path& target, std::string_view text) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
@@ -38,8 +39,10 @@ const std::vector<std::pair<std::string, PadLayout>>& layoutWords() {
 PadControl readControl(const YamlFields& fields) {
     const bool button = fields.has("button"), axis = fields.has("axis");
     if (button == axis) {
-        fields.fail("button", std::string("expected either a button or an axis, found ") +
-                                  (button ? "both" : "neither"));
+        fields.fail(
+            "button",
+            button ? translate("leitstand::Error", "expected either a button or an axis, found both")
+                   : translate("leitstand::Error", "expected either a button or an axis, found neither"));
         return {};
     }
     int index = 0, towards = 1;
@@ -50,7 +53,9 @@ PadControl readControl(const YamlFields& fields) {
     right = fields.count("towards", towards, -1, 1) && right;
     right = fields.number("rest", rest, -1.0, 1.0, "") && right;
     if (towards == 0 || static_cast<double>(towards) == rest) {
-        right = fields.fail("towards", "expected -1 or 1, the end to which the axis is pushed from its rest");
+        right = fields.fail("towards",
+                            translate("leitstand::Error",
+                                      "expected -1 or 1, the end to which the axis is pushed from its rest"));
     }
     return right ? padAxis(index, towards, rest) : PadControl{};
 }
@@ -76,21 +81,25 @@ bool isCommandId(std::string_view text) {
 void readCommands(const YamlFields& file, PadBindings& bindings, YamlErrors& errors) {
     const auto places = file.list("commands");
     if (places.size() > PadBindings::MostCommands) {
-        file.fail("commands", fmt::format("expected at most {} commands, found {}", PadBindings::MostCommands,
-                                          places.size()));
+        file.fail("commands",
+                  leitstand::fill(translate("leitstand::Error", "expected at most {} commands, found {}"),
+                                  PadBindings::MostCommands, places.size()));
         return;
     }
     for (const YamlPlace& place : places) {
         const YamlFields fields(place, CommandKeys, errors);
         PadCommand command;
         if (!fields.has("command")) {
-            fields.fail("command", "expected the command that the control does, found nothing");
+            fields.fail("command", translate("leitstand::Error",
+                                             "expected the command that the control does, found nothing"));
             continue;
         }
         if (!fields.text("command", command.id)) continue;
         if (!isCommandId(command.id)) {
-            fields.fail("command", "expected a command such as camera.recentre, found " +
-                                       detail::shown(std::string_view(command.id)));
+            fields.fail("command",
+                        leitstand::fill(translate("leitstand::Error",
+                                                  "expected a command such as camera.recentre, found {}"),
+                                        detail::shown(std::string_view(command.id))));
             continue;
         }
         command.control = readControl(fields);
@@ -131,7 +140,8 @@ Result<PadBindings> parsePad(std::string_view text, const std::string& name) {
 
 Result<PadBindings> readPad(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{file.string() + ": cannot be opened"};
+    if (!in)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
     // One byte more than what is taken, so that too much is found out without reading it all.
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));

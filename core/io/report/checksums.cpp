@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/line_reader.h"
 #include "core/io/detail/output_file.h"
 
@@ -21,7 +22,8 @@ constexpr const char* Name = "SHA256SUMS";
 
 Result<std::string> sha256Of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{file.string() + ": cannot be opened"};
+    if (!in)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
     bool ok = context != nullptr && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
     std::array<char, 1 << 16> chunk{};
@@ -32,7 +34,8 @@ Result<std::string> sha256Of(const std::filesystem::path& file) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned size = 0;
     ok = ok && in.eof() && EVP_DigestFinal_ex(context.get(), digest.data(), &size) == 1;
-    if (!ok) return Error{file.string() + ": cannot be read"};
+    if (!ok)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be read"), file.string())};
     std::string text;
     for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
     return text;
@@ -72,8 +75,8 @@ Result<std::vector<std::string>> checkChecksums(const std::filesystem::path& fol
         const auto sum = sha256Of(folder / one.name);
         if (!sum) return sum.error();
         if (*sum != one.sum)
-            return Error{
-                fmt::format("{}: its SHA-256 is not as {} says", (folder / one.name).string(), Name)};
+            return Error{leitstand::fill(translate("leitstand::Error", "{}: its SHA-256 is not as {} says"),
+                                         (folder / one.name).string(), Name)};
         names.push_back(one.name);
     }
     return names;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/input_file.h"
 #include "core/io/detail/line_reader.h"
 #include "core/io/detail/numbers.h"
@@ -130,8 +131,9 @@ std::string textOf(const FindList& list) {
 Result<void> writeFindList(const std::filesystem::path& file, const FindList& list) {
     for (const ListedFind& find : list.finds) {
         if (!find.position.allFinite())
-            return Error{
-                fmt::format("{}: is not written: the position of {} is no number", file.string(), find.id)};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: is not written: the position of {} is no number"),
+                file.string(), find.id)};
     }
     return detail::writeWhole(file, textOf(list));
 }

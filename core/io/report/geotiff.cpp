@@ -16,6 +16,7 @@
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 
 namespace leitstand {
@@ -107,10 +108,13 @@ Result<void> writeGeoTiff(const std::filesystem::path& file, const MapPicture& m
     const auto expected = 3U * static_cast<std::size_t>(std::max(picture.width, 0)) *
                           static_cast<std::size_t>(std::max(picture.height, 0));
     if (picture.pixel != Picture::Pixel::Rgb8 || picture.bytes.size() != expected || expected == 0)
-        return Error{file.string() + ": cannot be written: expected a picture of RGB"};
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: cannot be written: expected a picture of RGB"),
+                            file.string())};
     const MemoryFile memory;
     if (const auto painted = paintInto(memory, map); !painted)
-        return Error{fmt::format("{}: cannot be written: {}", file.string(), painted.error().text)};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written: {}"),
+                                     file.string(), painted.error().text)};
     return detail::writeWhole(file, memory.bytes());
 }
 
@@ -132,15 +136,18 @@ Result<MapPicture> readGeoTiff(const std::filesystem::path& file) {
     if (map.picture.width > MostSide || map.picture.height > MostSide ||
         static_cast<double>(width) * static_cast<double>(height) > MostPixels)
         return problem(
-            fmt::format("expected at most {:.0f} pixels, found {} x {}", MostPixels, width, height));
+            leitstand::fill(translate("leitstand::Error", "expected at most {:.0f} pixels, found {} x {}"),
+                            MostPixels, width, height));
     if (GDALGetRasterCount(data.get()) < 3 ||
         GDALGetRasterDataType(GDALGetRasterBand(data.get(), 1)) != GDT_Byte)
-        return problem("expected three bands of 8 bits (24-bit RGB)");
+        return problem(translate("leitstand::Error", "expected three bands of 8 bits (24-bit RGB)"));
     std::array<double, 6> place{};
-    if (GDALGetGeoTransform(data.get(), place.data()) != CE_None) return problem("expected a georeference");
+    if (GDALGetGeoTransform(data.get(), place.data()) != CE_None)
+        return problem(translate("leitstand::Error", "expected a georeference"));
     const bool straight = place[2] == 0.0 && place[4] == 0.0;
     if (!straight || !(place[1] > 0.0) || !(std::abs(place[1] + place[5]) < 1e-9))
-        return problem("expected square pixels, north up (a negative y pixel size)");
+        return problem(
+            translate("leitstand::Error", "expected square pixels, north up (a negative y pixel size)"));
     map.topLeft = {place[3], -place[0]};
     map.perPixel = place[1];
     map.picture.pixel = Picture::Pixel::Rgb8;

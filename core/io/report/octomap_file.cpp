@@ -9,6 +9,7 @@
 #include <octomap/OcTree.h>
 #include <octomap/octomap.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 
 namespace leitstand {
@@ -20,7 +21,10 @@ Result<void> writeOctomap(const std::filesystem::path& file, const VoxelEvidence
     constexpr int Middle = 32768;
     const Eigen::Vector3i first = evidence.first().array() + Middle;
     if ((first.array() < 0).any() || ((first + evidence.size()).array() > 2 * Middle).any())
-        return Error{file.string() + ": is not written: the map is too far from its origin for an OctoMap"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: is not written: the map is too far from its origin for an OctoMap"),
+            file.string())};
     for (int y = 0; y < evidence.size().y(); ++y) {
         for (int x = 0; x < evidence.size().x(); ++x) {
             for (int z = 0; z < evidence.size().z(); ++z) {
@@ -36,23 +40,30 @@ Result<void> writeOctomap(const std::filesystem::path& file, const VoxelEvidence
     tree.updateInnerOccupancy();
     tree.prune();
     std::ostringstream bytes;
-    if (!tree.writeBinaryConst(bytes)) return Error{file.string() + ": cannot be written as an OctoMap"};
+    if (!tree.writeBinaryConst(bytes))
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written as an OctoMap"),
+                                     file.string())};
     return detail::writeWhole(file, bytes.str());
 }
 
 Result<OctomapSummary> readOctomap(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{file.string() + ": cannot be opened"};
+    if (!in)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
     std::string first;
     std::getline(in, first);
     if (!first.starts_with("# Octomap OcTree binary file"))
-        return Error{file.string() + ": expected \"# Octomap OcTree binary file\" in its first line"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected \"# Octomap OcTree binary file\" in its first line"),
+            file.string())};
     in.clear();
     in.seekg(0);
     try {
         octomap::OcTree tree(0.1);
         if (!tree.readBinary(in) || !in || tree.getResolution() <= 0.0)
-            return Error{file.string() + ": cannot be read as an OctoMap: expected a whole tree"};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: cannot be read as an OctoMap: expected a whole tree"),
+                file.string())};
         OctomapSummary summary;
         summary.cell = tree.getResolution();
         summary.nodes = tree.size();
@@ -61,7 +72,8 @@ Result<OctomapSummary> readOctomap(const std::filesystem::path& file) {
         }
         return summary;
     } catch (const std::exception& problem) {
-        return Error{file.string() + ": cannot be read as an OctoMap: " + problem.what()};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be read as an OctoMap: {}"),
+                                     file.string(), problem.what())};
     }
 }
 

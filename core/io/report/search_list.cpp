@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/numbers.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/report/csv_fields.h"
@@ -21,8 +22,9 @@ Result<void> writeSearchList(const std::filesystem::path& file, const std::vecto
     for (const ListedSearch& row : rows) {
         const bool placed = row.what == "missed";
         if (!std::isfinite(row.area) || !std::isfinite(row.share) || !std::isfinite(row.x + row.y))
-            return Error{
-                fmt::format("{}: is not written: a figure of {} is no number", file.string(), row.sensor)};
+            return Error{leitstand::fill(
+                translate("leitstand::Error", "{}: is not written: a figure of {} is no number"),
+                file.string(), row.sensor)};
         text += fmt::format("{},{},{:.2f},{:.1f},{},{}\n", csvField(row.sensor), csvField(row.what), row.area,
                             100.0 * row.share, placed ? fmt::format("{:.2f}", row.x) : "",
                             placed ? fmt::format("{:.2f}", row.y) : "");

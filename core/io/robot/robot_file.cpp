@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_words.h"
 #include "core/io/robot/stream_reader.h"
@@ -27,17 +26,23 @@ void readIdentity(const YamlFields& fields, RobotDescription& robot) {
     std::string name, letter;
     if (!fields.has("name") || fields.text("name", name)) {
         if (!detail::isName(name) || name == "leitstand") {
-            fields.fail("name", fmt::format("expected a name as in topics (letters, digits and _, not "
-                                            "leitstand), found {}",
-                                            fields.has("name") ? shown(name) : "nothing"));
+            fields.fail(
+                "name",
+                leitstand::fill(
+                    translate(
+                        "leitstand::Error",
+                        "expected a name as in topics (letters, digits and _, not leitstand), found {}"),
+                    fields.has("name") ? shown(name) : translate("leitstand::Error", "nothing")));
         } else {
             robot.name = name;
         }
     }
     if (!fields.has("letter") || fields.text("letter", letter)) {
         if (letter.size() != 1 || letter.front() < 'A' || letter.front() > 'Z') {
-            fields.fail("letter", "expected one capital letter, found " +
-                                      (fields.has("letter") ? shown(letter) : std::string("nothing")));
+            fields.fail("letter",
+                        leitstand::fill(
+                            translate("leitstand::Error", "expected one capital letter, found {}"),
+                            fields.has("letter") ? shown(letter) : translate("leitstand::Error", "nothing")));
         } else {
             robot.letter = letter;
         }
@@ -51,10 +56,10 @@ void readFrame(const YamlFields& fields, const char* key, std::string& frame) {
     std::string found = frame;
     if (!fields.text(key, found)) return;
     if (found.front() == '/' || found.find(' ') != std::string::npos) {
-        fields.fail(key,
-                    "expected a frame such as base_link, without a slash before it and without blanks, "
-                    "found " +
-                        shown(found));
+        fields.fail(key, leitstand::fill(translate("leitstand::Error",
+                                                   "expected a frame such as base_link, without a slash "
+                                                   "before it and without blanks, found {}"),
+                                         shown(found)));
     } else {
         frame = found;
     }
@@ -70,7 +75,9 @@ void readFrames(const YamlPlace& place, RobotDescription& robot, YamlErrors& err
 void readFootprint(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
     if (!fields.has("footprint")) return;
     if (!fields.at("footprint").value.IsSequence()) {
-        fields.fail("footprint", "expected a list of corners, found " + shown(fields.at("footprint").value));
+        fields.fail("footprint",
+                    leitstand::fill(translate("leitstand::Error", "expected a list of corners, found {}"),
+                                    shown(fields.at("footprint").value)));
         return;
     }
     std::vector<Eigen::Vector2d> corners;
@@ -85,8 +92,9 @@ void readFootprint(const YamlFields& fields, RobotDescription& robot, YamlErrors
             corners.push_back(corner);
         } else {
             errors.add(place.line, place.path,
-                       fmt::format("expected [x, y], each from {} to {} m, found {}", -LargestSize,
-                                   LargestSize, shown(place.value)));
+                       leitstand::fill(
+                           translate("leitstand::Error", "expected [x, y], each from {} to {} m, found {}"),
+                           -LargestSize, LargestSize, shown(place.value)));
         }
     }
     if (corners.size() < places.size()) return;
@@ -155,10 +163,12 @@ void readBindings(const YamlFields& fields, RobotDescription& robot, YamlErrors&
         if (!bindings.text(entry.first, control)) continue;
         const auto [other, added] = actions.emplace(control, entry.first);
         if (!added)
-            bindings.fail(entry.first,
-                          fmt::format("expected a key or pad control of its own, found {}, which "
-                                      "is that of {}",
-                                      shown(control), other->second));
+            bindings.fail(
+                entry.first,
+                leitstand::fill(
+                    translate("leitstand::Error",
+                              "expected a key or pad control of its own, found {}, which is that of {}"),
+                    shown(control), other->second));
         robot.bindings.emplace(entry.first, control);
     }
 }
@@ -170,7 +180,9 @@ void readLinkLoss(const YamlFields& fields, RobotDescription& robot, YamlErrors&
         LinkLossRule rule = LinkLossRule::Stop;
         if (!rules.choice(entry.first, rule, detail::linkLossWords())) continue;
         if (entry.first == "teleoperation" && rule != LinkLossRule::Stop)
-            rules.fail(entry.first, "expected stop, since nobody drives, found " + shown(toString(rule)));
+            rules.fail(entry.first, leitstand::fill(translate("leitstand::Error",
+                                                              "expected stop, since nobody drives, found {}"),
+                                                    shown(toString(rule))));
         robot.linkLoss.emplace(entry.first, rule);
     }
 }
@@ -204,7 +216,9 @@ Result<RobotDescription> parseRobot(std::string_view text, const std::string& na
         RobotDescription robot = readAll(*root, errors);
         if (errors.empty()) return robot;
     } catch (const YAML::Exception& problem) {
-        errors.add(std::max(0, problem.mark.line) + 1, {}, "expected YAML, found a mistake: " + problem.msg);
+        errors.add(std::max(0, problem.mark.line) + 1, {},
+                   leitstand::fill(translate("leitstand::Error", "expected YAML, found a mistake: {}"),
+                                   problem.msg));
     }
     return errors.error();
 }
@@ -213,7 +227,9 @@ Result<RobotDescription> readRobot(const std::filesystem::path& file) {
     std::error_code problem;
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file, problem))
-        return Error{file.string() + ": expected a robot's file, found none that can be read"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a robot's file, found none that can be read"),
+            file.string())};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

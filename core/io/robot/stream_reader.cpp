@@ -4,8 +4,7 @@
 #include <cctype>
 #include <map>
 
-#include <fmt/format.h>
-
+#include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_words.h"
 #include "core/robot/stream_defaults.h"
@@ -58,7 +57,8 @@ public:
         if (!place.value.IsMap()) return;
         StreamRole role = StreamRole::Points;
         if (!fields.has("role")) {
-            fields.fail("role", "expected what the topic carries, such as points, found nothing");
+            fields.fail("role", translate("leitstand::Error",
+                                          "expected what the topic carries, such as points, found nothing"));
             return;
         }
         if (!fields.choice("role", role, roleWords())) return;
@@ -72,35 +72,46 @@ public:
         if (fields.has("qos")) readQos(fields.at("qos"), stream);
         readSpecials(fields, stream);
         fields.flag("record", stream.record);
-        if (isSingle(role)) once(fields, m_roles, toString(role), "role", "one stream of this role");
-        once(fields, m_topics, stream.topic, "topic", "a topic of its own");
+        if (isSingle(role))
+            once(fields, m_roles, toString(role), "role",
+                 translatable("leitstand::Error",
+                              "expected one stream of this role, found {} of line {} again"));
+        once(fields, m_topics, stream.topic, "topic",
+             translatable("leitstand::Error", "expected a topic of its own, found {} of line {} again"));
         m_robot.streams.push_back(std::move(stream));
     }
 
 private:
     using Lines = std::map<std::string, int>;
 
+    /// @p words tell what was expected, and what of which line was found.
     void once(const YamlFields& fields, Lines& lines, const std::string& what, const char* key,
-              const char* expected) {
+              const char* words) {
         const int line = fields.at(key).line;
         const auto [first, added] = lines.emplace(what, line);
         if (!added)
-            fields.fail(key, fmt::format("expected {}, found {} of line {} again", expected, shown(what),
-                                         first->second));
+            fields.fail(key,
+                        leitstand::fill(translate("leitstand::Error", words), shown(what), first->second));
     }
 
     void readSensor(const YamlFields& fields, StreamRole role, std::string& sensor) {
         if (!fields.text("sensor", sensor)) return;
         if (!fields.has("sensor")) {
             if (belongsToCamera(role))
-                fields.fail("sensor",
-                            "expected the camera that it belongs to, a name under sensors, found "
-                            "nothing");
+                fields.fail(
+                    "sensor",
+                    translate("leitstand::Error",
+                              "expected the camera that it belongs to, a name under sensors, found nothing"));
+        } else if (m_sensors.empty()) {
+            fields.fail("sensor",
+                        leitstand::fill(translate("leitstand::Error",
+                                                  "expected a name under sensors, which has none, found {}"),
+                                        shown(sensor)));
         } else if (!m_robot.sensors.contains(sensor)) {
-            fields.fail("sensor", fmt::format("expected {}, found {}{}",
-                                              m_sensors.empty() ? "a name under sensors, which has none"
-                                                                : anyOf(m_sensors) + " (under sensors)",
-                                              shown(sensor), likely(sensor, m_sensors)));
+            fields.fail(
+                "sensor",
+                leitstand::fill(translate("leitstand::Error", "expected {} (under sensors), found {}{}"),
+                                anyOf(m_sensors), shown(sensor), likely(sensor, m_sensors)));
         }
     }
 
@@ -110,8 +121,9 @@ private:
         if (!fields.text("type", type)) return;
         if (std::find(types.begin(), types.end(), type) == types.end()) {
             const std::vector<std::string> known(types.begin(), types.end());
-            fields.fail("type", fmt::format("expected {} for {}, found {}{}", anyOf(known),
-                                            toString(stream.role), shown(type), likely(type, known)));
+            fields.fail("type", leitstand::fill(
+                                    translate("leitstand::Error", "expected {} for {}, found {}{}"),
+                                    anyOf(known), toString(stream.role), shown(type), likely(type, known)));
             return;
         }
         stream.type = type;
@@ -125,13 +137,17 @@ private:
         std::string topic = stream.topic;
         if (!fields.has("topic") || !fields.text("topic", topic)) return;
         if (!isTopic(topic)) {
+            fields.fail("topic",
+                        leitstand::fill(translate("leitstand::Error",
+                                                  "expected a topic such as /kurt3d/odom (words of letters, "
+                                                  "digits and _ that begin with no digit), found {}"),
+                                        shown(topic)));
+        } else if (topic.starts_with("/leitstand/")) {
             fields.fail(
                 "topic",
-                "expected a topic such as /kurt3d/odom (words of letters, digits and _ that begin with "
-                "no digit), found " +
-                    shown(topic));
-        } else if (topic.starts_with("/leitstand/")) {
-            fields.fail("topic", "expected a topic of the robot, found one of the stations: " + shown(topic));
+                leitstand::fill(translate("leitstand::Error",
+                                          "expected a topic of the robot, found one of the stations: {}"),
+                                shown(topic)));
         } else {
             stream.topic = topic;
         }
@@ -145,23 +161,31 @@ private:
         fields.number("lifespan", stream.qos.lifespan, 0.0, LongestTime, " s");
         fields.number("deadline", stream.qos.deadline, 0.0, LongestTime, " s");
         if (stream.role == StreamRole::StopCommand && stream.qos.lifespan > 0.0)
-            fields.fail("lifespan", fmt::format("expected 0, since a stop never grows old, found \"{}\"",
-                                                stream.qos.lifespan));
+            fields.fail("lifespan",
+                        leitstand::fill(translate("leitstand::Error",
+                                                  "expected 0, since a stop never grows old, found \"{}\""),
+                                        stream.qos.lifespan));
     }
 
     void readSpecials(const YamlFields& fields, StreamDescription& stream) {
-        const auto only = [&](const char* key, bool fits, const char* where) {
+        const auto only = [&](const char* key, bool fits, const char* words) {
             if (fields.has(key) && !fits)
-                fields.fail(key, fmt::format("expected it {}, found it for {} of type {}", where,
-                                             toString(stream.role), stream.type));
+                fields.fail(key, leitstand::fill(translate("leitstand::Error", words), toString(stream.role),
+                                                 stream.type));
             return fields.has(key) && fits;
         };
         if (only("stamp", isCommand(stream.role) && stream.type != "geometry_msgs/msg/Twist",
-                 "only for commands that have a stamp"))
+                 translatable("leitstand::Error",
+                              "expected it only for commands that have a stamp, found it for {} of type {}")))
             fields.choice("stamp", stream.stamp, stampWords());
-        if (only("hardware_id", stream.role == StreamRole::Diagnostics, "only for diagnostics"))
+        if (only("hardware_id", stream.role == StreamRole::Diagnostics,
+                 translatable("leitstand::Error",
+                              "expected it only for diagnostics, found it for {} of type {}")))
             fields.text("hardware_id", stream.hardwareId, true);
-        if (!only("thermal", stream.role == StreamRole::Thermal, "only for thermal")) return;
+        if (!only(
+                "thermal", stream.role == StreamRole::Thermal,
+                translatable("leitstand::Error", "expected it only for thermal, found it for {} of type {}")))
+            return;
         const YamlFields thermal(fields.at("thermal"), ThermalKeys, m_errors);
         thermal.number("scale", stream.thermal.scale, 1e-6, 100.0, " K");
         thermal.number("offset", stream.thermal.offset, -1000.0, 1000.0, " K");
@@ -178,7 +202,7 @@ private:
 
 void readStreams(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
     if (!fields.has("streams")) {
-        fields.fail("streams", "expected a list of topics, found nothing");
+        fields.fail("streams", translate("leitstand::Error", "expected a list of topics, found nothing"));
         return;
     }
     StreamReader reader(robot, errors);

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/parser.h>
 
+#include "core/base/words.h"
 #include "core/io/robot/yaml_errors.h"
 
 namespace leitstand::detail {
@@ -24,12 +24,14 @@ struct Refused : std::runtime_error {
 class Guard final : public YAML::EventHandler {
 public:
     void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++m_documents > 1) throw Refused(mark, "expected one YAML document, found a second one");
+        if (++m_documents > 1)
+            throw Refused(mark,
+                          translate("leitstand::Error", "expected one YAML document, found a second one"));
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { refuse(mark, "", anchor); }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-        throw Refused(mark, "expected no alias, found one (*name)");
+        throw Refused(mark, translate("leitstand::Error", "expected no alias, found one (*name)"));
     }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string&) override {
@@ -48,15 +50,19 @@ public:
 
 private:
     static void refuse(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
-        if (anchor != 0) throw Refused(mark, "expected no anchor, found one (&name)");
+        if (anchor != 0)
+            throw Refused(mark, translate("leitstand::Error", "expected no anchor, found one (&name)"));
         // "?" and "!" are plain and quoted texts without a tag.
         if (!tag.empty() && tag != "?" && tag != "!")
-            throw Refused(mark, "expected no tag, found " + shown(tag));
+            throw Refused(mark, leitstand::fill(translate("leitstand::Error", "expected no tag, found {}"),
+                                                shown(tag)));
     }
     void descend(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         refuse(mark, tag, anchor);
         if (++m_depth > DeepestYaml)
-            throw Refused(mark, fmt::format("expected at most {} levels, found more", DeepestYaml));
+            throw Refused(
+                mark, leitstand::fill(translate("leitstand::Error", "expected at most {} levels, found more"),
+                                      DeepestYaml));
     }
     int m_depth = 0, m_documents = 0;
 };
@@ -89,7 +95,10 @@ void checkText(std::string_view text, YamlErrors& errors) {
         const auto code = static_cast<unsigned char>(c);
         const std::size_t length = characterLength(text.substr(i));
         if (length == 0 || (code < 0x20 && c != '\t' && c != '\n' && c != '\r') || code == 0x7F)
-            return errors.add(line, {}, fmt::format("expected UTF-8 text, found byte 0x{:02x}", code));
+            return errors.add(
+                line, {},
+                leitstand::fill(translate("leitstand::Error", "expected UTF-8 text, found byte 0x{:02x}"),
+                                code));
         if (c == '\n') {
             ++line;
             indentation = true;
@@ -97,7 +106,10 @@ void checkText(std::string_view text, YamlErrors& errors) {
         } else if (indentation && c == '\t') {
             tab = true;
         } else if (indentation && c != ' ' && c != '\r') {
-            if (tab && c != '#') errors.add(line, {}, "expected spaces before the first word, found a tab");
+            if (tab && c != '#')
+                errors.add(
+                    line, {},
+                    translate("leitstand::Error", "expected spaces before the first word, found a tab"));
             indentation = false;
         }
         i += length;
@@ -108,7 +120,8 @@ void checkText(std::string_view text, YamlErrors& errors) {
 
 Result<YAML::Node> loadYaml(std::string_view text, const std::string& name) {
     if (text.size() > LargestYaml) {
-        return Error{fmt::format("{}: expected at most {} bytes, found more", name, LargestYaml)};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected at most {} bytes, found more"), name, LargestYaml)};
     }
     YamlErrors errors(name);
     checkText(text, errors);
@@ -117,17 +130,25 @@ Result<YAML::Node> loadYaml(std::string_view text, const std::string& name) {
         std::istringstream in{std::string(text)};
         YAML::Parser parser(in);
         Guard guard;
-        if (!parser.HandleNextDocument(guard))
-            return Error{name + ":1: expected keys and values, found nothing"};
+        if (!parser.HandleNextDocument(guard)) {
+            errors.add(1, {},
+                       leitstand::fill(translate("leitstand::Error", "expected keys and values, found {}"),
+                                       translate("leitstand::Error", "nothing")));
+            return errors.error();
+        }
         while (parser.HandleNextDocument(guard)) {  // throws at the second one
         }
         return YAML::Load(std::string(text));
     } catch (const Refused& problem) {
         errors.add(problem.line, {}, problem.what());
     } catch (const YAML::Exception& problem) {
-        errors.add(std::max(0, problem.mark.line) + 1, {}, "expected YAML, found a mistake: " + problem.msg);
+        errors.add(std::max(0, problem.mark.line) + 1, {},
+                   leitstand::fill(translate("leitstand::Error", "expected YAML, found a mistake: {}"),
+                                   problem.msg));
     } catch (const std::exception& problem) {
-        errors.add(1, {}, std::string("expected YAML, found a mistake: ") + problem.what());
+        errors.add(1, {},
+                   leitstand::fill(translate("leitstand::Error", "expected YAML, found a mistake: {}"),
+                                   problem.what()));
     }
     return errors.error();
 }

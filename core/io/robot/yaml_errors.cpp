@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 namespace {
 
@@ -45,9 +47,9 @@ std::string shown(std::string_view text) {
 }
 
 std::string shown(const YAML::Node& node) {
-    if (node.IsMap()) return "keys and values";
-    if (node.IsSequence()) return fmt::format("a list of {}", node.size());
-    return node.IsScalar() ? shown(node.Scalar()) : "nothing";
+    if (node.IsMap()) return translate("leitstand::Error", "keys and values");
+    if (node.IsSequence()) return leitstand::fill(translate("leitstand::Error", "a list of {}"), node.size());
+    return node.IsScalar() ? shown(node.Scalar()) : translate("leitstand::Error", "nothing");
 }
 
 std::string likely(std::string_view word, const std::vector<std::string>& words) {
@@ -55,15 +57,21 @@ std::string likely(std::string_view word, const std::vector<std::string>& words)
     const auto nearest = std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
         return distance(a, word) < distance(b, word);
     });
-    return distance(*nearest, word) <= 1 + word.size() / 4 ? ", did you mean " + *nearest + "?" : "";
+    if (distance(*nearest, word) > 1 + word.size() / 4) return {};
+    return leitstand::fill(translate("leitstand::Error", ", did you mean {}?"), *nearest);
 }
 
 std::string anyOf(const std::vector<std::string>& words) {
     std::string text;
     const std::size_t count = std::min(words.size(), MostAlternatives);
     for (std::size_t i = 0; i < count; ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-        text += words[i];
+        if (i == 0) {
+            text = words[i];
+        } else if (i + 1 < words.size()) {
+            text += ", " + words[i];
+        } else {
+            text = leitstand::fill(translate("leitstand::Error", "{} or {}"), text, words[i]);
+        }
     }
     return text + (count < words.size() ? " ..." : "");
 }
@@ -86,7 +94,8 @@ Error YamlErrors::error() const {
         text += (i == 0 ? "" : "\n") + lines[i].second;
     }
     if (lines.size() > MostErrors)
-        text += fmt::format("\n{}: {} errors more", m_file, lines.size() - MostErrors + m_untold);
+        text += '\n' + leitstand::fill(translate("leitstand::Error", "{}: {} errors more"), m_file,
+                                       lines.size() - MostErrors + m_untold);
     return Error{text};
 }
 

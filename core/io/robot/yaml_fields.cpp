@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/words.h"
+
 namespace leitstand::detail {
 namespace {
 
@@ -55,9 +57,10 @@ YamlFields::YamlFields(const YamlPlace& place, std::span<const std::string_view>
     for (const auto& entry : place.value) {
         const std::string key = keyOf(entry.first);
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        m_errors->add(lineOf(entry.first), m_path,
-                      fmt::format("expected one of the keys {}, found {}{}", anyOf(known), shown(entry.first),
-                                  likely(key, known)));
+        m_errors->add(
+            lineOf(entry.first), m_path,
+            leitstand::fill(translate("leitstand::Error", "expected one of the keys {}, found {}{}"),
+                            anyOf(known), shown(entry.first), likely(key, known)));
     }
 }
 
@@ -69,16 +72,19 @@ YamlFields::YamlFields(const YamlPlace& place, YamlErrors& errors)
         const std::string key = keyOf(entry.first);
         if (isName(key)) continue;
         m_errors->add(lineOf(entry.first), m_path,
-                      fmt::format("expected a name of at most {} letters, digits and _ that begins with a "
-                                  "letter, found {}",
-                                  LongestName, shown(entry.first)));
+                      leitstand::fill(translate("leitstand::Error",
+                                                "expected a name of at most {} letters, digits and _ that "
+                                                "begins with a letter, found {}"),
+                                      LongestName, shown(entry.first)));
         m_entries.erase(key);
     }
 }
 
 void YamlFields::readEntries(const YamlPlace& place) {
     if (!place.value.IsMap()) {
-        m_errors->add(m_line, m_path, "expected keys and values, found " + shown(place.value));
+        m_errors->add(m_line, m_path,
+                      leitstand::fill(translate("leitstand::Error", "expected keys and values, found {}"),
+                                      shown(place.value)));
         return;
     }
     for (const auto& entry : place.value) {
@@ -88,8 +94,9 @@ void YamlFields::readEntries(const YamlPlace& place) {
             m_entries.try_emplace(key, YamlPlace{entry.second, pathOf(isName(key) ? key : "?"), line});
         if (!added) {
             m_errors->add(line, m_path,
-                          fmt::format("expected each key once, found {} of line {} again", shown(key),
-                                      found->second.line));
+                          leitstand::fill(translate("leitstand::Error",
+                                                    "expected each key once, found {} of line {} again"),
+                                          shown(key), found->second.line));
         }
     }
 }
@@ -114,8 +121,10 @@ bool YamlFields::text(std::string_view key, std::string& value, bool maybeEmpty)
     const YAML::Node node = at(key).value;
     if (!node.IsScalar() || node.Scalar().size() > LongestText || !isPrintable(node.Scalar()) ||
         (node.Scalar().empty() && !maybeEmpty)) {
-        return fail(key, fmt::format("expected a text of {} to {} printable characters, found {}",
-                                     maybeEmpty ? 0 : 1, LongestText, shown(node)));
+        return fail(key,
+                    leitstand::fill(translate("leitstand::Error",
+                                              "expected a text of {} to {} printable characters, found {}"),
+                                    maybeEmpty ? 0 : 1, LongestText, shown(node)));
     }
     value = node.Scalar();
     return true;
@@ -125,7 +134,9 @@ bool YamlFields::flag(std::string_view key, bool& value) const {
     if (!has(key)) return true;
     const YAML::Node node = at(key).value;
     const std::string word = keyOf(node);
-    if (word != "true" && word != "false") return fail(key, "expected true or false, found " + shown(node));
+    if (word != "true" && word != "false")
+        return fail(key, leitstand::fill(translate("leitstand::Error", "expected true or false, found {}"),
+                                         shown(node)));
     value = word == "true";
     return true;
 }
@@ -137,7 +148,8 @@ bool YamlFields::number(std::string_view key, double& value, double least, doubl
     double found = 0.0;
     if (!isNumber(node, found) || found < least || found > most)
         return fail(
-            key, fmt::format("expected a number from {} to {}{}, found {}", least, most, unit, shown(node)));
+            key, leitstand::fill(translate("leitstand::Error", "expected a number from {} to {}{}, found {}"),
+                                 least, most, unit, shown(node)));
     value = found;
     return true;
 }
@@ -147,8 +159,9 @@ bool YamlFields::count(std::string_view key, int& value, int least, int most) co
     const YAML::Node node = at(key).value;
     double found = 0.0;
     if (!isNumber(node, found) || found < least || found > most || found != std::floor(found))
-        return fail(key,
-                    fmt::format("expected a whole number from {} to {}, found {}", least, most, shown(node)));
+        return fail(key, leitstand::fill(
+                             translate("leitstand::Error", "expected a whole number from {} to {}, found {}"),
+                             least, most, shown(node)));
     value = static_cast<int>(found);
     return true;
 }
@@ -165,8 +178,9 @@ bool YamlFields::numbers(std::string_view key, std::vector<double>& values, std:
         if (!right) odd = shown(node[i]);
     }
     if (!right)
-        return fail(
-            key, fmt::format("expected {} numbers from {} to {}{}, found {}", size, -most, most, unit, odd));
+        return fail(key, leitstand::fill(
+                             translate("leitstand::Error", "expected {} numbers from {} to {}{}, found {}"),
+                             size, -most, most, unit, odd));
     values = std::move(found);
     return true;
 }
@@ -177,7 +191,8 @@ std::size_t YamlFields::word(std::string_view key, const std::vector<std::string
     const std::string found = keyOf(node);
     const auto place = std::find(words.begin(), words.end(), found);
     if (place != words.end()) return static_cast<std::size_t>(place - words.begin());
-    fail(key, fmt::format("expected {}, found {}{}", anyOf(words), shown(node), likely(found, words)));
+    fail(key, leitstand::fill(translate("leitstand::Error", "expected {}, found {}{}"), anyOf(words),
+                              shown(node), likely(found, words)));
     return words.size() + 1;
 }
 
@@ -186,7 +201,8 @@ std::vector<YamlPlace> YamlFields::list(std::string_view key) const {
     if (!has(key)) return places;
     const YamlPlace place = at(key);
     if (!place.value.IsSequence()) {
-        fail(key, "expected a list, found " + shown(place.value));
+        fail(key,
+             leitstand::fill(translate("leitstand::Error", "expected a list, found {}"), shown(place.value)));
         return places;
     }
     for (const YAML::Node& node : place.value)

@@ -6,6 +6,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
 
@@ -62,7 +63,9 @@ Result<AlarmLimits> parseAlarmLimits(std::string_view text, const std::string& n
         }
         if (errors.empty()) return limits;
     } catch (const YAML::Exception& problem) {
-        errors.add(std::max(0, problem.mark.line) + 1, {}, "expected YAML, found a mistake: " + problem.msg);
+        errors.add(std::max(0, problem.mark.line) + 1, {},
+                   leitstand::fill(translate("leitstand::Error", "expected YAML, found a mistake: {}"),
+                                   problem.msg));
     }
     return errors.error();
 }
@@ -72,7 +75,9 @@ Result<AlarmLimits> readAlarmLimits(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file, ignored)) return AlarmLimits();
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file, ignored))
-        return Error{file.string() + ": expected limits of alarms, found no file that can be read"};
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected limits of alarms, found no file that can be read"),
+            file.string())};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
@@ -81,11 +82,12 @@ std::string figuresText(const char* key, const MapFigures& figures) {
 
 bool readPose(const YamlFields& fields, std::string_view key, Pose& pose) {
     std::vector<double> values;
-    if (!fields.has(key)) return fields.fail(key, "is missing");
+    if (!fields.has(key)) return fields.fail(key, translate("leitstand::Error", "is missing"));
     if (!fields.numbers(key, values, 7, Far, " m")) return false;
     const Eigen::Quaterniond turn(values[6], values[3], values[4], values[5]);
     if (!(std::abs(turn.norm() - 1.0) < NearOne))
-        return fields.fail(key, "expected x y z [m] and a quaternion x y z w of length 1");
+        return fields.fail(
+            key, translate("leitstand::Error", "expected x y z [m] and a quaternion x y z w of length 1"));
     pose.linear() = turn.normalized().toRotationMatrix();
     pose.translation() = Eigen::Vector3d(values[0], values[1], values[2]);
     return true;
@@ -95,7 +97,7 @@ void readFit(const YamlFields& fields, std::string_view key, std::optional<ScanF
     std::vector<double> values;
     if (!fields.has(key) || !fields.numbers(key, values, 2, Far, "")) return;
     if (values[0] < 0.0 || values[1] < 0.0 || values[1] > 1.0) {
-        fields.fail(key, "expected a distance [m] and a share from 0 to 1");
+        fields.fail(key, translate("leitstand::Error", "expected a distance [m] and a share from 0 to 1"));
         return;
     }
     fit = ScanFit{values[0], values[1]};
@@ -106,7 +108,8 @@ bool readAmounts(const YamlFields& fields, std::string_view key, int& count, dou
     std::vector<double> values;
     if (!fields.has(key) || !fields.numbers(key, values, 3, Far, "")) return false;
     if (values[0] < 0.0 || values[1] < 0.0 || values[2] < 0.0)
-        return fields.fail(key, "expected a count and two amounts, none below 0");
+        return fields.fail(key,
+                           translate("leitstand::Error", "expected a count and two amounts, none below 0"));
     count = static_cast<int>(values[0]);
     first = values[1];
     second = values[2];
@@ -122,7 +125,9 @@ std::optional<FindsError> readFinds(const YamlFields& fields) {
                      static_cast<int>(values[4])};
     const bool none = std::any_of(values.begin(), values.end(), [](double one) { return one < 0.0; });
     if (!none && finds.wrong <= finds.finds) return finds;
-    fields.fail("finds", "expected counts and amounts, none below 0, and no more wrong finds than finds");
+    fields.fail("finds",
+                translate("leitstand::Error",
+                          "expected counts and amounts, none below 0, and no more wrong finds than finds"));
     return std::nullopt;
 }
 
@@ -138,9 +143,10 @@ void readScan(const YamlPlace& place, MapComparison& whole, std::set<int>& seen,
     const YamlFields fields(place, ScanKeys, errors);
     ComparedScan one;
     int id = 0;
-    if (!fields.has("id")) fields.fail("id", "is missing");
+    if (!fields.has("id")) fields.fail("id", translate("leitstand::Error", "is missing"));
     fields.count("id", id, 1, std::numeric_limits<int>::max());
-    if (id > 0 && !seen.insert(id).second) fields.fail("id", "stands in this file already");
+    if (id > 0 && !seen.insert(id).second)
+        fields.fail("id", translate("leitstand::Error", "stands in this file already"));
     one.id = static_cast<std::uint64_t>(id);
     readPose(fields, "recorded", one.recorded);
     readPose(fields, "again", one.again);
@@ -160,11 +166,13 @@ void readDistances(const YamlFields& fields, std::vector<double>& distances) {
         if (detail::isNumber(place.value, value) && value >= Least && value <= Largest) {
             distances.push_back(value);
         } else {
-            fields.fail("max_distances", "expected distances above 0 and up to 1000 m");
+            fields.fail("max_distances",
+                        translate("leitstand::Error", "expected distances above 0 and up to 1000 m"));
             return;
         }
     }
-    if (distances.empty()) fields.fail("max_distances", "expected at least one distance");
+    if (distances.empty())
+        fields.fail("max_distances", translate("leitstand::Error", "expected at least one distance"));
 }
 
 void readAll(const YamlFields& fields, MapComparison& whole, YamlErrors& errors) {
@@ -180,7 +188,7 @@ void readAll(const YamlFields& fields, MapComparison& whole, YamlErrors& errors)
     readFigures(fields, "again", whole.again, errors);
     std::set<int> seen;
     const auto scans = fields.list("scans");
-    if (scans.empty()) fields.fail("scans", "expected a list of key scans");
+    if (scans.empty()) fields.fail("scans", translate("leitstand::Error", "expected a list of key scans"));
     for (const YamlPlace& place : scans) readScan(place, whole, seen, errors);
 }
 
@@ -218,7 +226,8 @@ Result<MapComparison> parseComparison(std::string_view text, const std::string& 
 
 Result<MapComparison> readComparison(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{file.string() + ": cannot be opened"};
+    if (!in)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
@@ -228,8 +237,8 @@ Result<MapComparison> readComparison(const std::filesystem::path& file) {
 Result<void> saveComparison(const MapComparison& comparison, const std::filesystem::path& file) {
     const std::string text = writeComparison(comparison);
     if (text.size() > detail::LargestYaml)
-        return Error{
-            fmt::format("{}: {} scans are more than it takes", file.string(), comparison.scans.size())};
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: {} scans are more than it takes"),
+                                     file.string(), comparison.scans.size())};
     return detail::writeWhole(file, text);
 }
 

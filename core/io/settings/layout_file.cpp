@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
@@ -55,20 +55,24 @@ void readSplit(const YamlPlace& place, PaneSplit& split, std::set<std::string>& 
     fields.number("share", split.share, LeastShare, MostShare, "");
     const int kinds = fields.has("pane") + fields.has("horizontal") + fields.has("vertical");
     if (kinds != 1) {
-        errors.add(place.line, place.path, "expected one of pane, horizontal and vertical");
+        errors.add(place.line, place.path,
+                   translate("leitstand::Error", "expected one of pane, horizontal and vertical"));
         return;
     }
     if (fields.has("pane")) {
         if (!fields.text("pane", split.pane)) return;
-        if (!isId(split.pane)) fields.fail("pane", "expected letters, digits, _ . and -");
-        if (!seen.insert(split.pane).second) fields.fail("pane", "stands in this layout already");
+        if (!isId(split.pane))
+            fields.fail("pane", translate("leitstand::Error", "expected letters, digits, _ . and -"));
+        if (!seen.insert(split.pane).second)
+            fields.fail("pane", translate("leitstand::Error", "stands in this layout already"));
         return;
     }
     split.vertical = fields.has("vertical");
     const std::string_view key = split.vertical ? "vertical" : "horizontal";
     const auto parts = fields.list(key);
     if (parts.size() < 2 || parts.size() > MostParts) {
-        fields.fail(key, fmt::format("expected a list of 2 to {} places", MostParts));
+        fields.fail(key, leitstand::fill(translate("leitstand::Error", "expected a list of 2 to {} places"),
+                                         MostParts));
         return;
     }
     for (const YamlPlace& part : parts) readSplit(part, split.parts.emplace_back(), seen, errors);
@@ -80,7 +84,7 @@ void readWords(const YamlFields& fields, std::string_view key, std::map<std::str
     if (!fields.has(key)) return;
     const YamlPlace place = fields.at(key);
     if (!place.value.IsMap()) {
-        fields.fail(key, "expected keys and values");
+        fields.fail(key, translate("leitstand::Error", "expected keys and values"));
         return;
     }
     for (const auto& entry : place.value) {
@@ -88,12 +92,14 @@ void readWords(const YamlFields& fields, std::string_view key, std::map<std::str
         const bool plain = entry.first.IsScalar() && (entry.second.IsScalar() || entry.second.IsNull());
         const std::string word = plain ? entry.first.Scalar() : std::string();
         if (!plain || !isId(word)) {
-            errors.add(line, place.path, "expected a command or button and its text");
+            errors.add(line, place.path,
+                       translate("leitstand::Error", "expected a command or button and its text"));
             continue;
         }
         const std::string text = entry.second.IsNull() ? std::string() : entry.second.Scalar();
         if (text.size() > LongestText || !words.emplace(word, text).second)
-            errors.add(line, place.path + "." + word, "is too long, or stands here twice");
+            errors.add(line, place.path + "." + word,
+                       translate("leitstand::Error", "is too long, or stands here twice"));
     }
 }
 
@@ -163,13 +169,16 @@ Result<WindowLayout> parseLayout(std::string_view text, const std::string& name)
         if (fields.has("panes")) {
             readSplit(fields.at("panes"), layout.panes, seen, errors);
         } else {
-            errors.add(1, "panes", "expected the places of panes, found nothing");
+            errors.add(1, "panes",
+                       translate("leitstand::Error", "expected the places of panes, found nothing"));
         }
         if (fields.has("arrangement")) {
             const YAML::Node node = fields.at("arrangement").value;
             const bool fits = node.IsScalar() && node.Scalar().size() <= LongestArrangement;
             if (fits) layout.arrangement = node.Scalar();
-            if (!fits) fields.fail("arrangement", "expected what the window wrote here");
+            if (!fits)
+                fields.fail("arrangement",
+                            translate("leitstand::Error", "expected what the window wrote here"));
         }
         if (fields.has("map")) readMap(fields.at("map"), layout.map, errors);
         readWords(fields, "keys", layout.keys, errors);
@@ -181,7 +190,8 @@ Result<WindowLayout> parseLayout(std::string_view text, const std::string& name)
 
 Result<WindowLayout> readLayout(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{file.string() + ": cannot be opened"};
+    if (!in)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

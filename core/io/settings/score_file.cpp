@@ -6,6 +6,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/words.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"
 #include "core/io/settings/folders.h"
@@ -48,7 +49,7 @@ void readUnconfirmed(const YamlFields& fields, ScoreProfile& profile) {
     for (const auto& place : fields.list("unconfirmed")) {
         const bool plain = place.value.IsScalar() && place.value.Scalar().size() <= 64;
         if (!plain) {
-            fields.fail("unconfirmed", "expected keys of this file");
+            fields.fail("unconfirmed", translate("leitstand::Error", "expected keys of this file"));
             return;
         }
         profile.unconfirmed.push_back(place.value.Scalar());
@@ -62,7 +63,8 @@ void readTags(const YamlFields& fields, ScoreProfile& profile) {
         const bool plain = place.value.IsScalar() && !place.value.Scalar().empty() &&
                            place.value.Scalar().size() <= 64 && profile.victimTags.size() < 32;
         if (!plain) {
-            fields.fail("victim_tags", "expected at most 32 patterns such as \"V-#*\"");
+            fields.fail("victim_tags",
+                        translate("leitstand::Error", "expected at most 32 patterns such as \"V-#*\""));
             return;
         }
         profile.victimTags.push_back(place.value.Scalar());
@@ -71,7 +73,7 @@ void readTags(const YamlFields& fields, ScoreProfile& profile) {
 
 void readAll(const YamlFields& fields, ScoreProfile& profile, YamlErrors& errors) {
     for (const std::string_view key : {"name", "version", "points"}) {
-        if (!fields.has(key)) fields.fail(key, "is missing");
+        if (!fields.has(key)) fields.fail(key, translate("leitstand::Error", "is missing"));
     }
     fields.text("name", profile.name);
     profile.title = profile.name;
@@ -107,7 +109,9 @@ Result<ScoreProfile> parseScoreProfile(std::string_view text, const std::string&
         readAll(YamlFields({*root, {}, 1}, Keys, errors), profile, errors);
         if (errors.empty()) return profile;
     } catch (const YAML::Exception& problem) {
-        errors.add(std::max(0, problem.mark.line) + 1, {}, "expected JSON, found a mistake: " + problem.msg);
+        errors.add(std::max(0, problem.mark.line) + 1, {},
+                   leitstand::fill(translate("leitstand::Error", "expected JSON, found a mistake: {}"),
+                                   problem.msg));
     }
     return errors.error();
 }
@@ -116,7 +120,10 @@ Result<ScoreProfile> readScoreProfile(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::error_code ignored;
     if (!in || std::filesystem::is_directory(file, ignored))
-        return Error{file.string() + ": expected the rules of a score, found no file that can be read"};
+        return Error{
+            leitstand::fill(translate("leitstand::Error",
+                                      "{}: expected the rules of a score, found no file that can be read"),
+                            file.string())};
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

@@ -82,15 +82,9 @@ void paintGround(MapCanvas& canvas, const OccupancyGrid& grid) {
     }
 }
 
-void paintMark(MapCanvas& canvas, const MapMark& mark, bool names) {
+void paintMark(MapCanvas& canvas, const MapMark& mark) {
     const auto numbered = [&](double height) {
         canvas.centredText(mark.place, std::to_string(mark.number), height, map_colour::Number);
-    };
-    // Marks without a number of their own by the rules have their name beside them, as text.
-    const auto named = [&] {
-        if (!names) return;
-        const Eigen::Vector2d beside = mark.place + Eigen::Vector2d(-0.08, -0.26);
-        canvas.text(beside, nameOf(mark), 0.16, map_colour::Text);
     };
     switch (mark.kind) {
         case MapMark::Kind::Victim:
@@ -98,24 +92,34 @@ void paintMark(MapCanvas& canvas, const MapMark& mark, bool names) {
             return numbered(mark.number < 100 ? 0.16 : 0.11);
         case MapMark::Kind::UnconfirmedVictim:
             canvas.disc(mark.place, map_size::Disc, map_colour::UnconfirmedVictim);
-            return named();
+            return;
         case MapMark::Kind::Hazard:
             canvas.diamond(mark.place, map_size::Diamond, map_colour::Hazard);
             return numbered(mark.number < 10 ? 0.16 : 0.11);
         case MapMark::Kind::Code:
             canvas.disc(mark.place, map_size::Disc, map_colour::Code);
-            return named();
+            return;
         case MapMark::Kind::Object:
             canvas.diamond(mark.place, map_size::Diamond, map_colour::Object);
-            return named();
+            return;
     }
 }
 
-/// Where marks lie over each other, as a victim's and that of its tag, what counts most is on top.
+/// Marks without a number of their own by the rules have their name beside them, as text.
+void paintName(MapCanvas& canvas, const MapMark& mark) {
+    if (mark.kind == MapMark::Kind::Victim || mark.kind == MapMark::Kind::Hazard) return;
+    const Eigen::Vector2d beside = mark.place + Eigen::Vector2d(-0.08, -0.26);
+    canvas.text(beside, nameOf(mark), 0.16, map_colour::Text);
+}
+
+/// Where marks lie over each other, as a victim's and that of its tag, what counts most is on top; names are
+/// over all of them.
 void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks, bool names) {
     std::stable_sort(marks.begin(), marks.end(),
                      [](const MapMark& a, const MapMark& b) { return a.kind > b.kind; });
-    for (const MapMark& mark : marks) paintMark(canvas, mark, names);
+    for (const MapMark& mark : marks) paintMark(canvas, mark);
+    if (!names) return;
+    for (const MapMark& mark : marks) paintName(canvas, mark);
 }
 
 /// A bar of a metre, and which way x and y go: up and to the left.

@@ -126,6 +126,11 @@ void thin(Shares& shares, const ThinSettings& settings) {
     for (Share* scans : shares.of(Rank::Scans)) {
         if (!shares.fits() && !scans->selected) scans->wish = {.enabled = false};
     }
+    for (const double rate : {5.0, 2.0, 1.0}) {  // slices are left out: the map has fewer columns
+        for (Share* scans : shares.of(Rank::Scans)) {
+            if (!shares.fits() && scans->selected && scans->cost.rate > rate) scans->wish = {.rate = rate};
+        }
+    }
     for (Share* telemetry : shares.of(Rank::Telemetry)) {
         if (!shares.fits() && telemetry->cost.rate > settings.slowTelemetry)
             telemetry->wish = {.rate = settings.slowTelemetry};

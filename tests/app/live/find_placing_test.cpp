@@ -96,6 +96,22 @@ TEST_F(LiveFindPlacing, AFindIsMovedByAClickOnTheMapAndUndoPutsItBack) {
     EXPECT_TRUE(soon([&] { return away(first) < 0.1; })) << away(first) << " m off";
 }
 
+TEST_F(LiveFindPlacing, AVictimIsFiledByAClickOnTheMap) {
+    use("map");
+    trigger("map.followAbove");
+    const Eigen::Vector3d there = place().baseInMap * Eigen::Vector3d(0.8, -0.4, 0.0);
+    MapView& map = m_window->mapView();
+    ASSERT_TRUE(soon([&] {
+        const auto at = map.project(there);
+        return at && map.rect().contains(at->toPoint()) && map.settled();
+    }));
+    trigger("victim.point");
+    QTest::mouseClick(&map, Qt::LeftButton, {}, map.project(there)->toPoint());
+    ASSERT_TRUE(soon([&] { return placeOf(Kind::Victim, 1).has_value(); }));
+    EXPECT_LT((*placeOf(Kind::Victim, 1) - there).head<2>().norm(), 0.2);
+    EXPECT_FALSE(m_window->commands().find("victim.point")->isChecked()) << "one click, one find";
+}
+
 TEST_F(LiveFindPlacing, WhatIsPointedToIsOfTheKindThatTheCommandSays) {
     use("drive");
     auto* const around = m_window->findChild<VirtualScanPane*>();

@@ -21,6 +21,7 @@
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/release_handle.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/map_view/scene/map_colours.h"
 #include "widgets/theme.h"
 
 namespace leitstand::test {
@@ -66,6 +67,34 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
     EXPECT_LT(std::abs(speed()), 0.02);
     hold(LongEnough);
     EXPECT_TRUE(soon([&] { return !robot().stop.stopped; }));
+}
+
+TEST_F(LiveWindowTest, SpaceHaltsTheRobotThatIsDrivenAndTheOneThatDrivesByItself) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    press(Qt::Key_F2);
+    ASSERT_TRUE(
+        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+    QTest::qWait(300);  // the operator's hand is not faster
+    QTest::keyPress(m_window.get(), Qt::Key_W);
+    ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    press(Qt::Key_Space);
+    EXPECT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
+    EXPECT_FALSE(QTest::qWaitFor([&] { return std::abs(speed()) > 0.02; }, 1'000)) << "W is still down";
+    EXPECT_FALSE(robot().stop.stopped) << "it stands, and needs no release";
+    QTest::keyRelease(m_window.get(), Qt::Key_W);
+
+    const auto mode = [&] {
+        const auto said = station().mission()->robots.at("kurt3d")->mode;
+        return said ? said->sample.mode : std::string();
+    };
+    ASSERT_TRUE(soon([&] {
+        (void)station().setMode("kurt3d", "explore");
+        return mode() == "explore" && std::abs(speed()) > 0.02;
+    }));
+    ASSERT_TRUE(m_window->driving());
+    press(Qt::Key_Space);
+    EXPECT_TRUE(soon([&] { return mode() == "teleoperation" && std::abs(speed()) < 0.02; })) << mode();
+    EXPECT_FALSE(robot().stop.stopped);
 }
 
 TEST_F(LiveWindowTest, AKeyThatIsHeldDrivesNobodyOnceAnotherWindowHasTheKeyboard) {
@@ -190,18 +219,6 @@ TEST_F(LiveWindowTest, ModesThatTheRobotOffersAreInTheMenu) {
     })) << texts.join(", ").toStdString();
 }
 
-TEST(LiveScreenshot, ShowsTheDemo) {
-    const TestDomain domain;
-    const QTemporaryDir folder;
-    const QString file = folder.filePath("live.png");
-    ChildProcess program(test::program("leitstand"),
-                         {"--demo", "--domain", std::to_string(domain.number()), "--screenshot",
-                          file.toStdString(), "--size", "1280x800"});
-    EXPECT_EQ(program.wait(), 0) << program.out();
-    const QImage picture(file);
-    EXPECT_EQ(picture.size(), QSize(1280, 800));
-}
-
 TEST(LiveScreenshot, ShowsTheDemosRobotsExploringAWhileLater) {
     const TestDomain domain;
     const QTemporaryDir folder;
@@ -214,24 +231,66 @@ TEST(LiveScreenshot, ShowsTheDemosRobotsExploringAWhileLater) {
     EXPECT_GT(countOf(strip, coloursOf(Theme::Dark).autonomous, 4), 8'000) << "the mode's background";
 }
 
-TEST(LiveScreenshot, ShowsAnotherLayoutAtTwiceTheScaleInAsManyPixelsAsAskedFor) {
+/// What of @p picture has colours as walls have in the map, from 0 to 1.
+double wallsOf(const QImage& picture) {
+    const Rgba wall = labelColour(Label::Wall);
+    return static_cast<double>(countOf(picture, QColor(wall.r, wall.g, wall.b), 12)) /
+           (picture.width() * picture.height());
+}
+
+/// How many greys a picture has that is no plain area.
+std::size_t greysOf(const QImage& picture) {
+    std::set<int> greys;
+    for (int y = 0; y < picture.height(); y += 2) {
+        for (int x = 0; x < picture.width(); x += 2) greys.insert(qGray(picture.pixel(x, y)));
+    }
+    return greys.size();
+}
+
+struct Screen {
+    const char* layout;
+    int width, height;
+    const char* scale;
+};
+
+std::ostream& operator<<(std::ostream& out, const Screen& screen) {
+    return out << screen.layout << " " << screen.width << " x " << screen.height;
+}
+
+class LiveScreenshots : public testing::TestWithParam<Screen> {};
+
+TEST_P(LiveScreenshots, ShowMapAndCameraOfTheDemo) {
+    const Screen& screen = GetParam();
     const TestDomain domain;
     const QTemporaryDir folder;
     const QString file = folder.filePath("live.png");
-    ChildProcess program(test::program("leitstand"),
-                         {"--demo", "--domain", std::to_string(domain.number()), "--layout", "explore",
-                          "--screenshot", file.toStdString(), "--size", "3840x2160"},
-                         {"QT_SCALE_FACTOR=2"});
+    ChildProcess program(
+        test::program("leitstand"),
+        {"--demo", "--domain", std::to_string(domain.number()), "--layout", screen.layout, "--screenshot",
+         file.toStdString(), "--size", std::to_string(screen.width) + "x" + std::to_string(screen.height)},
+        {std::string("QT_SCALE_FACTOR=") + screen.scale});
     EXPECT_EQ(program.wait(), 0) << program.out();
     const QImage picture(file);
-    ASSERT_EQ(picture.size(), QSize(3840, 2160));
-    // The map is large: in its left half there is something of it.
-    std::set<QRgb> colours;
-    for (int y = 400; y < 1500; ++y) {
-        for (int x = 300; x < 1900; ++x) colours.insert(picture.pixel(x, y));
-    }
-    EXPECT_GT(colours.size(), 3U);
+    ASSERT_EQ(picture.size(), QSize(screen.width, screen.height));
+    const auto part = [&](double left, double top, double right, double bottom) {
+        const int w = screen.width, h = screen.height;
+        return picture.copy(static_cast<int>(left * w), static_cast<int>(top * h),
+                            static_cast<int>((right - left) * w), static_cast<int>((bottom - top) * h));
+    };
+    const bool drive = std::string(screen.layout) == "drive";
+    EXPECT_GT(wallsOf(drive ? part(0.63, 0.16, 0.99, 0.44) : part(0.02, 0.16, 0.65, 0.75)), 0.003)
+        << "the map's walls";
+    EXPECT_GT(greysOf(drive ? part(0.05, 0.2, 0.55, 0.7) : part(0.67, 0.54, 0.82, 0.7)), 40U)
+        << "the camera's picture";
 }
+
+INSTANTIATE_TEST_SUITE_P(Layouts, LiveScreenshots,
+                         testing::Values(Screen{"drive", 1280, 800, "1"}, Screen{"explore", 1280, 800, "1"},
+                                         Screen{"drive", 3840, 2160, "2"},
+                                         Screen{"explore", 3840, 2160, "2"}),
+                         [](const auto& one) {
+                             return std::string(one.param.layout) + std::to_string(one.param.width);
+                         });
 
 }  // namespace
 }  // namespace leitstand::test

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -17,6 +19,7 @@
 #include "app/session/station/station_cameras.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/drive_input.h"
+#include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/pad/pad_input.h"
 #include "app/window/live/pane_docks.h"
 #include "core/mission/mission_state.h"
@@ -282,6 +285,31 @@ TEST_F(PadDriveTest, ItsRightStickTurnsTheLargeCameraWithoutTheTrigger) {
     m_pad->push(axis::RightY, 0.0);
     EXPECT_FALSE(m_window->driving()) << "a look around drives nothing";
     EXPECT_LT(std::abs(speed()), 0.02);
+}
+
+TEST_F(PadDriveTest, ALayoutBindsItsButtons) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+    const QString selected = m_window->selected();
+    ASSERT_TRUE(m_window->layouts().saveAs("With a pad"));
+    const auto file = std::filesystem::path(m_folder.path().toStdString()) / "layouts" / "with-a-pad.yaml";
+    {
+        std::ofstream out(file, std::ios::app);
+        out << "pad: {y: camera.recentre}\n";
+        ASSERT_TRUE(out.good()) << file;
+    }
+    ASSERT_TRUE(m_window->layouts().use("drive"));
+    ASSERT_TRUE(m_window->layouts().use("with-a-pad")) << word().toStdString();
+    const auto pan = [&] {
+        const auto turn = station().cameras().turning().view("kurt3d", "left");
+        return turn && turn->now ? turn->now->pan : NAN;
+    };
+    ASSERT_TRUE(soon([&] { return std::abs(pan()) < 0.05; }));
+    m_pad->push(axis::RightX, -1.0);
+    ASSERT_TRUE(soon([&] { return pan() > 0.3; }));
+    m_pad->push(axis::RightX, 0.0);
+    tap(button::Y);
+    EXPECT_TRUE(soon([&] { return std::abs(pan()) < 0.05; })) << "as the layout says";
+    EXPECT_EQ(m_window->selected(), selected) << "and not what Y does in others";
 }
 
 }  // namespace

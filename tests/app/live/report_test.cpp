@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QTest>
 #include <QToolButton>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,14 @@ TEST_F(LiveReport, OneButtonWritesItAndItIsWrittenAgainUntilTheButtonIsPressedOn
     button->click();
     EXPECT_FALSE(button->isChecked());
     EXPECT_EQ(reportFolderOf(station().folder()), fs::path());
+    // One that is being written ends; then there is no other.
+    ASSERT_TRUE(soon([&] {
+        const auto was = written();
+        QTest::qWait(static_cast<int>(5 * Often.count()));
+        return written() == was;
+    }));
+    const auto last = written();
+    EXPECT_FALSE(QTest::qWaitFor([&] { return written() > last; }, static_cast<int>(10 * Often.count())));
 }
 
 TEST_F(LiveReport, AStationThatResumesTheMissionGoesOnWithIt) {

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <chrono>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session/station/station_clock.h"
+#include "app/session/station/station_mapping.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "core/mission/mission_state.h"
@@ -19,20 +22,35 @@ TEST_F(LiveRestart, MapRobotsGrantAndClockAreBackInTenSeconds) {
     ASSERT_TRUE(station().clock().limit(std::chrono::minutes(20)).ok());
     m_window->setDriving(true);
     ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
-    const auto scans = [&] { return station().mission()->keyScans->size(); };
-    const std::size_t before = scans();
+    const auto poses = [&] {
+        std::map<std::uint64_t, Pose> found;
+        for (const LiveKeyScan& scan : station().mapping().scans()->scans)
+            found[scan.id] = scan.pose.scanInMap;
+        return found;
+    };
+    const auto before = poses();
+    ASSERT_FALSE(before.empty());
     const auto elapsed = station().clock().now().elapsed;
     ASSERT_GT(elapsed.count(), 0);
 
     const auto began = std::chrono::steady_clock::now();
     restart();
-    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && robot().grant.mine; }))
+    const auto placed = [&] {
+        const RobotsInMapPtr robots = station().mapping().robots();
+        return std::any_of(robots->begin(), robots->end(), [](const RobotInMap& one) { return one.placed; });
+    };
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && robot().grant.mine && placed(); }))
         << m_window->missing().toStdString();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     RecordProperty("seconds", std::to_string(seconds));
     std::printf("all is back after %.1f s\n", seconds);
     EXPECT_LT(seconds, 10.0);
-    EXPECT_GE(scans(), before);
+    const auto after = poses();
+    for (const auto& [scan, pose] : before) {
+        ASSERT_TRUE(after.contains(scan)) << "scan " << scan << " is not in the map any more";
+        EXPECT_TRUE(after.at(scan).isApprox(pose, 1e-6)) << "scan " << scan << " lies elsewhere";
+    }
+    EXPECT_TRUE(placed()) << "the robot has its place in the map";
     EXPECT_GE(station().clock().now().elapsed, elapsed) << "the mission's time does not begin anew";
     EXPECT_EQ(station().clock().now().limit, std::chrono::minutes(20));
     EXPECT_FALSE(m_window->driving()) << "motion does not resume by itself";

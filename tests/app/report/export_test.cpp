@@ -13,6 +13,7 @@
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/octomap_file.h"
+#include "core/io/report/search_list.h"
 #include "core/io/scan_source.h"
 #include "core/io/tum.h"
 #include "core/io/uos.h"
@@ -84,15 +85,33 @@ TEST_F(Export, ReducedCloudsHaveOnePointACube) {
 }
 
 TEST_F(Export, TheMapIsAGeoTiffOfTheHeightThatIsAskedFor) {
-    const fs::path low = exported("low.tif"), upper = exported("upper.tif", {"--height", "upper"});
+    // The title is the file's name: other bytes are not yet another height.
+    fs::create_directories(m_folder / "upper");
+    const fs::path low = exported("map.tif"), upper = exported("upper/map.tif", {"--height", "upper"});
     const auto below = readGeoTiff(low), above = readGeoTiff(upper);
     ASSERT_TRUE(below.ok() && above.ok());
     EXPECT_EQ(below->perPixel, 0.01);
     EXPECT_NE(below->picture.bytes, above->picture.bytes);
+    const auto same = readGeoTiff(exported("map.tif"));
+    ASSERT_TRUE(same.ok());
+    EXPECT_EQ(below->picture.bytes, same->picture.bytes);
     const ProcessOutcome read = readByGdal(low);
     LEITSTAND_NEEDS(read);
     EXPECT_THAT(read.out, HasSubstr("Size is " + std::to_string(below->picture.width) + ", " +
                                     std::to_string(below->picture.height)));
+}
+
+TEST_F(Export, EndingsMayBeInCapitals) {
+    for (const char* name : {"MAP.TIF", "MAP.BT", "WAY.TUM", "V_VICTIMS.CSV", "MAP.PLY"})
+        (void)exported(name);
+    const auto victims = readFindList(m_folder / "V_VICTIMS.CSV");
+    ASSERT_TRUE(victims) << victims.error().text;
+    EXPECT_EQ(victims->kind, FindList::Kind::Victims);
+}
+
+TEST_F(Export, WhatWasSearchedIsAListOfItsOwn) {
+    EXPECT_TRUE(readSearchList(exported("final_searched.csv")).ok());
+    EXPECT_THAT(m_outcome.out, HasSubstr("final_searched.csv: "));
 }
 
 TEST_F(Export, TheOctomapHasWallsAndFreeSpace) {

@@ -149,6 +149,27 @@ TEST_F(PlacesByOthers, PythonReadsTheLists) {
     EXPECT_EQ(code[8], "qr");
 }
 
+TEST_F(PlacesByOthers, PythonReadsTheOtherLists) {
+    const std::map<std::string, std::string> columns = {{"_victims.csv", "id,time,name,x,y,z"},
+                                                        {"_qr.csv", "id,time,text,x,y,z,robot,mode"}};
+    for (const auto& [ending, line] : columns) {
+        const ProcessOutcome read = readByPython(
+            "import csv, json, sys\n"
+            "rows = list(csv.reader(open(sys.argv[1], newline='')))\n"
+            "head = [i for i, row in enumerate(rows) if row[:2] == ['id', 'time']][0]\n"
+            "wide = {len(row) for row in rows[head:]}\n"
+            "print(json.dumps({'columns': ','.join(rows[head]), 'wide': len(wide), 'finds': len(rows) - head "
+            "- 1}))",
+            file(ending));
+        LEITSTAND_NEEDS(read);
+        ASSERT_EQ(read.exitCode, 0) << read.err;
+        const auto told = nlohmann::json::parse(read.out);
+        EXPECT_EQ(told["columns"], line) << ending;
+        EXPECT_EQ(told["wide"], 1) << ending << ": every row has every column";
+        EXPECT_EQ(told["finds"], 1) << ending;
+    }
+}
+
 TEST_F(PlacesByOthers, PythonReadsTheTrajectory) {
     const ProcessOutcome read = readByPython(
         "import json, sys\n"

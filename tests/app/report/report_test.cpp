@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/report/report_files.h"
+#include "core/io/bag/bag_writer.h"
 #include "core/io/report/find_lists.h"
 #include "core/io/report/geotiff.h"
 #include "core/io/report/search_list.h"
@@ -96,11 +97,14 @@ TEST_F(Report, TheMapShowsTheRoomAndWhatWasFound) {
     EXPECT_EQ(at(*map, 2.5 + 0.17, -1.0), map_colour::Hazard);
     EXPECT_EQ(at(*map, 0.5, -2.5), map_colour::Code);
     EXPECT_EQ(at(*map, -1.0, 2.0), map_colour::Object);
-    int walls = 0;
-    for (double x = -1.5; x < 1.5; x += 0.05)
-        walls += at(*map, x, -2.98) == map_colour::Wall || at(*map, x, -3.02) == map_colour::Wall ? 1 : 0;
-    EXPECT_GT(walls, 40);
-    EXPECT_TRUE(readGeoTiff(file("_upper.tif")));
+    const auto upper = readGeoTiff(file("_upper.tif"));
+    ASSERT_TRUE(upper) << upper.error().text;
+    for (const auto* one : {&*map, &*upper}) {
+        int walls = 0;
+        for (double x = -1.5; x < 1.5; x += 0.05)
+            walls += at(*one, x, -2.98) == map_colour::Wall || at(*one, x, -3.02) == map_colour::Wall ? 1 : 0;
+        EXPECT_GT(walls, 40);
+    }
 }
 
 TEST_F(Report, ListsHaveWhatIsConfirmed) {
@@ -314,6 +318,23 @@ TEST(ReportOfLittle, AnEmptyMissionSaysWhatIsMissing) {
     const ProcessOutcome german =
         ctl({"report", (folder / "empty").string(), "--out", (folder / "out").string(), "--language", "de"});
     EXPECT_THAT(german.err, AllOf(HasSubstr("es gibt keine Karte"), Not(HasSubstr("there is no map"))));
+}
+
+TEST(ReportOfLittle, AMissionWithoutAnyEventSaysSo) {
+    const TemporaryFolder folder;
+    {
+        auto writer = BagWriter::open(folder / "none");
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE((*writer)->close());
+    }
+    const ProcessOutcome outcome =
+        ctl({"report", (folder / "none").string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("the mission holds no events"));
+    const auto victims = readFindList(folder / "out" / "Competition-Team-none_victims.csv");
+    ASSERT_TRUE(victims) << victims.error().text;
+    EXPECT_EQ(victims->date, "") << "nobody knows when it was";
+    EXPECT_EQ(victims->time, "");
 }
 
 TEST(ReportOfLittle, WhatTheOperatorRejectedIsNotRegisteredAgain) {

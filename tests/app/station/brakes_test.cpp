@@ -127,6 +127,7 @@ class SentRobot : public StationBrakesTest {
 protected:
     SentRobot() {
         m_rover.streams.push_back(defaultStream(StreamRole::GoalPose, "rover", {}));
+        m_rover.streams.push_back(defaultStream(StreamRole::ModeCommand, "rover", {}));
         const StreamDescription goals = *m_rover.stream(StreamRole::GoalPose);
         m_listening = must(m_node->subscribe({goals.topic, goals.type, goals.qos, Lane::Small},
                                              [this, goals](const ReceivedSample& sample) {
@@ -170,9 +171,14 @@ TEST_F(SentRobot, TakesNoGoalsAndIsSentNowhere) {
     const auto refused = send(*station, 1);
     ASSERT_FALSE(refused.ok());
     EXPECT_THAT(refused.error().text, testing::HasSubstr("rover failed its brake test"));
+    const auto explores = station->setMode("rover", "explore");
+    ASSERT_FALSE(explores.ok());
+    EXPECT_EQ(explores.error().text, refused.error().text);
+    EXPECT_TRUE(station->setMode("rover", "teleoperation").ok()) << "it may always stand";
 
     station->brakes().setOverridden("rover", true);
     EXPECT_TRUE(arrives(*station, 2)) << words();
+    EXPECT_TRUE(station->setMode("rover", "explore").ok());
     station->brakes().setOverridden("rover", false);
     EXPECT_FALSE(send(*station, 3).ok());
     station->brakes().setOverridden("rover", true);
@@ -182,6 +188,7 @@ TEST_F(SentRobot, TakesNoGoalsAndIsSentNowhere) {
 
     station->brakes().begin("rover");
     EXPECT_FALSE(send(*station, 5).ok()) << "a test drives it";
+    EXPECT_FALSE(station->setMode("rover", "explore").ok());
     station->brakes().end("rover");
 }
 

@@ -52,7 +52,7 @@ TEST_F(ReviewTexts, FitInEveryLayoutAndLanguage) {
         EXPECT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
         ASSERT_EQ(m_window->size(), windowSize());
         ASSERT_EQ(m_window->devicePixelRatioF(), windowScale());
-        for (const char* layout : {"drive", "explore", "map", "review", "compare", "report"})
+        for (const char* layout : {"drive", "explore", "map", "review", "link", "compare", "report"})
             expectWhole(language, QString::fromLatin1(layout));
         if (figures() > 0) continue;  // the comparison stays when the language changes
         find<QToolButton>("beginComparison").click();

@@ -100,7 +100,8 @@ TEST(OccupancyGrid, HeightsCountFromTheLocalFloor) {
         }
     }
     for (float y = -1.0F; y < 1.0F; y += 0.03F) {
-        for (float z = 1.0F; z < 1.5F; z += 0.03F) {
+        // Half of it ends 0.5 m above its floor.
+        for (float z = 1.0F; z < (y < 0.5F ? 1.5F : 2.3F); z += 0.03F) {
             points.emplace_back(6.51F, y, z);
             labels.push_back(Label::Wall);
         }
@@ -114,6 +115,8 @@ TEST(OccupancyGrid, HeightsCountFromTheLocalFloor) {
                         high = gridOf(evidence, floor, reportBands()[1]);
     EXPECT_EQ(low.at(6.51, 0.0).state, State::Occupied);
     EXPECT_NE(high.at(6.51, 0.0).state, State::Occupied) << "the wall ends 0.5 m above its floor";
+    EXPECT_EQ(low.at(6.51, 0.75).state, State::Occupied);
+    EXPECT_EQ(high.at(6.51, 0.75).state, State::Occupied);
     EXPECT_EQ(low.at(5.5, 0.0).state, State::Free) << "a raised floor is no obstacle";
 }
 

@@ -236,5 +236,15 @@ TEST(MapRules, WhatMattersMoreLiesOverWhatMattersLess) {
     EXPECT_GT(white, 5) << "and their numbers over the marks";
 }
 
+// The tag of a victim hangs beside it.
+TEST(MapRules, NamesAreNotHiddenByTheirNeighbours) {
+    MapDrawing drawing = floorOf(State::Free);
+    drawing.marks = {{Kind::Code, 1, {3.0, 3.0}}};
+    const int alone = spotOf(untitled(drawing), map_colour::Text).count;
+    ASSERT_GT(alone, 20);
+    drawing.marks.push_back({Kind::Victim, 1, {3.0, 2.65}});
+    EXPECT_EQ(spotOf(untitled(drawing), map_colour::Text).count, alone);
+}
+
 }  // namespace
 }  // namespace leitstand::test

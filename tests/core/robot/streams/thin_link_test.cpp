@@ -94,6 +94,18 @@ TEST(ThinLink, ScansOfTheSelectedRobotOutliveItsCameraAndThoseOfOthers) {
     EXPECT_FALSE(thinWishes(robots, {.budget = 4.0}).contains("/c/points")) << "there is room for it";
 }
 
+TEST(ThinLink, TelemetryOutlivesScansAndIsSlowedLast) {
+    auto wishes = thinWishes({kurt("k", true)}, {.budget = 1.2});
+    EXPECT_EQ(wishes.at("/k/points").rate, 5.0);
+    EXPECT_FALSE(wishes.contains("/k/imu"));
+    wishes = thinWishes({kurt("k", true)}, {.budget = 0.6});
+    EXPECT_EQ(wishes.at("/k/points").rate, 1.0);
+    EXPECT_FALSE(wishes.contains("/k/imu"));
+    wishes = thinWishes({kurt("k", true)}, {.budget = 0.3});
+    EXPECT_EQ(wishes.at("/k/points").rate, 1.0) << "never off";
+    EXPECT_EQ(wishes.at("/k/imu").rate, 5.0);
+}
+
 TEST(ThinLink, WhatStopsAndWhereRobotsAreIsNeverTouched) {
     const auto wishes = thinWishes({kurt("k", true), kurt("c", false)}, {.budget = 0.0});
     for (const char* robot : {"/k", "/c"}) {
