@@ -7883,6 +7883,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>Where the find is; unknown: in the area of the mission</source>
         <translation>Wo der Fund ist; unbekannt: im Bereich der Mission</translation>
     </message>
+    <message>
+        <source>How the victim lies there</source>
+        <translation>Wie das Opfer dort liegt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimListModel</name>

@@ -7883,6 +7883,10 @@ A function of this program, no certified emergency stop.</source>
         <source>Where the find is; unknown: in the area of the mission</source>
         <translation>発見物の場所。不明なら任務の区域とみなします</translation>
     </message>
+    <message>
+        <source>How the victim lies there</source>
+        <translation>要救助者の状態</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::VictimListModel</name>

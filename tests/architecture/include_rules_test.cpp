@@ -1,5 +1,6 @@
 #include "tests/architecture/include_rules.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gmock/gmock.h>

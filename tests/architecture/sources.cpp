@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <gtest/gtest.h>
+
 #include "tests/support/places.h"
 
 namespace leitstand::test {
@@ -15,6 +17,7 @@ std::vector<std::string> sources(std::initializer_list<const char*> folders) {
     std::vector<std::string> found;
     for (const char* top : folders) {
         const fs::path folder = fs::path(sourceFolder()) / top;
+        EXPECT_TRUE(fs::is_directory(folder)) << folder << ": the rules name a folder that is not there";
         if (!fs::is_directory(folder)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const auto ending = entry.path().extension();

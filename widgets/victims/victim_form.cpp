@@ -45,6 +45,7 @@ VictimForm::VictimForm(QWidget* parent)
       m_text(line(tr("Remarks"), {tr("how to get there, what to mind")})) {
     setAccessibleName(tr("Form of the chosen find"));
     m_situation->setObjectName(QStringLiteral("situation"));
+    m_situation->setToolTip(tr("How the victim lies there"));
     m_area->setObjectName(QStringLiteral("area"));
     m_area->setToolTip(tr("Where the find is; unknown: in the area of the mission"));
     m_tag->setObjectName(QStringLiteral("tag"));
@@ -167,7 +168,9 @@ VictimForm::~VictimForm() {
 }
 
 void VictimForm::hideEvent(QHideEvent* event) {
-    read();
+    // Words of other programs may be longer than the form's: nobody edited those.
+    const auto* const typed = qobject_cast<const QLineEdit*>(focusWidget());
+    if (typed != nullptr && typed->isModified()) read();
     QWidget::hideEvent(event);
 }
 

@@ -109,6 +109,7 @@ protected:
             "%.2f s between two\n",
             link, rate, least, Wanted, watch.longestGap);
         EXPECT_GE(rate, least);
+        EXPECT_LE(watch.longestGap, 1.0) << "and evenly";
     }
 
     const TestDomain m_domain;

@@ -1,5 +1,6 @@
 #include "app/window/map_pane.h"
 
+#include <QCoreApplication>
 #include <QLabel>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@ TEST(MapPane, TellsTheMapInBriefWhereItIsNarrow) {
     EXPECT_EQ(text("mapTitle"), summary.title.toStdString());
     EXPECT_EQ(text("mapResult"), summary.result.toStdString());
     pane.resize(500, 300);
+    QCoreApplication::sendPostedEvents();
     EXPECT_EQ(text("mapTitle"), summary.briefTitle.toStdString());
     EXPECT_EQ(text("mapResult"), summary.briefResult.toStdString());
     const auto* const result = pane.findChild<QLabel*>(QStringLiteral("mapResult"));

@@ -46,8 +46,8 @@ TEST(Pace, DrawsFewPicturesWhileItIsBehind) {
     EXPECT_TRUE(pace.mayDraw("left", Begin));
 }
 
-// Left and infrared camera at 10 Hz each and the right one at 5 Hz: with one share for all of them, the right
-// one's turn never came.
+// Two cameras at twice the rate of the right one: with one share for all of them, the right one's turn never
+// came.
 TEST(Pace, EveryCameraHasItsShareOfTheFew) {
     Pace pace;
     pace.begin(Begin);

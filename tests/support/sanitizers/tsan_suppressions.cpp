@@ -3,7 +3,7 @@
 /// Fast DDS locks by pthread_mutex_clocklock, which the sanitizer does not see, and hands sample memory
 /// between threads by atomics of its own, which it does not see either: the bytes copied there are the only
 /// accesses in our code. It reads the local time in several threads, which the C library guards by a lock of
-/// its own.
+/// its own. While one participant is made, its threads read what the making one still writes.
 extern "C" const char* __tsan_default_suppressions();
 extern "C" const char* __tsan_default_suppressions() {
     return "mutex:libOpenNI2\n"
@@ -15,8 +15,8 @@ extern "C" const char* __tsan_default_suppressions() {
            "race:eprosima::fastrtps::rtps::RTPSDomainImpl::createParticipant\n";
 }
 
-/// What libraries do among themselves that are built without the sanitizer is not ours to judge: OpenCV works
-/// in threads of TBB.
+/// What libraries do that are built without the sanitizer is not ours to judge, also where they do it with
+/// memory of ours: OpenCV works in threads of TBB.
 extern "C" const char* __tsan_default_options();
 extern "C" const char* __tsan_default_options() {
     return "ignore_noninstrumented_modules=1";

@@ -176,6 +176,22 @@ TEST_P(Panes, WhatWasLookedAtLongAgoIsFainter) {
     EXPECT_LT(wallPixels(9.0), 20);
 }
 
+TEST_P(Panes, EachSectorHasAnAgeOfItsOwn) {
+    VirtualScanPane pane;
+    pane.setRobot(robot.face, robot.description.footprint);
+    VirtualScanView view = corridor();
+    view.at += std::chrono::seconds(9);
+    for (int i = 0; i < static_cast<int>(view.sectors.size()); ++i)
+        view.sectors[static_cast<std::size_t>(i)].age = view.directionOf(i) > 0.0 ? 0.5 : 9.0;
+    view.obstacles.clear();
+    pane.show(view, {}, 0.1);
+    const QImage picture = pictureOf(pane, {400, 400}, {});
+    const int left = countOf(picture.copy(0, 0, 200, 400), colours().wall, 25),
+              right = countOf(picture.copy(200, 0, 200, 400), colours().wall, 25);
+    EXPECT_GT(left, 80) << "looked at just now";
+    EXPECT_LT(right, 15) << "long ago";
+}
+
 TEST_P(Panes, TheWheelZoomsWithinBounds) {
     VirtualScanPane pane;
     pane.resize(300, 300);
