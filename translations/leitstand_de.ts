@@ -97,6 +97,10 @@
         <source>CO₂ %1 ppm at %2 (%3)</source>
         <translation>CO₂ %1 ppm um %2 (%3)</translation>
     </message>
+    <message>
+        <source>more pictures, in the mission: %1</source>
+        <translation>weitere Bilder, in der Mission: %1</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>

@@ -97,6 +97,10 @@
         <source>CO₂ %1 ppm at %2 (%3)</source>
         <translation>CO₂ %1 ppm、%2(%3)</translation>
     </message>
+    <message>
+        <source>more pictures, in the mission: %1</source>
+        <translation>ほかの画像(ミッション内): %1</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -7881,7 +7885,7 @@ A function of this program, no certified emergency stop.</source>
     </message>
     <message>
         <source>Where the find is; unknown: in the area of the mission</source>
-        <translation>発見物の場所。不明なら任務の区域とみなします</translation>
+        <translation>発見物の場所。不明ならミッションの区域とみなします</translation>
     </message>
     <message>
         <source>How the victim lies there</source>

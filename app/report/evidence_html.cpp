@@ -75,6 +75,8 @@ QStringList evidenceLines(const FindPages& pages) {
     }
     for (const FrozenScan& scan : pages.scans) lines += lineOf(scan);
     for (const FrozenPose& pose : pages.poses) lines += lineOf(pose);
+    if (pages.morePictures > 0)
+        lines += EvidenceText::tr("more pictures, in the mission: %1").arg(pages.morePictures);
     return lines;
 }
 

@@ -91,7 +91,10 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
             continue;
         }
         if (const auto* sample = std::get_if<PictureSample>(&event->sample)) {
-            if (pages.pictures.size() >= MostPictures) continue;
+            if (pages.pictures.size() >= MostPictures) {
+                ++pages.morePictures;
+                continue;
+            }
             auto picture = printable(*sample, *event, source);
             if (picture) {
                 pages.pictures.push_back(std::move(picture).value());

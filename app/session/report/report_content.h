@@ -54,6 +54,7 @@ struct FrozenPose {
 /// What a report shows of a find besides its form.
 struct FindPages {
     std::vector<EvidencePicture> pictures;
+    int morePictures = 0;  ///< that were frozen too, and are in the mission alone
     std::vector<GasTrace> gas;
     std::vector<FrozenScan> scans;
     std::vector<FrozenPose> poses;

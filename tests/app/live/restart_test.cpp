@@ -24,8 +24,8 @@ TEST_F(LiveRestart, MapRobotsGrantAndClockAreBackInTenSeconds) {
     ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
     const auto poses = [&] {
         std::map<std::uint64_t, Pose> found;
-        for (const LiveKeyScan& scan : station().mapping().scans()->scans)
-            found[scan.id] = scan.pose.scanInMap;
+        const LiveMapPtr map = station().mapping().scans();
+        for (const LiveKeyScan& scan : map->scans) found[scan.id] = scan.pose.scanInMap;
         return found;
     };
     const auto before = poses();

@@ -8,6 +8,7 @@
 #include <QDateTime>
 
 #include "app/language/language.h"
+#include "app/report/evidence_html.h"
 #include "app/report/pdf_report.h"
 #include "app/report/report_times.h"
 #include "tests/support/others_tools.h"
@@ -119,6 +120,13 @@ TEST(GasCurve, OneReadingIsANumberWithoutACurve) {
     const ProcessOutcome read = readByPoppler(folder / "report.pdf");
     ASSERT_EQ(read.exitCode, 0) << read.err;
     EXPECT_THAT(read.out, AllOf(HasSubstr("400 ppm at 8:01:54 PM (kurt3d)"), Not(HasSubstr("[ppm]"))));
+}
+
+TEST(EvidenceLines, TellOfPicturesThatThereIsNoRoomFor) {
+    FindPages pages;
+    EXPECT_TRUE(evidenceLines(pages).isEmpty());
+    pages.morePictures = 2;
+    EXPECT_EQ(evidenceLines(pages).join("; ").toStdString(), "more pictures, in the mission: 2");
 }
 
 }  // namespace

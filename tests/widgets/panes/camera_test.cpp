@@ -1,5 +1,6 @@
 #include "widgets/camera/camera_pane.h"
 
+#include <array>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -75,6 +76,39 @@ TEST_P(Cameras, ShowWhereTheyLookFromAbove) {
     (void)pictureOf(pane, {240, 180}, QStringLiteral("camera-turned-small"));
     EXPECT_THAT(wordsOf(pane), Not(Contains(HasSubstr("pan"))));
     (void)pictureOf(pane, {640, 480}, QStringLiteral("camera-turned-2x"), 2.0);
+}
+
+TEST_P(Cameras, TheHorizonLeansAndRisesAsTheRobotDoes) {
+    /// Mean height of the horizon's left and right part [px from the top].
+    const auto horizon = [&](double roll, double pitch) {
+        CameraOverlay overlay;
+        overlay.roll = roll;
+        overlay.pitch = pitch;
+        pane.setOverlay(overlay);
+        const QImage picture = pictureOf(pane, {640, 480}, {});
+        const QColor ink = coloursOf(Theme::Dark).select;
+        std::array<double, 2> sum{}, count{};
+        for (int y = 40; y < 440; ++y) {
+            for (int x = 60; x < 580; ++x) {
+                const QColor found = picture.pixelColor(x, y);
+                const bool line = std::abs(found.red() - ink.red()) + std::abs(found.green() - ink.green()) +
+                                      std::abs(found.blue() - ink.blue()) <
+                                  30;
+                if (!line) continue;
+                sum[x < 320 ? 0 : 1] += y;
+                count[x < 320 ? 0 : 1] += 1.0;
+            }
+        }
+        EXPECT_GT(std::min(count[0], count[1]), 20.0) << "both parts of it are there";
+        return std::pair(sum[0] / count[0], sum[1] / count[1]);
+    };
+    const auto level = horizon(0.0, 0.0), right = horizon(degrees(8), 0.0), left = horizon(degrees(-8), 0.0),
+               down = horizon(0.0, degrees(8)), up = horizon(0.0, degrees(-8));
+    EXPECT_NEAR(level.first, level.second, 1.5);
+    EXPECT_GT(right.first, right.second + 20.0) << "its right side is down: the world leans to the left";
+    EXPECT_GT(left.second, left.first + 20.0);
+    EXPECT_LT(down.first, level.first - 20.0) << "nose down: the horizon is higher in the picture";
+    EXPECT_GT(up.first, level.first + 20.0);
 }
 
 TEST_P(Cameras, SayWhatWasDoneToTheirPictures) {
