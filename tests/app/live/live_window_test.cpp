@@ -38,6 +38,17 @@ protected:
         }
         return nullptr;
     }
+    /// Takes the sticks and holds W until the robot drives.
+    void driveAhead() {
+        ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
+        press(Qt::Key_F2);
+        ASSERT_TRUE(m_window->driving());
+        ASSERT_TRUE(soon(
+            [&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+        QTest::qWait(300);  // the operator's hand is not faster
+        QTest::keyPress(m_window.get(), Qt::Key_W);
+        ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    }
     /// Holds the pointer down on the handle beside STOP.
     void hold(int milliseconds) {
         ReleaseHandle* const beside = handle();
@@ -52,14 +63,7 @@ protected:
 };
 
 TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
-    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    press(Qt::Key_F2);
-    ASSERT_TRUE(m_window->driving());
-    ASSERT_TRUE(
-        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
-    QTest::qWait(300);  // the operator's hand is not faster
-    QTest::keyPress(m_window.get(), Qt::Key_W);
-    ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    ASSERT_NO_FATAL_FAILURE(driveAhead());
     press(Qt::Key_Escape);
     ASSERT_TRUE(soon([&] { return robot().stop.acknowledged && robot().stop.standing; }));
     EXPECT_TRUE(soon([&] { return robot("crawler").stop.acknowledged; })) << "Esc stops all";
@@ -70,13 +74,7 @@ TEST_F(LiveWindowTest, DrivesWithKeysStopsWithEscAndReleases) {
 }
 
 TEST_F(LiveWindowTest, SpaceHaltsTheRobotThatIsDrivenAndTheOneThatDrivesByItself) {
-    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    press(Qt::Key_F2);
-    ASSERT_TRUE(
-        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
-    QTest::qWait(300);  // the operator's hand is not faster
-    QTest::keyPress(m_window.get(), Qt::Key_W);
-    ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    ASSERT_NO_FATAL_FAILURE(driveAhead());
     press(Qt::Key_Space);
     EXPECT_TRUE(soon([&] { return std::abs(speed()) < 0.02; }));
     EXPECT_FALSE(QTest::qWaitFor([&] { return std::abs(speed()) > 0.02; }, 1'000)) << "W is still down";
@@ -98,13 +96,7 @@ TEST_F(LiveWindowTest, SpaceHaltsTheRobotThatIsDrivenAndTheOneThatDrivesByItself
 }
 
 TEST_F(LiveWindowTest, AKeyThatIsHeldDrivesNobodyOnceAnotherWindowHasTheKeyboard) {
-    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
-    press(Qt::Key_F2);
-    ASSERT_TRUE(
-        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
-    QTest::qWait(300);  // the operator's hand is not faster
-    QTest::keyPress(m_window.get(), Qt::Key_W);
-    ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
+    ASSERT_NO_FATAL_FAILURE(driveAhead());
     QWidget other;
     other.show();
     other.activateWindow();
