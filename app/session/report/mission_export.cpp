@@ -117,7 +117,7 @@ Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, 
         return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
     }
     if (ending == ".tum") return exportTrajectories(out, model, options.robot);
-    if (detail::lowerCase(out.filename().string()).ends_with("searched.csv")) {
+    if (isSearchList(out)) {
         const std::vector<ListedSearch> rows = searchListOf(model);
         return one(again(writeSearchList(out, rows), out, {.count = rows.size()}));
     }

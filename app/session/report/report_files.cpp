@@ -156,11 +156,15 @@ FileContents contentsOf(const MapPicture& map) {
             .frame = FileContents::Frame{map.picture.width, map.picture.height, map.topLeft, map.perPixel}};
 }
 
+bool isSearchList(const fs::path& file) {
+    const std::string name = detail::lowerCase(file.filename().string());
+    return name.ends_with("_searched.csv") || name == "searched.csv";
+}
+
 Result<std::string> checkFile(const fs::path& file, const FileContents& expected) {
     const std::string ending = detail::lowerCase(file.extension().string());
     if (ending == ".tif") return checkTiff(file, expected);
-    if (detail::lowerCase(file.filename().string()).ends_with("searched.csv"))
-        return checkSearch(file, expected);
+    if (isSearchList(file)) return checkSearch(file, expected);
     if (ending == ".csv") return checkList(file, expected);
     if (ending == ".bt") return checkOctomap(file);
     if (ending == ".ply") return checkCloud(file, expected);

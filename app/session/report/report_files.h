@@ -36,6 +36,10 @@ struct FileContents {
 };
 [[nodiscard]] FileContents contentsOf(const MapPicture& map);
 
+/// Whether @p file is the list of what was searched by its name, "Name_searched.csv" or "searched.csv", in
+/// capitals too.
+[[nodiscard]] bool isSearchList(const std::filesystem::path& file);
+
 /// Reads @p file of a report again, whatever its ending says that it is, and compares it with what it is to
 /// hold: what is in it in words, or what is wrong with it. For files that writeReport() writes.
 [[nodiscard]] Result<std::string> checkFile(const std::filesystem::path& file,

@@ -107,11 +107,12 @@ void VictimApproach::look(const HeatTarget& target) {
     m_seen.clothesCut = m_seen.clothesCut || m_cue.clothesCut;
 }
 
-std::string VictimApproach::whyNobody() const {
-    if (m_seen.skinCut) return {};
-    if (m_seen.skin < m_settings.glimpse) return robot_says::HeatHidden;
-    if (m_seen.clothes < m_settings.clothes && !m_seen.clothesCut) return robot_says::HeatBare;
-    return {};
+bool VictimApproach::isHidden() const {
+    return !m_seen.skinCut && m_seen.skin < m_settings.glimpse;
+}
+
+bool VictimApproach::isBare() const {
+    return !m_seen.skinCut && !m_seen.clothesCut && m_seen.clothes < m_settings.clothes;
 }
 
 bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
@@ -140,12 +141,11 @@ ApproachStep VictimApproach::leave(const std::string& reason) {
 ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
     if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
-    const std::string nobody = whyNobody();
-    if (nobody == robot_says::HeatBare) return giveUp(nobody, place, m_settings.sameLamp);
-    if (!nobody.empty()) {
+    if (isHidden()) {
         m_hidden.push_back(leftAt(place, m_settings.sameVictim));
-        return leave(nobody);
+        return leave(robot_says::HeatHidden);
     }
+    if (isBare()) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
     const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
     return right || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
 }

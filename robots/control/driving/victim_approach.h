@@ -86,8 +86,8 @@ private:
                                                    const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
-    /// What it is that it stands before, after all that was seen of it: why it leaves, or empty.
-    [[nodiscard]] std::string whyNobody() const;
+    [[nodiscard]] bool isHidden() const;  ///< what it stands before, after all that was seen of it
+    [[nodiscard]] bool isBare() const;    ///< likewise
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] bool isBehindSomething(const std::optional<HeatTarget>& target, double bearing,
