@@ -1,5 +1,6 @@
 #include "tests/support/temporary_folder.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,10 @@ TemporaryFolder::TemporaryFolder() {
 }
 
 TemporaryFolder::~TemporaryFolder() {
+    if (std::getenv("LEITSTAND_KEEP") != nullptr) {
+        std::printf("  kept: %s\n", m_path.c_str());
+        return;
+    }
     std::error_code ignored;
     std::filesystem::remove_all(m_path, ignored);
 }

@@ -5,7 +5,8 @@
 
 namespace leitstand::test {
 
-/// A new empty folder that goes, with all in it, at the end of the test.
+/// A new empty folder that goes, with all in it, at the end of the test. Where the environment has
+/// LEITSTAND_KEEP it stays, and is told: to look into what a test that fails now and then made.
 class TemporaryFolder {
 public:
     TemporaryFolder();
