@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
+#include <QAction>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHeaderView>
@@ -94,6 +95,24 @@ QStringList cutCells(const QAbstractItemView& view) {
     return cut;
 }
 
+/// Texts that end in dots where they are painted, and not where they come from.
+QStringList dottedTexts(const QWidget& window) {
+    constexpr QChar Dots(0x2026);
+    QStringList whole;
+    const auto add = [&](const QString& text) {
+        if (text.contains(Dots)) whole += shownText(text);
+    };
+    for (const QLabel* label : window.findChildren<QLabel*>()) add(label->text());
+    for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) add(button->text());
+    for (const QLineEdit* line : window.findChildren<QLineEdit*>()) add(line->placeholderText());
+    for (const QAction* action : window.findChildren<QAction*>()) add(action->text());
+    QStringList cut;
+    for (const PaintedText& one : paintedTexts(const_cast<QWidget&>(window))) {  // painting changes nothing
+        if (one.text.contains(Dots) && !whole.contains(one.text)) cut += QStringLiteral("painted: ") + one.text;
+    }
+    return cut;
+}
+
 }  // namespace
 
 QStringList cutTexts(const QWidget& window) {
@@ -144,7 +163,7 @@ QStringList cutTexts(const QWidget& window) {
     if (const auto* more = window.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"));
         more != nullptr && more->isVisible())
         cut += QStringLiteral("menus");
-    return cut;
+    return cut + dottedTexts(window);
 }
 
 }  // namespace leitstand::test
