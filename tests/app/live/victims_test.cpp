@@ -12,6 +12,7 @@
 #include "app/session/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "core/mission/mission_state.h"
 #include "tests/app/live/live_page.h"
@@ -71,6 +72,7 @@ TEST_F(LiveVictims, OneKeyFreezesAnotherConfirmsTheFormFollowsAndARestartKeepsAl
     press(Qt::Key_V);
     ASSERT_TRUE(soon([&] { return is(1, Status::Confirmed); }));
 
+    m_window->panes().open(QStringLiteral("form"));
     auto* form = m_window->findChild<VictimForm*>("formPane");
     ASSERT_NE(form, nullptr);
     ASSERT_TRUE(soon([&] { return form->isVisible(); }));
@@ -182,6 +184,7 @@ TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
 
 TEST_F(LiveVictims, WhatIsWrittenIntoTheFormDrivesNobody) {
     press(Qt::Key_F);
+    m_window->panes().open(QStringLiteral("form"));
     auto* form = m_window->findChild<VictimForm*>("formPane");
     ASSERT_NE(form, nullptr);
     QLineEdit* field = nullptr;
