@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
