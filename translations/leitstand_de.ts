@@ -3877,11 +3877,11 @@ Apache License 2.0</translation>
     <name>leitstand::LiveSummary</name>
     <message>
         <source>last scan %1 s ago</source>
-        <translation>letzter Scan vor %1 s</translation>
+        <translation>Scan vor %1 s</translation>
     </message>
     <message>
         <source>last scan %1 min ago</source>
-        <translation>letzter Scan vor %1 min</translation>
+        <translation>Scan vor %1 min</translation>
     </message>
     <message>
         <source>3D map</source>
@@ -7205,7 +7205,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     </message>
     <message>
         <source>sent · no answer for %1</source>
-        <translation>gesendet · keine Antwort seit %1</translation>
+        <translation>gesendet · ohne Antwort %1</translation>
     </message>
     <message>
         <source>acknowledged · moves</source>

@@ -28,15 +28,18 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
     QString right = head.vacant ? QString() : ageText(head.age, head.limits);
     if (!head.note.isEmpty()) right += QStringLiteral(" · ") + head.note;
     const QRect line(pane.left() + Margin, pane.top(), pane.width() - 2 * Margin, height);
-    painter.setPen(toneColour(toneOf(freshness), colours));
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
-
     const QFontMetrics metrics(painter.font());
     const QString title =
         head.face.letter.isEmpty() ? head.title : head.face.letter + QStringLiteral(" · ") + head.title;
-    const int room = line.width() - metrics.horizontalAdvance(right) - Margin;
+    const auto room = [&] { return line.width() - metrics.horizontalAdvance(right) - Margin; };
+    // That nothing came yet is said in the middle, too (paintLoss()).
+    if (freshness == Freshness::Never && metrics.horizontalAdvance(title) > room())
+        right = QStringLiteral("–");
+    painter.setPen(toneColour(toneOf(freshness), colours));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
     painter.setPen(colours.text);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(title, Qt::ElideRight, room));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(title, Qt::ElideRight, room()));
     painter.restore();
 }
 
