@@ -25,16 +25,16 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
     painter.fillRect(QRect(pane.left(), pane.top(), Edge, pane.height()), colours.robot(head.face.place));
 
     const Freshness freshness = freshnessOf(head.age, head.limits);
-    QString right = head.vacant ? QString() : ageText(head.age, head.limits);
-    if (!head.note.isEmpty()) right += QStringLiteral(" · ") + head.note;
+    const QString note = head.note.isEmpty() ? QString() : QStringLiteral(" · ") + head.note;
+    QString right = (head.vacant ? QString() : ageText(head.age, head.limits)) + note;
     const QRect line(pane.left() + Margin, pane.top(), pane.width() - 2 * Margin, height);
     const QFontMetrics metrics(painter.font());
     const QString title =
         head.face.letter.isEmpty() ? head.title : head.face.letter + QStringLiteral(" · ") + head.title;
     const auto room = [&] { return line.width() - metrics.horizontalAdvance(right) - Margin; };
     // That nothing came yet is said in the middle, too (paintLoss()).
-    if (freshness == Freshness::Never && metrics.horizontalAdvance(title) > room())
-        right = QStringLiteral("–");
+    if (!head.vacant && freshness == Freshness::Never && metrics.horizontalAdvance(title) > room())
+        right = QStringLiteral("–") + note;
     painter.setPen(toneColour(toneOf(freshness), colours));
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
     painter.setPen(colours.text);

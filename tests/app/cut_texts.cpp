@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QAction>
 #include <QComboBox>
@@ -89,14 +88,6 @@ bool isCut(const QLineEdit& line) {
     return line.text().isEmpty() && widest(line.fontMetrics(), line.placeholderText()) > room - Margins;
 }
 
-/// What the rows of @p view say and do not have room for.
-QStringList cutCells(const QAbstractItemView& view) {
-    QStringList cut;
-    for (const PaintedText& one : paintedTexts(*view.viewport()))
-        if (one.text.contains(QChar(0x2026))) cut += one.text;
-    return cut;
-}
-
 /// What is painted of @p window, whole lines: where a font has not all letters, a line is painted in pieces.
 std::vector<PaintedText> paintedLines(const QWidget& window) {
     constexpr double Near = 1.5;  ///< [px]
@@ -115,7 +106,7 @@ std::vector<PaintedText> paintedLines(const QWidget& window) {
     return lines;
 }
 
-/// Texts that end in dots where they are painted, and not where they come from.
+/// Texts, also of cells, that end in dots where they are painted, and not where they come from.
 QStringList dottedTexts(const QWidget& window) {
     constexpr QChar Dots(0x2026);
     QStringList whole;
@@ -162,10 +153,6 @@ QStringList cutTexts(const QWidget& window) {
         if (seen(*box) && isCut(*box)) cut += name(*box) + ": " + box->currentText();
     for (const QLineEdit* line : window.findChildren<QLineEdit*>())
         if (seen(*line) && isCut(*line)) cut += name(*line) + ": " + line->placeholderText();
-    for (const QAbstractItemView* view : window.findChildren<QAbstractItemView*>()) {
-        if (!seen(*view) || qobject_cast<const QHeaderView*>(view) != nullptr) continue;
-        for (const QString& text : cutCells(*view)) cut += name(*view) + ": " + text;
-    }
     for (const QHeaderView* header : window.findChildren<QHeaderView*>()) {
         if (!seen(*header) || header->orientation() != Qt::Horizontal || header->model() == nullptr) continue;
         for (int i = 0; i < header->count(); ++i) {
