@@ -21,18 +21,6 @@ Eigen::Vector2d pixelAngles(const CameraInfoSample& camera, const ThermalPicture
     return {angle, angle};
 }
 
-/// Middle temperature of the picture: that of its surroundings.
-double medianOf(const ThermalPicture& picture) {
-    std::vector<float> values;
-    values.reserve(picture.celsius.size());
-    std::copy_if(picture.celsius.begin(), picture.celsius.end(), std::back_inserter(values),
-                 [](float value) { return std::isfinite(value); });
-    if (values.empty()) return 20.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
-}
-
 /// The pixels within @p reach of those of @p mask.
 Mask grown(const Mask& mask, int width, int height, int reach) {
     Mask result(mask.size(), 0);
@@ -123,13 +111,24 @@ std::string toString(HeatBlob::Kind kind) {
     return "other";
 }
 
+double surroundings(const ThermalPicture& picture) {
+    std::vector<float> values;
+    values.reserve(picture.celsius.size());
+    std::copy_if(picture.celsius.begin(), picture.celsius.end(), std::back_inserter(values),
+                 [](float value) { return std::isfinite(value); });
+    if (values.empty()) return 20.0;
+    const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+    std::nth_element(values.begin(), quarter, values.end());
+    return static_cast<double>(*quarter);
+}
+
 std::vector<HeatBlob> findHeat(const ThermalPicture& picture, const CameraInfoSample& camera,
                                const HeatSettings& settings) {
     const auto count = static_cast<std::size_t>(std::max(0, picture.width)) *
                        static_cast<std::size_t>(std::max(0, picture.height));
     if (count == 0 || picture.celsius.size() != count) return {};
     const Eigen::Vector2d angles = pixelAngles(camera, picture);
-    const double ambient = medianOf(picture);
+    const double ambient = surroundings(picture);
     const double least = std::max(settings.coolest, ambient + settings.contrast);
     Mask hot(count, 0), warm(count, 0);
     for (std::size_t i = 0; i < count; ++i) {

@@ -15,7 +15,7 @@ namespace leitstand {
 struct HeatSettings {
     double coolest = 27.5;   ///< of a body's skin, as seen [degrees C]
     double hottest = 40.5;   ///< what is hotter is a lamp or heater [degrees C]
-    double contrast = 3.0;   ///< over the median of the picture [K]
+    double contrast = 3.0;   ///< over the surroundings [K]
     int halo = 2;            ///< around hot things, where pixels are mixed [px]
     int minPixels = 6;       ///< smaller blobs are noise, or far lamps
     double minSize = 0.015;  ///< square root of a body's solid angle [rad]
@@ -39,6 +39,10 @@ struct HeatBlob {
 };
 /// "body", "lamp", "heater", "other".
 [[nodiscard]] std::string toString(HeatBlob::Kind kind);
+
+/// Temperature of what is around the warm things in @p picture [degrees C]: that of its coolest quarter,
+/// since a body near by fills most of it. 20 where nothing is measured.
+[[nodiscard]] double surroundings(const ThermalPicture& picture);
 
 /// The warm things in @p picture, bodies first, then by confidence and size; the detector that robots and
 /// station share. @p camera tells what a pixel measures; uncalibrated, 45 degrees across are assumed.

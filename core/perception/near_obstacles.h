@@ -20,6 +20,7 @@ public:
         Time at{};
         Eigen::Vector3d shot =
             Eigen::Vector3d::Zero();  ///< from the scanner to it then; base_link's axes [m]
+        double bottom = 0.0;          ///< where what stands there begins: more for what hangs [m]
     };
     void add(const One& one);
     /// A raw scan from @p origin to @p heading [rad] saw the ground free from @p from to @p to [m] away.

@@ -96,9 +96,12 @@ ProfileContour contourOf(std::span<const ProfilePoint> points, std::span<const P
     }
     if (!contour.inner) return contour;
     const double ground = floor.at(contour.inner->distance);
+    contour.innerBottom = std::max(0.0, contour.inner->height - ground);
     for (const ProfilePoint& point : points) {
-        if (std::abs(point.distance - contour.inner->distance) < Upright)
-            contour.innerTop = std::max(contour.innerTop, point.height - ground);
+        if (std::abs(point.distance - contour.inner->distance) >= Upright) continue;
+        const double over = point.height - ground;
+        contour.innerTop = std::max(contour.innerTop, over);
+        if (over >= settings.step) contour.innerBottom = std::min(contour.innerBottom, over);
     }
     return contour;
 }

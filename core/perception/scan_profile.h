@@ -31,6 +31,7 @@ struct ProfileContour {
     std::optional<ProfilePoint> outer;  ///< the farthest point below wallHeight: walls
     std::optional<ProfilePoint> inner;  ///< the nearest that is neither floor nor ceiling: obstacles
     double innerTop = 0.0;  ///< how high what stands there is, over the floor before it; as far as seen [m]
+    double innerBottom = 0.0;  ///< ... and where it begins: a shelf's is as high as the shelf [m]
 };
 
 /// Finds the contours in one vertical raw scan (paper, section 2.3). @p points by rising elevation;

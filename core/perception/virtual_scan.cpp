@@ -191,13 +191,14 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
     if (contour.inner) {
         ray.inner = contour.inner->where;
         ray.top = contour.innerTop;
+        ray.bottom = contour.innerBottom;
     }
     remember(points, ray, origin, heading);
     if (contour.inner && contour.inner->distance < NearBy) {
         const double height = base.translation().z() + contour.inner->height - scanner.z();
         const Eigen::Vector2d away = contour.inner->where - origin;
         const Eigen::Vector3d shot = base.linear().transpose() * Eigen::Vector3d(away.x(), away.y(), height);
-        m_near.add({*ray.inner, ray.top, at, shot});
+        m_near.add({*ray.inner, ray.top, at, shot, ray.bottom});
     }
     const Time look = at - SameLook;
     if (follows) clearBetween(m_before->heading, heading, look);
@@ -234,6 +235,7 @@ void VirtualScan::put(const Ray& ray, double heading, Time look) {
     if (ray.inner && (!old.inner || direction.dot(*ray.inner - *old.inner) < 0.0)) {
         old.inner = ray.inner;
         old.top = ray.top;
+        old.bottom = ray.bottom;
     }
     old.at = std::max(old.at, ray.at);
 }
@@ -294,18 +296,19 @@ void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, cons
         const double away = (ray.far - flat(scanner)).norm();
         if (i % LookEvery == 0)
             m_near.lookThrough(flat(scanner), heading, 0.0, echo ? away - Behind : away, at);
-        if (ray.inner && away < NearInPlane) m_near.add({*ray.inner, ray.top, at, Eigen::Vector3d::Zero()});
+        if (ray.inner && away < NearInPlane)
+            m_near.add({*ray.inner, ray.top, at, Eigen::Vector3d::Zero(), ray.bottom});
         put(ray, heading, ranges.header.stamp);
         before = heading;
     }
 }
 
-void VirtualScan::addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top) {
-    view.obstacles.push_back({near, age, top});
+void VirtualScan::addObstacle(VirtualScanView& view, const VirtualObstacle& one) {
+    view.obstacles.push_back(one);
     VirtualSector& holder =
-        view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(near.y(), near.x())))];
-    if (!std::isfinite(holder.age)) holder.age = age;
-    if (!holder.inner || near.norm() < holder.inner->norm()) holder.inner = near;
+        view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(one.where.y(), one.where.x())))];
+    if (!std::isfinite(holder.age)) holder.age = one.age;
+    if (!holder.inner || one.where.norm() < holder.inner->norm()) holder.inner = one.where;
 }
 
 VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
@@ -325,12 +328,12 @@ VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
             view.sectors[static_cast<std::size_t>(view.sectorOf(std::atan2(far.y(), far.x())))];
         sector.age = std::min(sector.age, age);
         if (ray.echo && (!sector.outer || far.norm() > sector.outer->norm())) sector.outer = far;
-        if (ray.inner) addObstacle(view, toBase * (*ray.inner - here), age, ray.top);
+        if (ray.inner) addObstacle(view, {toBase * (*ray.inner - here), age, ray.top, ray.bottom});
     }
     for (const NearObstacles::One& one : m_near.all()) {
         const double age = std::max(0.0, secondsBetween(one.at, now));
         if (age > std::chrono::duration<double>(SameLook).count())
-            addObstacle(view, toBase * (one.where - here), age, one.top);
+            addObstacle(view, {toBase * (one.where - here), age, one.top, one.bottom});
     }
     view.closeGaps();
     return view;

@@ -62,6 +62,7 @@ private:
         bool echo = false;                              ///< whether far is a point
         std::optional<Eigen::Vector2d> inner;           ///< in odom [m]
         double top = std::numeric_limits<double>::infinity();  ///< of what stands at inner [m]
+        double bottom = 0.0;                                   ///< likewise [m]
     };
     /// The raw scan before, for support and for the directions between.
     struct Before {
@@ -73,7 +74,7 @@ private:
                     Time at);
     void remember(std::span<const ProfilePoint> points, const Ray& ray, const Eigen::Vector2d& origin,
                   double heading);
-    static void addObstacle(VirtualScanView& view, const Eigen::Vector2d& near, double age, double top);
+    static void addObstacle(VirtualScanView& view, const VirtualObstacle& one);
     /// @p look: when the scanner began to look round this time; what it saw before is replaced.
     void put(const Ray& ray, double heading, Time look);
     void clearBetween(double from, double to, Time look);

@@ -23,6 +23,7 @@ struct VirtualObstacle {
     double age = 0.0;                                 ///< since it was measured [s]
     double top =
         std::numeric_limits<double>::infinity();  ///< height of what stands there, as far as known [m]
+    double bottom = 0.0;                          ///< ... and where it begins: more for what hangs [m]
 };
 
 /// How far a robot's body reaches from its base_link [m].

@@ -82,8 +82,8 @@ void SelfDrivingAgent::consider(VirtualScanView& view, const Pose& here, Time no
     static_cast<void>(now);
 }
 
-void SelfDrivingAgent::thought(Driver driver, Time now) {
-    static_cast<void>(driver);
+void SelfDrivingAgent::thought(const ModeDecision& decision, Time now) {
+    static_cast<void>(decision);
     static_cast<void>(now);
 }
 
@@ -130,7 +130,7 @@ DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveV
         } else {
             m_velocity = {};
         }
-        thought(decision.driver, now);
+        thought(decision, now);
     }
     switch (decision.driver) {
         case Driver::Operator:

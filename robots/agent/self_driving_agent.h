@@ -45,7 +45,7 @@ protected:
     virtual void consider(VirtualScanView& view, const Pose& here, Time now);
     /// What its own drivers want; the robot is at @p here. Also told while others drive: it looks on.
     virtual DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now);
-    virtual void thought(Driver driver, Time now);     ///< after every thought
+    virtual void thought(const ModeDecision& decision, Time now);  ///< after every thought
     virtual void takeOver(Driver before, Driver now);  ///< before the first thought of another driver
     [[nodiscard]] virtual double caution() const { return 1.0; }  ///< share of the speed, 0 to 1
 

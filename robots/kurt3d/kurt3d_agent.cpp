@@ -8,12 +8,22 @@
 
 #include "core/perception/heat.h"
 #include "core/perception/picture_decoding.h"
+#include "core/robot/control/pan_tilt.h"
 
 namespace leitstand {
 namespace {
 
-constexpr auto HeatUnit = "right";  ///< pan-tilt unit that carries the infrared camera
 constexpr auto CueAge = std::chrono::milliseconds(700);
+
+/// The infrared camera that can be turned; null: there is none.
+const SensorDescription* heatCamera(const RobotDescription& robot) {
+    for (const StreamDescription& stream : robot.streams) {
+        const auto sensor = robot.sensors.find(stream.sensor);
+        if (stream.role == StreamRole::Thermal && sensor != robot.sensors.end() && sensor->second.panTilt)
+            return &sensor->second;
+    }
+    return nullptr;
+}
 
 }  // namespace
 
@@ -72,29 +82,35 @@ DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, const Pose& here,
     return SelfDrivingAgent::think(decision, here, now);
 }
 
-void Kurt3dAgent::thought(Driver driver, Time now) {
-    lookForHeat(driver, now);
+void Kurt3dAgent::thought(const ModeDecision& decision, Time now) {
+    if (decision.mode != DriveMode::VictimApproach) m_heat.reset();
+    lookForHeat(decision, now);
 }
 
-void Kurt3dAgent::lookForHeat(Driver driver, Time now) {
+void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
+    const SensorDescription* camera = heatCamera(robot());
+    if (camera == nullptr) return;
     const auto here = odometry().at(now);
-    double pan = 0.0;
-    if (driver == Driver::Approacher && here && m_approach.isActive()) {
-        pan = std::clamp(m_approach.bearing(*here), -degrees(100), degrees(100));
-    } else if (driver == Driver::Explorer) {
+    PanTiltAngles angles;
+    if (m_heat && here) {
+        // Also while it waits before a victim: for its operator, who judges by what the cameras show.
+        const Eigen::Vector3d heat = here->inverse() * *m_heat;
+        angles = within(*camera->panTilt, towards(heat - camera->sensorInBase.translation()));
+    } else if (decision.driver == Driver::Explorer) {
         // To and fro, at an even rate.
         const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
         const double phase = std::fmod(seconds * m_settings.lookRate / m_settings.lookAside, 4.0);
-        pan = m_settings.lookAside * (phase < 2.0 ? phase - 1.0 : 3.0 - phase);
+        angles.pan = m_settings.lookAside * (phase < 2.0 ? phase - 1.0 : 3.0 - phase);
     } else if (!m_looks) {
         return;  // others' cameras stay where they are
     }
-    m_looks = look(HeatUnit, pan, 0.0) && driver != Driver::Nobody && pan != 0.0;
+    m_looks = look(camera->panTilt->unit, angles.pan, angles.tilt) && angles != PanTiltAngles{};
 }
 
 DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     if (!m_approach.isActive() && m_cue) m_approach.start(*m_cue, now);
     const ApproachStep step = m_approach.step(m_cue, view(), here, now);
+    m_heat = m_approach.heat();
     told().done = step.done;
     told().failed = step.failed;
     told().text = step.reason;

@@ -40,11 +40,11 @@ private:
     void sense(HardwareSample& sample) override;
     void consider(VirtualScanView& view, const Pose& here, Time now) override;
     DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now) override;
-    void thought(Driver driver, Time now) override;
+    void thought(const ModeDecision& decision, Time now) override;
     void takeOver(Driver before, Driver now) override;
 
     void see(const HardwareSample& sample, const PictureSample& picture);
-    void lookForHeat(Driver driver, Time now);
+    void lookForHeat(const ModeDecision& decision, Time now);
     DriveVelocity approach(const Pose& here, Time now);
 
     Kurt3dSettings m_settings;
@@ -52,6 +52,7 @@ private:
     std::map<std::string, CameraInfoSample> m_cameras;  ///< by sensor
     std::vector<HeatCue> m_cues;                        ///< of the newest picture with a body in it
     std::optional<HeatCue> m_cue;                       ///< that matters
+    std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
     bool m_looks = false;                               ///< it has turned the cameras by itself
     std::size_t m_sightings = 0;                        ///< that were said
 };

@@ -7,18 +7,6 @@
 namespace leitstand {
 namespace {
 
-/// Middle temperature: that of the surroundings.
-double surroundings(const ThermalPicture& picture) {
-    std::vector<float> values;
-    for (const float value : picture.celsius) {
-        if (std::isfinite(value)) values.push_back(value);
-    }
-    if (values.empty()) return 20.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
-}
-
 /// Pixels of @p blob, and around it those that are lukewarm and hang together with it.
 class Flood {
 public:

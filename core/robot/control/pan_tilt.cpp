@@ -46,6 +46,10 @@ PanTiltAngles within(const PanTiltMount& mount, const PanTiltAngles& angles) {
     return {cut(angles.pan, -mount.pan, mount.pan), cut(angles.tilt, -mount.up, mount.down)};
 }
 
+PanTiltAngles towards(const Eigen::Vector3d& direction) {
+    return {yawOf(direction), -std::atan2(direction.z(), direction.head<2>().norm())};
+}
+
 PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
                       const Eigen::Vector3d& pointer) {
     const Eigen::Vector3d thing = tilted(upright(grabbed.normalized()), start.tilt);  // but for the pan

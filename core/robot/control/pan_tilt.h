@@ -18,6 +18,10 @@ struct PanTiltAngles {
 /// @p angles cut to what @p mount can do; what is no number is ahead.
 [[nodiscard]] PanTiltAngles within(const PanTiltMount& mount, const PanTiltAngles& angles);
 
+/// The angles at which a camera looks towards @p direction, of the frame that its unit is mounted on (x
+/// ahead, y left, z up).
+[[nodiscard]] PanTiltAngles towards(const Eigen::Vector3d& direction);
+
 /// The angles at which the camera sees under the pointer what it saw where the pointer took hold: a picture
 /// that is dragged. @p grabbed and @p pointer are directions of the camera's optical frame (x right, y down,
 /// z ahead); @p start: the angles when it was grabbed.

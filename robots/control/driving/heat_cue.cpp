@@ -20,10 +20,14 @@ double bearingOf(const HeatCue& cue, const Pose& baseInOdom) {
     return std::atan2(towards.y(), towards.x());
 }
 
-double heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom) {
+Eigen::Vector3d placeOf(const HeatCue& cue, double away) {
     const double run = std::max(0.05, cue.ray.direction.head<2>().norm());
+    return cue.ray.origin + cue.ray.direction * (away / run);
+}
+
+double heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom) {
     const double away = (place - cue.ray.origin.head<2>()).norm();
-    return cue.ray.origin.z() + cue.ray.direction.z() / run * away - baseInOdom.translation().z();
+    return placeOf(cue, away).z() - baseInOdom.translation().z();
 }
 
 std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,

@@ -28,6 +28,8 @@ struct HeatCue {
                                             Time at);
 /// Direction of @p cue in base_link, left positive [rad].
 [[nodiscard]] double bearingOf(const HeatCue& cue, const Pose& baseInOdom);
+/// Where the heat is when that is @p away from the camera, level [m]; in the odometry's frame [m].
+[[nodiscard]] Eigen::Vector3d placeOf(const HeatCue& cue, double away);
 /// How high the heat is where it meets the vertical through @p place in odom; over the robot's ground [m].
 [[nodiscard]] double heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom);
 

@@ -33,7 +33,7 @@ std::vector<HeatTarget> wholeVictim(std::vector<HeatTarget> heat, const VirtualS
         const bool near = std::any_of(heat.begin(), heat.end(), [&](const HeatTarget& other) {
             return (other.inBase - one.where).norm() < settings.length;
         });
-        if (one.top > settings.lying || !near) continue;
+        if (one.top > settings.lying || one.bottom > settings.hanging || !near) continue;
         rest.push_back({one.where, fromFront(body, one.where), one.age, one.top});
     }
     for (std::size_t i = 0; i < heat.size(); ++i) {
@@ -67,8 +67,8 @@ std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& 
         if (std::abs(off) > band + WallsBeside || away.norm() > FarthestVictim) continue;
         const double distance = fromFront(body, one.where);
         const double height = heightAt(cue, flat(baseInOdom) * one.where, baseInOdom);
-        const bool lies =
-            one.top <= settings.lying && height > -BlurredHeight && height < one.top + BlurredHeight;
+        const bool lies = one.top <= settings.lying && height > one.bottom - BlurredHeight &&
+                          height < one.top + BlurredHeight;
         seen.push_back({{one.where, distance, one.age, one.top}, off, away.norm(), lies});
     }
     if (seen.empty()) return std::nullopt;

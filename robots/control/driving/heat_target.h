@@ -9,7 +9,8 @@ namespace leitstand {
 
 struct HeatTargetSettings {
     double bandMargin = 0.05;  ///< beside the heat, points still count as the victim's [rad]
-    double lying = 0.55;       ///< what is higher is no part of a victim that lies [m]
+    double lying = 0.55;       ///< what is higher is no part of a victim that lies [m] ...
+    double hanging = 0.25;     ///< ... nor what begins higher over the floor, as a shelf beside it [m]
     double length = 1.2;       ///< of a victim, from its heat [m]
     double link = 0.25;        ///< between points of one victim [m]
 };

@@ -13,7 +13,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double InSight = 0.5;  // cues so young show it now [s]
+constexpr double InSight = 0.5;       // cues so young show it now [s]
+constexpr double UnknownRange = 2.0;  // of heat that no surface tells the range of [m]
 
 double secondsBetween(Time from, Time to) {
     return std::chrono::duration<double>(to - from).count();
@@ -41,16 +42,11 @@ void VictimApproach::start(const HeatCue& cue, Time now) {
     m_started = m_since = now;
     m_cue = cue;
     m_cueAt = now;
+    m_heat = placeOf(cue, UnknownRange);
     m_corrections = 0;
     m_place.reset();
     m_begun.reset();
     m_detour = false;
-}
-
-double VictimApproach::bearing(const Pose& baseInOdom) const {
-    if (!m_place) return bearingOf(m_cue, baseInOdom);
-    const Eigen::Vector2d towards = flat(baseInOdom).inverse() * *m_place;
-    return std::atan2(towards.y(), towards.x());
 }
 
 void VictimApproach::abort() {
@@ -100,19 +96,20 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
            (glimpses < m_settings.tries && cue.size * surface->heat > 2.0 * m_settings.glimpse);
 }
 
-void VictimApproach::look(const HeatTarget& target) {
-    m_seen.skin = std::max(m_seen.skin, m_cue.size * target.heat);
-    m_seen.clothes = std::max(m_seen.clothes, m_cue.clothes * target.heat * target.heat);
+void VictimApproach::look() {
+    m_seen.skin = std::max(m_seen.skin, m_cue.size);
+    m_seen.clothes = std::max(m_seen.clothes, m_cue.clothes);
     m_seen.skinCut = m_seen.skinCut || m_cue.cut;
     m_seen.clothesCut = m_seen.clothesCut || m_cue.clothesCut;
 }
 
-bool VictimApproach::isHidden() const {
-    return !m_seen.skinCut && m_seen.skin < m_settings.glimpse;
+bool VictimApproach::isHidden(double away) const {
+    return !m_seen.skinCut && m_seen.skin * away < m_settings.glimpse;
 }
 
-bool VictimApproach::isBare() const {
-    return !m_seen.skinCut && !m_seen.clothesCut && m_seen.clothes < m_settings.clothes;
+bool VictimApproach::isBare(double away) const {
+    const bool whole = !m_seen.skinCut || m_seen.skin * away > m_settings.bare;
+    return whole && !m_seen.clothesCut && m_seen.clothes * away * away < m_settings.clothes;
 }
 
 bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
@@ -141,11 +138,11 @@ ApproachStep VictimApproach::leave(const std::string& reason) {
 ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
     if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
-    if (isHidden()) {
+    if (isHidden(target.heat)) {
         m_hidden.push_back(leftAt(place, m_settings.sameVictim));
         return leave(robot_says::HeatHidden);
     }
-    if (isBare()) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
+    if (isBare(target.heat)) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
     const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
     return right || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
 }
@@ -223,10 +220,11 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     m_around.see(view, baseInOdom, now);
     const bool inSight = secondsBetween(m_cueAt, now) < InSight;
     const auto surface = target(m_cue, view, baseInOdom);
+    m_heat = placeOf(m_cue, surface ? surface->heat : UnknownRange);
     if (surface && inSight) m_place = flat(baseInOdom) * surface->inBase;
     if (surface && !m_begun) m_begun = flat(baseInOdom) * surface->inBase;
     if (surface) step.distance = surface->distance;
-    if (surface && m_cue.at > before) look(*surface);
+    if (m_cue.at > before) look();
     if (m_phase == Phase::Reached) {
         step.done = true;
         step.reason = robot_says::AtAVictim;
@@ -234,7 +232,8 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     }
     const double direction = bearingOf(m_cue, baseInOdom);
     const Eigen::Vector2d ahead =
-        surface ? surface->inBase : Eigen::Vector2d(2.0 * std::cos(direction), 2.0 * std::sin(direction));
+        surface ? surface->inBase
+                : Eigen::Vector2d(UnknownRange * std::cos(direction), UnknownRange * std::sin(direction));
     const Eigen::Vector2d place = flat(baseInOdom) * ahead;
     // Near the end a victim on the floor may be out of the camera's sight.
     const bool close = surface && surface->distance < m_settings.distance + 0.5;
@@ -265,7 +264,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
                 m_phase = Phase::Settle;
                 m_since = now;
                 m_seen = {};
-                look(*surface);
+                look();
                 step.reason = robot_says::MeasuresAgain;
                 break;
             }
@@ -281,7 +280,8 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             break;
         case Phase::Settle:
             step.reason = robot_says::MeasuresAgain;
-            if (secondsBetween(m_since, now) < m_settings.settle) break;
+            // What was seen on the way here only may be of something else.
+            if (secondsBetween(m_since, now) < m_settings.settle || m_cueAt < m_since) break;
             if (surface) {
                 const ApproachStep end = settled(*surface, baseInOdom);
                 if (end.done || end.failed) return end;

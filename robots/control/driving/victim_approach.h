@@ -26,7 +26,8 @@ struct VictimApproachSettings {
     double sameLamp = 0.6;      ///< likewise of what is no person: a victim may lie beside it [m]
     double highest = 1.0;       ///< heat higher over the ground is of people beyond walls [m]
     double glimpse = 0.03;      ///< of skin: what is smaller from where it stands goes on behind an edge [m]
-    double clothes = 0.004;     ///< beside the skin; with less it is a lamp, or a heater [m2]
+    double clothes = 0.004;     ///< beside the skin; with less it is a lamp, or a heater [m2] ...
+    double bare = 0.20;         ///< ... also where it goes on beyond the picture, when so large: no face [m]
     int tries = 3;              ///< to see more of a victim of which it had a glimpse
 };
 
@@ -54,8 +55,9 @@ public:
     [[nodiscard]] bool isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const;
     void start(const HeatCue& cue, Time now);
     void abort();
-    /// Where the heat that it drives to is, in base_link; left positive [rad].
-    [[nodiscard]] double bearing(const Pose& baseInOdom) const;
+    /// Where the heat that it drives to is, in odom [m]: what the camera has to look at. The surface that it
+    /// stops before may be elsewhere, as the feet of a victim whose head is warm.
+    [[nodiscard]] const Eigen::Vector3d& heat() const { return m_heat; }
     [[nodiscard]] bool isActive() const { return m_phase != Phase::Idle; }
 
     /// @p cue: the newest, if there is one.
@@ -74,20 +76,21 @@ private:
     };
     /// The most that was seen of the heat while it stood before it.
     struct Seen {
-        double skin = 0.0;     ///< across [m]
-        double clothes = 0.0;  ///< [m2]
+        double skin = 0.0;     ///< across [rad]
+        double clothes = 0.0;  ///< [sr]
         bool skinCut = false, clothesCut = false;
     };
     void take(const HeatCue& cue);
-    void look(const HeatTarget& target);
+    void look();
     [[nodiscard]] Left leftAt(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] bool isKnown(const Eigen::Vector2d& place) const;
     [[nodiscard]] std::optional<HeatTarget> target(const HeatCue& cue, const VirtualScanView& view,
                                                    const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
-    [[nodiscard]] bool isHidden() const;  ///< what it stands before, after all that was seen of it
-    [[nodiscard]] bool isBare() const;    ///< likewise
+    /// What it stands before, after all that was seen of it, when that is @p away from the camera [m].
+    [[nodiscard]] bool isHidden(double away) const;
+    [[nodiscard]] bool isBare(double away) const;
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] bool isBehindSomething(const std::optional<HeatTarget>& target, double bearing,
@@ -102,8 +105,9 @@ private:
     Explorer m_around;  ///< finds the way when something stands before the heat
     Phase m_phase = Phase::Idle;
     Time m_started{}, m_cueAt{}, m_since{};
-    int m_corrections = 0;                   ///< of the distance, so far
-    HeatCue m_cue;                           ///< newest
+    int m_corrections = 0;  ///< of the distance, so far
+    HeatCue m_cue;          ///< newest
+    Eigen::Vector3d m_heat = Eigen::Vector3d::Zero();
     std::optional<Eigen::Vector2d> m_place;  ///< where it was measured while in sight; odom [m]
     std::optional<Eigen::Vector2d> m_begun;  ///< where it seemed to be at first; odom [m]
     bool m_detour = false;                   ///< on the way around something

@@ -23,6 +23,20 @@ protected:
     static constexpr int MostDrive = 240'000;  ///< [ms] where no victim lies beside the way so far
 
     [[nodiscard]] std::size_t confirmed() const { return confirmedVictims(station()); }
+
+    /// Where Kurt3D has stood before something for @p Looked, it is told to explore on, as an operator does
+    /// who has filed what is there, or seen that nothing is.
+    void sendOn(QElapsedTimer& stands) {
+        const auto mode = station().mission()->robots.at("kurt3d")->mode;
+        const bool waits =
+            mode && mode->sample.mode == "victim_approach" && mode->sample.reason.rfind("stands", 0) == 0;
+        if (!waits) return stands.invalidate();
+        if (!stands.isValid()) return stands.start();
+        if (stands.elapsed() < Looked) return;
+        stands.invalidate();
+        EXPECT_TRUE(station().setMode("kurt3d", "explore"));
+    }
+    static constexpr int Looked = 12'000;  ///< [ms]
 };
 
 TEST_F(LongMission, DrivenByTheRobotsFiledByKeysResumedAndReported) {
@@ -43,12 +57,13 @@ TEST_F(LongMission, DrivenByTheRobotsFiledByKeysResumedAndReported) {
         ASSERT_TRUE(station().setMode(name, "explore")) << name;
         ASSERT_TRUE(soon([&] { return mode() && mode()->sample.autonomous; })) << name;
     }
-    QElapsedTimer clock;
+    QElapsedTimer clock, stands;
     clock.start();
     bool resumed = false;
     while (clock.elapsed() < (confirmed() > 0 ? Drive : MostDrive)) {
         QTest::qWait(2'000);
         fileNextFind(*m_window);
+        sendOn(stands);
         if (resumed || clock.elapsed() < Drive / 2) continue;
         const std::size_t before = confirmed();
         restart();

@@ -111,6 +111,14 @@ TEST(Heat, TinySpotsAndWarmWallsAreNoBodies) {
     EXPECT_THAT(kinds(Warm().box(0, 0, 160, 120, 32.0F).find(settings)), testing::ElementsAre(Kind::Other));
 }
 
+// Near by it fills most of the picture; it vanished just when a robot stood before it.
+TEST(Heat, WhatFillsTwoThirdsOfThePictureIsFound) {
+    const auto blobs = Warm().box(10, 8, 150, 110, 33.0F).find();
+    ASSERT_EQ(blobs.size(), 1U);
+    EXPECT_EQ(blobs[0].kind, Kind::Body);
+    EXPECT_NEAR(blobs[0].pixels, 140 * 102, 600);
+}
+
 TEST(Heat, ASmallHandFarAwayIsABody) {
     const auto blobs = Warm().box(80, 60, 85, 65, 35.0F).find();
     ASSERT_THAT(kinds(blobs), testing::ElementsAre(Kind::Body));

@@ -67,6 +67,23 @@ TEST(VirtualScan, TheEdgeOfATableIsAnObstacleAlthoughTheFloorBelowIsFree) {
     EXPECT_NEAR(outerAhead(view), 5.0, 0.15);
 }
 
+TEST(VirtualScan, ObstaclesBeginAtTheFloorOrWhereWhatHangsBegins) {
+    VirtualWorld world;
+    world.blocks = hall();
+    world.blocks.push_back({{1.5, -0.6, 0.0}, {1.8, -0.1, 0.25}});
+    world.blocks.push_back({{1.5, 0.1, 0.42}, {2.0, 0.6, 0.46}});
+    int boxes = 0, shelves = 0;
+    for (const VirtualObstacle& one : look(world).obstacles) {
+        if (std::abs(one.where.x() - 1.5) > 0.05 || std::abs(one.where.y()) > 0.7) continue;
+        const bool shelf = one.where.y() > 0.0;
+        EXPECT_NEAR(one.top, shelf ? 0.44 : 0.25, 0.05) << one.where.transpose();
+        EXPECT_NEAR(one.bottom, shelf ? 0.44 : 0.07, 0.05) << one.where.transpose();
+        ++(shelf ? shelves : boxes);
+    }
+    EXPECT_GE(boxes, 5);
+    EXPECT_GE(shelves, 5);
+}
+
 TEST(VirtualScan, ATableThatTheRobotPassesBelowIsNone) {
     VirtualWorld world;
     world.blocks = hall();

@@ -34,6 +34,17 @@ TEST(PanTilt, AThingStaysUnderThePointerThatDragsIt) {
     }
 }
 
+TEST(PanTilt, LooksTowardsADirection) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        const Vector3d direction(part(random), part(random), part(random));
+        EXPECT_LT((inBase(towards(direction), {0, 0, 1}) - direction.normalized()).norm(), 1e-9) << i;
+    }
+    EXPECT_GT(towards({1.0, 0.0, -0.3}).tilt, 0.0) << "down";
+    EXPECT_GT(towards({1.0, 0.3, 0.0}).pan, 0.0) << "to the left";
+}
+
 TEST(PanTilt, DraggingToTheRightLooksToTheLeftAndDownLooksUp) {
     const PanTiltAngles right = dragged({}, {0, 0, 1}, {0.2, 0, 1});
     EXPECT_NEAR(right.pan, std::atan(0.2), 1e-9);

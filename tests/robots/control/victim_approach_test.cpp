@@ -244,6 +244,45 @@ TEST(VictimApproach, AVictimWhoseClothesAreSeenNowAndThenOrGoOnBeyondThePictureI
                 }).done);
 }
 
+TEST(VictimApproach, WhatIsLargeAndBareIsAHeaterAlsoWhereThePictureCutsIt) {
+    const auto bare = [](double size) {
+        return stepsBefore([size](int, HeatCue cue) {
+            cue.clothes = 0.0;
+            cue.size = size;
+            cue.cut = true;
+            return std::optional(cue);
+        });
+    };
+    EXPECT_EQ(bare(0.3).reason, "warm, but no person: no clothes beside the heat");
+    EXPECT_TRUE(bare(0.1).done) << "a face whose clothes are beyond the picture";
+}
+
+// It reported what it had seen on its way, of something else.
+TEST(VictimApproach, WhatItDoesNotSeeFromWhereItStandsItDoesNotReport) {
+    const ApproachStep step = stepsBefore([](int i, HeatCue cue) -> std::optional<HeatCue> {
+        if (i > 8) return std::nullopt;
+        return cue;
+    });
+    EXPECT_TRUE(step.failed) << step.reason;
+    EXPECT_EQ(step.reason, "the heat was lost");
+}
+
+// A shelf beside a victim was taken for a part of it: the robot stood before the shelf, and saw no heat.
+TEST(VictimApproach, AShelfBesideAVictimIsNoPartOfIt) {
+    HeatCue cue;
+    cue.ray = {{0.15, 0.0, 0.36}, Eigen::Vector3d(2.0, 0.0, -0.26).normalized()};
+    cue.width = 0.1;
+    const auto nearest = [&](double bottom) {
+        VirtualScanView view;
+        view.obstacles = {{{2.15, 0.05}, 0.0, 0.2, 0.06}, {{2.15, -0.05}, 0.0, 0.2, 0.06}};
+        for (int i = 1; i < 6; ++i)
+            view.obstacles.push_back({{2.15 - 0.15 * i, 0.15 * i}, 0.0, 0.47, bottom});
+        return heatTarget(cue, view, Pose::Identity(), TestGround::body()).value().inBase;
+    };
+    EXPECT_NEAR(nearest(0.44).x(), 2.15, 1e-9);
+    EXPECT_NEAR(nearest(0.05).x(), 1.4, 1e-9) << "a low box, or a leg";
+}
+
 TEST(VictimApproach, CuesAreTheBodiesInAPicture) {
     CameraInfoSample camera;
     camera.width = 160;

@@ -55,7 +55,7 @@ TEST(ExploreLong, TenMinutesInYellowArenas) {
         EXPECT_GE(result.seen, 0.7) << seed;
         EXPECT_LE(result.bumps, 2) << seed;
         EXPECT_GE(2 * result.found(), static_cast<int>(result.victims.size())) << seed;
-        EXPECT_LE(result.falseReports, 2) << seed;
+        EXPECT_LE(result.falseReports, 1) << seed;
     }
 }
 
