@@ -166,6 +166,14 @@ DriveVelocity SelfDrivingAgent::comeBack(const Pose& here, Time now) {
     return velocity;
 }
 
+std::optional<DriveVelocity> SelfDrivingAgent::driveBy(const Eigen::Vector2d& place, const Pose& here,
+                                                       Time now) {
+    const DriveVelocity velocity = explore(place, here, now);
+    const bool over = m_report.done || m_report.failed;
+    m_report.done = m_report.failed = false;
+    return over ? std::nullopt : std::optional(velocity);
+}
+
 DriveVelocity SelfDrivingAgent::explore(const std::optional<Eigen::Vector2d>& goal, const Pose& here,
                                         Time now) {
     if (m_explorer.goal() != goal) m_explorer.setGoal(goal);

@@ -56,6 +56,10 @@ protected:
     [[nodiscard]] const SafeTeleoperationSettings& safety() const { return m_safety; }
     [[nodiscard]] const DriveVelocity& velocity() const { return m_velocity; }  ///< that it wanted last
     [[nodiscard]] Driver driver() const { return m_driver; }
+    [[nodiscard]] bool hasGoal() const { return m_goal.has_value(); }  ///< of the operator
+    /// One step to @p place in odom [m], without a word to the modes; empty: it is there, or finds no way.
+    [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector2d& place, const Pose& here,
+                                                       Time now);
     Explorer& explorer() { return m_explorer; }
     Report& told() { return m_report; }  ///< to be said to the modes
 

@@ -15,6 +15,14 @@ namespace {
 
 constexpr auto CueAge = std::chrono::milliseconds(700);
 
+// To see again what it passed by.
+constexpr double BeenTo = 1.0;       // so near is one body [m]
+constexpr double LooksFrom = 3.0;    // the camera looks at it [m]
+constexpr double ThereWithin = 0.6;  // of where it was seen from [m]
+constexpr auto LooksFor = std::chrono::seconds(8);
+constexpr double TurnsFrom = degrees(60);  // farther aside it turns, beside its camera [rad]
+constexpr double TurnRate = 0.5;           // [rad/s]
+
 /// The infrared camera that can be turned; null: there is none.
 const SensorDescription* heatCamera(const RobotDescription& robot) {
     for (const StreamDescription& stream : robot.streams) {
@@ -68,6 +76,13 @@ void Kurt3dAgent::see(const HardwareSample& sample, const PictureSample& picture
 
 void Kurt3dAgent::consider(VirtualScanView& view, const Pose& here, Time now) {
     if (!m_cues.empty() && now - m_cues.front().at > CueAge) m_cues.clear();
+    if (!m_cues.empty() && m_cues.front().at > m_considered) {
+        m_considered = m_cues.front().at;
+        for (const HeatCue& cue : m_cues) {
+            if (const auto heat = m_approach.another(cue, view, here))
+                m_passed.see(*heat, here.translation().head<2>());
+        }
+    }
     m_cue = m_approach.pick(m_cues, view, here);
     told().cue = m_cue && m_approach.isNew(*m_cue, view, here);
 }
@@ -78,7 +93,12 @@ void Kurt3dAgent::takeOver(Driver before, Driver now) {
 }
 
 DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, const Pose& here, Time now) {
+    m_visited.reset();
+    if (decision.driver != Driver::Explorer) m_lookedSince.reset();
     if (decision.driver == Driver::Approacher) return approach(here, now);
+    if (decision.driver == Driver::Explorer && !hasGoal()) {
+        if (const auto velocity = visit(here, now)) return *velocity;
+    }
     return SelfDrivingAgent::think(decision, here, now);
 }
 
@@ -92,9 +112,11 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
     if (camera == nullptr) return;
     const auto here = odometry().at(now);
     PanTiltAngles angles;
-    if (m_heat && here) {
-        // Also while it waits before a victim: for its operator, who judges by what the cameras show.
-        const Eigen::Vector3d heat = here->inverse() * *m_heat;
+    // Also while it waits before a victim: for its operator, who judges by what the cameras show.
+    std::optional<Eigen::Vector3d> lookAt = m_heat;
+    if (m_visited && here && (*m_visited - here->translation()).norm() < LooksFrom) lookAt = m_visited;
+    if (lookAt && here) {
+        const Eigen::Vector3d heat = here->inverse() * *lookAt;
         angles = within(*camera->panTilt, towards(heat - camera->sensorInBase.translation()));
     } else if (decision.driver == Driver::Explorer) {
         // To and fro, at an even rate.
@@ -107,6 +129,29 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
     m_looks = look(camera->panTilt->unit, angles.pan, angles.tilt) && angles != PanTiltAngles{};
 }
 
+std::optional<DriveVelocity> Kurt3dAgent::visit(const Pose& here, Time now) {
+    const auto next = m_passed.next(here.translation().head<2>());
+    if (!next) return std::nullopt;
+    if (!m_lookedSince) {
+        const auto velocity = driveBy(next->from, here, now);
+        m_visited = next->heat;
+        if (velocity) return velocity;
+        const bool there = (next->from - here.translation().head<2>()).norm() < ThereWithin;
+        if (there) m_lookedSince = now;
+    }
+    // Where it is in sight, the modes begin an approach.
+    if (!m_lookedSince || now - *m_lookedSince > LooksFor) {
+        m_passed.forget(next->heat.head<2>(), BeenTo);
+        m_lookedSince.reset();
+        return std::nullopt;
+    }
+    m_visited = next->heat;
+    const Eigen::Vector3d heat = here.inverse() * next->heat;
+    const double bearing = std::atan2(heat.y(), heat.x());
+    if (std::abs(bearing) < TurnsFrom) return DriveVelocity{};
+    return safeVelocity({0.0, 0.0, std::copysign(TurnRate, bearing)}, view(), safety()).velocity;
+}
+
 DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     if (!m_approach.isActive() && m_cue) m_approach.start(*m_cue, now);
     const ApproachStep step = m_approach.step(m_cue, view(), here, now);
@@ -114,6 +159,7 @@ DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     told().done = step.done;
     told().failed = step.failed;
     told().text = step.reason;
+    if (step.done || step.failed) m_passed.forget(m_heat->head<2>(), BeenTo);
     if (step.failed) {  // what it has just left is no reason to begin again
         told().cue = false;
         m_cue.reset();

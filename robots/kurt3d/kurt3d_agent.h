@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robots/agent/self_driving_agent.h"
+#include "robots/control/driving/passed_heat.h"
 #include "robots/control/driving/victim_approach.h"
 
 namespace leitstand {
@@ -46,6 +47,8 @@ private:
     void see(const HardwareSample& sample, const PictureSample& picture);
     void lookForHeat(const ModeDecision& decision, Time now);
     DriveVelocity approach(const Pose& here, Time now);
+    /// To what it saw while it drove to another; empty: there is none.
+    [[nodiscard]] std::optional<DriveVelocity> visit(const Pose& here, Time now);
 
     Kurt3dSettings m_settings;
     VictimApproach m_approach;
@@ -53,8 +56,12 @@ private:
     std::vector<HeatCue> m_cues;                        ///< of the newest picture with a body in it
     std::optional<HeatCue> m_cue;                       ///< that matters
     std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
-    bool m_looks = false;                               ///< it has turned the cameras by itself
-    std::size_t m_sightings = 0;                        ///< that were said
+    PassedHeat m_passed;
+    Time m_considered{};                       ///< stamp of the newest picture of which that is so
+    std::optional<Eigen::Vector3d> m_visited;  ///< of these, that it goes to see; odom [m]
+    std::optional<Time> m_lookedSince;         ///< it is where it saw that from, and looks
+    bool m_looks = false;                      ///< it has turned the cameras by itself
+    std::size_t m_sightings = 0;               ///< that were said
 };
 
 }  // namespace leitstand

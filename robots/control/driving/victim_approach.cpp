@@ -14,6 +14,7 @@ namespace leitstand {
 namespace {
 
 constexpr double InSight = 0.5;       // cues so young show it now [s]
+constexpr double PassedRange = 2.5;   // what is farther away may be anywhere [m]
 constexpr double UnknownRange = 2.0;  // of heat that no surface tells the range of [m]
 
 double secondsBetween(Time from, Time to) {
@@ -39,7 +40,8 @@ VictimApproach::VictimApproach(FuzzyDrive drive, const VictimApproachSettings& s
 
 void VictimApproach::start(const HeatCue& cue, Time now) {
     m_phase = Phase::Turn;
-    m_started = m_since = now;
+    m_started = m_since = m_movedAt = now;
+    m_stuck = false;
     m_cue = cue;
     m_cueAt = now;
     m_heat = placeOf(cue, UnknownRange);
@@ -96,6 +98,18 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
            (glimpses < m_settings.tries && cue.size * surface->heat > 2.0 * m_settings.glimpse);
 }
 
+std::optional<Eigen::Vector3d> VictimApproach::another(const HeatCue& cue, const VirtualScanView& view,
+                                                       const Pose& baseInOdom) const {
+    const auto surface = target(cue, view, baseInOdom);
+    if (!isActive() || !m_place || !surface || surface->heat > PassedRange) return std::nullopt;
+    const Eigen::Vector3d heat = placeOf(cue, surface->heat);
+    const double off = std::min((heat.head<2>() - *m_place).norm(), (heat - m_heat).head<2>().norm());
+    const bool bare =
+        !cue.cut && !cue.clothesCut && cue.clothes * surface->heat * surface->heat < m_settings.clothes;
+    if (off < m_settings.sameVictim || bare || !isNew(cue, view, baseInOdom)) return std::nullopt;
+    return heat;
+}
+
 void VictimApproach::look() {
     m_seen.skin = std::max(m_seen.skin, m_cue.size);
     m_seen.clothes = std::max(m_seen.clothes, m_cue.clothes);
@@ -135,6 +149,16 @@ ApproachStep VictimApproach::leave(const std::string& reason) {
     return step;
 }
 
+bool VictimApproach::isStuck(const Pose& baseInOdom, Time now) {
+    const Eigen::Isometry2d here = flat(baseInOdom), moved = m_moved.inverse() * here;
+    const double turned = std::atan2(moved.linear()(1, 0), moved.linear()(0, 0));
+    if (moved.translation().norm() > 0.03 || std::abs(turned) > 0.05) {
+        m_moved = here;
+        m_movedAt = now;
+    }
+    return secondsBetween(m_movedAt, now) > m_settings.stuckAfter;
+}
+
 ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
     if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
@@ -144,7 +168,7 @@ ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseI
     }
     if (isBare(target.heat)) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
     const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
-    return right || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
+    return right || m_stuck || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
 }
 
 ApproachStep VictimApproach::reach(const HeatTarget& target, const Pose& baseInOdom) {
@@ -260,7 +284,10 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             if (isZero(step.velocity)) m_phase = Phase::Approach;
             break;
         case Phase::Approach:
-            if (surface && std::abs(error) < 0.3 * m_settings.tolerance && std::abs(bearing) < 0.3) {
+            m_stuck =
+                isStuck(baseInOdom, now) && inSight && surface && surface->distance < m_settings.stuckWithin;
+            if (m_stuck ||
+                (surface && std::abs(error) < 0.3 * m_settings.tolerance && std::abs(bearing) < 0.3)) {
                 m_phase = Phase::Settle;
                 m_since = now;
                 m_seen = {};

@@ -21,6 +21,8 @@ struct VictimApproachSettings {
     double turnRate = 0.6;      ///< [rad/s]
     double lostAfter = 4.0;     ///< without a cue it gives up [s]
     double giveUpAfter = 90.0;  ///< altogether [s]
+    double stuckAfter = 6.0;    ///< without a move, near a victim in sight: it comes to no better place [s]
+    double stuckWithin = 1.3;   ///< ... from its front to the victim [m]
     double settle = 2.6;        ///< stands before it believes a distance: a turn of the scanner [s]
     double sameVictim = 1.0;    ///< reports nearer than that are of one victim [m]
     double sameLamp = 0.6;      ///< likewise of what is no person: a victim may lie beside it [m]
@@ -53,6 +55,10 @@ public:
                                               const Pose& baseInOdom) const;
     /// Whether @p cue is worth an approach: not a victim that has been reported (or given up) already.
     [[nodiscard]] bool isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const;
+    /// Where the heat of @p cue is, in odom [m], when that is near, of another body than it drives to, and
+    /// worth an approach, too.
+    [[nodiscard]] std::optional<Eigen::Vector3d> another(const HeatCue& cue, const VirtualScanView& view,
+                                                         const Pose& baseInOdom) const;
     void start(const HeatCue& cue, Time now);
     void abort();
     /// Where the heat that it drives to is, in odom [m]: what the camera has to look at. The surface that it
@@ -91,6 +97,8 @@ private:
     /// What it stands before, after all that was seen of it, when that is @p away from the camera [m].
     [[nodiscard]] bool isHidden(double away) const;
     [[nodiscard]] bool isBare(double away) const;
+    /// Whether it has stood for too long to come to a better place than this.
+    [[nodiscard]] bool isStuck(const Pose& baseInOdom, Time now);
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] bool isBehindSomething(const std::optional<HeatTarget>& target, double bearing,
@@ -104,7 +112,9 @@ private:
     VictimApproachSettings m_settings;
     Explorer m_around;  ///< finds the way when something stands before the heat
     Phase m_phase = Phase::Idle;
-    Time m_started{}, m_cueAt{}, m_since{};
+    Time m_started{}, m_cueAt{}, m_since{}, m_movedAt{};
+    Eigen::Isometry2d m_moved = Eigen::Isometry2d::Identity();  ///< where it was then; odom
+    bool m_stuck = false;   ///< what it measures next is as near as it comes
     int m_corrections = 0;  ///< of the distance, so far
     HeatCue m_cue;          ///< newest
     Eigen::Vector3d m_heat = Eigen::Vector3d::Zero();

@@ -267,6 +267,26 @@ TEST(VictimApproach, WhatItDoesNotSeeFromWhereItStandsItDoesNotReport) {
     EXPECT_EQ(step.reason, "the heat was lost");
 }
 
+// Hemmed in between a victim and a wall it stood for a minute and a half, and then left without a word.
+TEST(VictimApproach, WhereItCannotBackOffItReportsFromWhereItStands) {
+    TestGround ground(room({3.0, 1.0}));
+    ground.obstacles.push_back({{1.9, 0.2}, {1.9, 1.8}});
+    ground.place(2.2, 1.0, 0.0);
+    std::mt19937 random(1);
+    while (ground.seconds() < 3.0) ground.step({});
+    VictimApproach approach(shippedDrive());
+    approach.start(*cueOf(ground, random, 3.2), ground.now());
+    ApproachStep step;
+    while (ground.seconds() < 40.0 && !step.done && !step.failed) {
+        step = approach.step(cueOf(ground, random, 1.5), ground.view(), ground.baseInOdom(), ground.now());
+        ground.step(step.velocity);
+    }
+    EXPECT_TRUE(step.done) << step.reason;
+    EXPECT_LT(ground.fromFront(5), 0.6);
+    EXPECT_EQ(approach.sightings().size(), 1U);
+    EXPECT_EQ(ground.touches(), 0);
+}
+
 // A shelf beside a victim was taken for a part of it: the robot stood before the shelf, and saw no heat.
 TEST(VictimApproach, AShelfBesideAVictimIsNoPartOfIt) {
     HeatCue cue;
@@ -345,6 +365,21 @@ TEST(VictimApproach, PassesByPeopleBeyondWallsAndFindsTheNewOneBesideTheKnown) {
     approach.start(victim, ground.now());
     ASSERT_TRUE(pick({other, victim}));
     EXPECT_TRUE(pick({other, victim})->ray.direction.isApprox(victim.ray.direction)) << "stays with it";
+
+    // What it passes by meanwhile it can tell, to come back.
+    const auto another = [&](const HeatCue& cue) {
+        return approach.another(cue, ground.view(), ground.baseInOdom());
+    };
+    static_cast<void>(approach.step(victim, ground.view(), ground.baseInOdom(), ground.now()));
+    EXPECT_FALSE(another(victim));
+    EXPECT_FALSE(another(other)) << "too far away to be sure where it is";
+    HeatCue beside = victim;
+    beside.ray.direction = Eigen::Vector3d(-1.15, 0.35, 0.0).normalized();
+    const auto heat = another(beside);
+    ASSERT_TRUE(heat) << "at the pillar behind";
+    EXPECT_NEAR((*heat - beside.ray.origin).norm(), 1.0, 0.1);
+    beside.clothes = 0.0002;
+    EXPECT_FALSE(another(beside)) << "a lamp";
 }
 
 }  // namespace
