@@ -93,10 +93,10 @@ void Kurt3dAgent::takeOver(Driver before, Driver now) {
 }
 
 DriveVelocity Kurt3dAgent::think(const ModeDecision& decision, const Pose& here, Time now) {
-    m_visited.reset();
-    if (decision.driver != Driver::Explorer) m_lookedSince.reset();
+    const bool explores = decision.driver == Driver::Explorer && !hasGoal();
+    if (!explores) leaveVisited();
     if (decision.driver == Driver::Approacher) return approach(here, now);
-    if (decision.driver == Driver::Explorer && !hasGoal()) {
+    if (explores) {
         if (const auto velocity = visit(here, now)) return *velocity;
     }
     return SelfDrivingAgent::think(decision, here, now);
@@ -114,7 +114,8 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
     PanTiltAngles angles;
     // Also while it waits before a victim: for its operator, who judges by what the cameras show.
     std::optional<Eigen::Vector3d> lookAt = m_heat;
-    if (m_visited && here && (*m_visited - here->translation()).norm() < LooksFrom) lookAt = m_visited;
+    if (m_visited && here && (m_visited->heat - here->translation()).norm() < LooksFrom)
+        lookAt = m_visited->heat;
     if (lookAt && here) {
         const Eigen::Vector3d heat = here->inverse() * *lookAt;
         angles = within(*camera->panTilt, towards(heat - camera->sensorInBase.translation()));
@@ -129,24 +130,26 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
     m_looks = look(camera->panTilt->unit, angles.pan, angles.tilt) && angles != PanTiltAngles{};
 }
 
+void Kurt3dAgent::leaveVisited() {
+    m_visited.reset();
+    m_lookedSince.reset();
+}
+
 std::optional<DriveVelocity> Kurt3dAgent::visit(const Pose& here, Time now) {
-    const auto next = m_passed.next(here.translation().head<2>());
-    if (!next) return std::nullopt;
+    if (!m_visited) m_visited = m_passed.next(here.translation().head<2>());
+    if (!m_visited) return std::nullopt;
     if (!m_lookedSince) {
-        const auto velocity = driveBy(next->from, here, now);
-        m_visited = next->heat;
-        if (velocity) return velocity;
-        const bool there = (next->from - here.translation().head<2>()).norm() < ThereWithin;
+        if (const auto velocity = driveBy(m_visited->from, here, now)) return velocity;
+        const bool there = (m_visited->from - here.translation().head<2>()).norm() < ThereWithin;
         if (there) m_lookedSince = now;
     }
     // Where it is in sight, the modes begin an approach.
     if (!m_lookedSince || now - *m_lookedSince > LooksFor) {
-        m_passed.forget(next->heat.head<2>(), BeenTo);
-        m_lookedSince.reset();
+        m_passed.forget(m_visited->heat.head<2>(), BeenTo);
+        leaveVisited();
         return std::nullopt;
     }
-    m_visited = next->heat;
-    const Eigen::Vector3d heat = here.inverse() * next->heat;
+    const Eigen::Vector3d heat = here.inverse() * m_visited->heat;
     const double bearing = std::atan2(heat.y(), heat.x());
     if (std::abs(bearing) < TurnsFrom) return DriveVelocity{};
     return safeVelocity({0.0, 0.0, std::copysign(TurnRate, bearing)}, view(), safety()).velocity;

@@ -49,6 +49,7 @@ private:
     DriveVelocity approach(const Pose& here, Time now);
     /// To what it saw while it drove to another; empty: there is none.
     [[nodiscard]] std::optional<DriveVelocity> visit(const Pose& here, Time now);
+    void leaveVisited();
 
     Kurt3dSettings m_settings;
     VictimApproach m_approach;
@@ -58,7 +59,7 @@ private:
     std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
     PassedHeat m_passed;
     Time m_considered{};                       ///< stamp of the newest picture of which that is so
-    std::optional<Eigen::Vector3d> m_visited;  ///< of these, that it goes to see; odom [m]
+    std::optional<PassedHeat::One> m_visited;  ///< of these, that it goes to see
     std::optional<Time> m_lookedSince;         ///< it is where it saw that from, and looks
     bool m_looks = false;                      ///< it has turned the cameras by itself
     std::size_t m_sightings = 0;               ///< that were said

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
-#include "core/perception/cues/body_heat.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -100,30 +98,32 @@ bool VictimApproach::isNew(const HeatCue& cue, const VirtualScanView& view, cons
 
 std::optional<Eigen::Vector3d> VictimApproach::another(const HeatCue& cue, const VirtualScanView& view,
                                                        const Pose& baseInOdom) const {
+    if (!isActive() || !m_place) return std::nullopt;
     const auto surface = target(cue, view, baseInOdom);
-    if (!isActive() || !m_place || !surface || surface->heat > PassedRange) return std::nullopt;
+    if (!surface || surface->heat > PassedRange) return std::nullopt;
     const Eigen::Vector3d heat = placeOf(cue, surface->heat);
     const double off = std::min((heat.head<2>() - *m_place).norm(), (heat - m_heat).head<2>().norm());
-    const bool bare =
-        !cue.cut && !cue.clothesCut && cue.clothes * surface->heat * surface->heat < m_settings.clothes;
-    if (off < m_settings.sameVictim || bare || !isNew(cue, view, baseInOdom)) return std::nullopt;
+    Seen seen;
+    seen.add(cue);
+    if (off < m_settings.sameVictim || isBare(seen, surface->heat) || !isNew(cue, view, baseInOdom))
+        return std::nullopt;
     return heat;
 }
 
-void VictimApproach::look() {
-    m_seen.skin = std::max(m_seen.skin, m_cue.size);
-    m_seen.clothes = std::max(m_seen.clothes, m_cue.clothes);
-    m_seen.skinCut = m_seen.skinCut || m_cue.cut;
-    m_seen.clothesCut = m_seen.clothesCut || m_cue.clothesCut;
+void VictimApproach::Seen::add(const HeatCue& cue) {
+    skin = std::max(skin, cue.size);
+    clothes = std::max(clothes, cue.clothes);
+    skinCut = skinCut || cue.cut;
+    clothesCut = clothesCut || cue.clothesCut;
 }
 
-bool VictimApproach::isHidden(double away) const {
-    return !m_seen.skinCut && m_seen.skin * away < m_settings.glimpse;
+bool VictimApproach::isHidden(const Seen& seen, double away) const {
+    return !seen.skinCut && seen.skin * away < m_settings.glimpse;
 }
 
-bool VictimApproach::isBare(double away) const {
-    const bool whole = !m_seen.skinCut || m_seen.skin * away > m_settings.bare;
-    return whole && !m_seen.clothesCut && m_seen.clothes * away * away < m_settings.clothes;
+bool VictimApproach::isBare(const Seen& seen, double away) const {
+    const bool whole = !seen.skinCut || seen.skin * away > m_settings.bare;
+    return whole && !seen.clothesCut && seen.clothes * away * away < m_settings.clothes;
 }
 
 bool VictimApproach::isKnown(const Eigen::Vector2d& place) const {
@@ -162,11 +162,11 @@ bool VictimApproach::isStuck(const Pose& baseInOdom, Time now) {
 ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
     if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
-    if (isHidden(target.heat)) {
+    if (isHidden(m_seen, target.heat)) {
         m_hidden.push_back(leftAt(place, m_settings.sameVictim));
         return leave(robot_says::HeatHidden);
     }
-    if (isBare(target.heat)) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
+    if (isBare(m_seen, target.heat)) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
     const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
     return right || m_stuck || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
 }
@@ -248,7 +248,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     if (surface && inSight) m_place = flat(baseInOdom) * surface->inBase;
     if (surface && !m_begun) m_begun = flat(baseInOdom) * surface->inBase;
     if (surface) step.distance = surface->distance;
-    if (m_cue.at > before) look();
+    if (m_cue.at > before) m_seen.add(m_cue);
     if (m_phase == Phase::Reached) {
         step.done = true;
         step.reason = robot_says::AtAVictim;
@@ -291,7 +291,6 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
                 m_phase = Phase::Settle;
                 m_since = now;
                 m_seen = {};
-                look();
                 step.reason = robot_says::MeasuresAgain;
                 break;
             }
@@ -308,11 +307,12 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         case Phase::Settle:
             step.reason = robot_says::MeasuresAgain;
             // What was seen on the way here only may be of something else.
-            if (secondsBetween(m_since, now) < m_settings.settle || m_cueAt < m_since) break;
+            if (secondsBetween(m_since, now) < m_settings.settle || m_cueAt <= m_since) break;
             if (surface) {
                 const ApproachStep end = settled(*surface, baseInOdom);
                 if (end.done || end.failed) return end;
             }
+            m_movedAt = now;  // it stood to measure
             ++m_corrections;
             m_phase = Phase::Approach;
             break;

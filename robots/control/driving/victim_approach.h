@@ -80,23 +80,23 @@ private:
         double radius = 0.0;           ///< around both [m]
         [[nodiscard]] bool isAt(const Eigen::Vector2d& where) const;
     };
-    /// The most that was seen of the heat while it stood before it.
+    /// The most that cues show of one heat.
     struct Seen {
         double skin = 0.0;     ///< across [rad]
         double clothes = 0.0;  ///< [sr]
         bool skinCut = false, clothesCut = false;
+        void add(const HeatCue& cue);
     };
     void take(const HeatCue& cue);
-    void look();
     [[nodiscard]] Left leftAt(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] bool isKnown(const Eigen::Vector2d& place) const;
     [[nodiscard]] std::optional<HeatTarget> target(const HeatCue& cue, const VirtualScanView& view,
                                                    const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
-    /// What it stands before, after all that was seen of it, when that is @p away from the camera [m].
-    [[nodiscard]] bool isHidden(double away) const;
-    [[nodiscard]] bool isBare(double away) const;
+    /// What heat is, after all that was @p seen of it, when that is @p away from the camera [m].
+    [[nodiscard]] bool isHidden(const Seen& seen, double away) const;
+    [[nodiscard]] bool isBare(const Seen& seen, double away) const;
     /// Whether it has stood for too long to come to a better place than this.
     [[nodiscard]] bool isStuck(const Pose& baseInOdom, Time now);
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
@@ -122,7 +122,7 @@ private:
     std::optional<Eigen::Vector2d> m_begun;  ///< where it seemed to be at first; odom [m]
     bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
-    Seen m_seen;
+    Seen m_seen;  ///< of it while it stands before it
     std::vector<Left> m_givenUp;
     std::vector<Left> m_hidden;  ///< where it had a glimpse, each time
 };

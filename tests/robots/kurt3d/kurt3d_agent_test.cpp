@@ -1,6 +1,7 @@
 #include "robots/kurt3d/kurt3d_agent.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -212,9 +213,17 @@ TEST_F(Kurt3d, LooksAsideForHeatWhileItExploresUnlessTheOperatorLooks) {
     EXPECT_EQ(robot.cameras["right"], std::make_pair(0.0, 0.0)) << "ahead again for the operator";
 }
 
-/// What Kurt3D measures where it stands: walls of a room of 6 m, and @p ahead [m] of its base a plate, in the
-/// middle of which it sees something bare that is as warm as skin.
-void showALamp(FakeRobot& robot, double ahead) {
+/// A plate in whose middle is something as warm as skin.
+struct WarmPlate {
+    double bearing = 0.0, away = 1.0;  ///< from base_link, left positive [rad], [m]
+    double half = degrees(8);          ///< its width to each side [rad]
+    bool clothed = false;              ///< lukewarm around what is warm
+    /// The column of the infrared picture in which its middle is.
+    [[nodiscard]] int column() const { return 80 - static_cast<int>(std::lround(220.0 * std::tan(bearing))); }
+};
+
+/// What Kurt3D measures where it stands: walls of a room of 6 m, and @p plates.
+void show(FakeRobot& robot, const std::vector<WarmPlate>& plates) {
     robot.samples.push_back(
         {StreamRole::Transforms,
          {},
@@ -226,8 +235,11 @@ void showALamp(FakeRobot& robot, double ahead) {
     laser.rangeMin = 0.1, laser.rangeMax = 10.0;
     for (int i = 0; i < 360; ++i) {
         const double angle = laser.angleMin + i * laser.angleStep;
-        const bool plate = std::abs(angle) < degrees(8);
-        laser.ranges.push_back(static_cast<float>(plate ? ahead / std::cos(angle) : 3.0));
+        double range = 3.0;
+        for (const WarmPlate& one : plates) {
+            if (std::abs(angle - one.bearing) < one.half) range = one.away / std::cos(angle - one.bearing);
+        }
+        laser.ranges.push_back(static_cast<float>(range));
     }
     robot.samples.push_back({StreamRole::Ranges, "scanner", laser});
     CameraInfoSample camera;
@@ -237,8 +249,12 @@ void showALamp(FakeRobot& robot, double ahead) {
     robot.samples.push_back({StreamRole::CameraInfo, "ir", camera});
     const auto bytes = std::make_shared<std::vector<std::byte>>();
     for (int i = 0; i < 160 * 120; ++i) {
-        const bool warm = std::abs(i % 160 - 80) <= 5 && std::abs(i / 160 - 62) <= 5;
-        const int centikelvin = warm ? 30'750 : 29'315;
+        int centikelvin = 29'315;
+        for (const WarmPlate& one : plates) {
+            const int off = std::max(std::abs(i % 160 - one.column()), std::abs(i / 160 - 62));
+            if (off <= 12 && one.clothed) centikelvin = 29'900;
+            if (off <= 5) centikelvin = 30'750;
+        }
         bytes->push_back(static_cast<std::byte>(centikelvin & 255));
         bytes->push_back(static_cast<std::byte>(centikelvin >> 8));
     }
@@ -258,7 +274,7 @@ TEST_F(Kurt3d, WhatItHasLeftIsNoReasonToBeginAgain) {
     station->mode("explore");
     for (int i = 0; i < 80; ++i) {
         station->hold();
-        showALamp(robot, ahead);
+        show(robot, {{.away = ahead}});
         station->pass(0.1);
     }
     int approaches = 0, lamps = 0;
@@ -270,6 +286,45 @@ TEST_F(Kurt3d, WhatItHasLeftIsNoReasonToBeginAgain) {
     EXPECT_EQ(lamps, 1);
     EXPECT_EQ(agent->mode(), DriveMode::Explore);
     EXPECT_TRUE(station->all<SightingSample>().empty());
+}
+
+// A victim that it saw for a second beside another was never seen again: its floor was known.
+TEST_F(Kurt3d, LooksAtTheVictimThatItWaitsBeforeAndThenForTheOneThatItPassedBy) {
+    const RobotDescription description = *readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml");
+    const double ahead = boxAround(description.footprint).front + 0.8;
+    const WarmPlate victim{.away = ahead, .clothed = true};
+    const WarmPlate passed{.bearing = degrees(15), .away = 2.2, .half = degrees(4), .clothed = true};
+    const auto passWith = [&](const std::vector<WarmPlate>& plates, double seconds) {
+        for (int i = 0; i < static_cast<int>(10.0 * seconds + 0.5); ++i) {
+            station->hold();
+            show(robot, plates);
+            station->pass(0.1);
+        }
+    };
+    // Of the camera, which sits 0.19 m ahead of base_link, 0.08 m to its right and 0.36 m high.
+    const auto pan = [&] { return robot.cameras["right"].first; };
+    station->keepDriving(0.0, 0.1);
+    station->mode("explore");
+    passWith({victim}, 1.5);
+    ASSERT_EQ(agent->mode(), DriveMode::VictimApproach);
+    passWith({victim, passed}, 1.0);
+    passWith({victim}, 6.0);
+    ASSERT_EQ(station->all<SightingSample>().size(), 1U);
+    EXPECT_NEAR(pan(), 0.0, degrees(3));
+    station->mode("explore");
+    passWith({victim}, 2.0);
+    EXPECT_EQ(agent->mode(), DriveMode::Explore);
+    const double towards = std::atan2(2.2 * std::sin(degrees(15)) + 0.08, 2.2 * std::cos(degrees(15)) - 0.19);
+    double most = 0.0;
+    for (int i = 0; i < 30; ++i) {
+        passWith({victim}, 0.1);
+        most = std::max(most, std::abs(pan() - towards));
+    }
+    EXPECT_LT(most, degrees(4)) << "it looks there, and nowhere else";
+    passWith({victim}, 12.0);
+    const double before = pan();
+    passWith({victim}, 1.0);
+    EXPECT_GT(std::abs(pan() - before), degrees(15)) << "nobody is there any more: it looks around again";
 }
 
 }  // namespace
