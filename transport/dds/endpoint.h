@@ -35,6 +35,25 @@ struct RemoteEndpoint {
     Qos qos;
 };
 
+/// A writer of another participant on a topic that is listened to here.
+struct OfferedWriter {
+    Guid guid, participant;
+    std::string topic;     ///< ROS name
+    double seconds = 0.0;  ///< since it was discovered [s]
+    bool matched = false;  ///< with a reader of ours
+    bool heard = false;    ///< a sample of it came
+};
+
+/// What is announced here, and what of it comes.
+struct DomainHearing {
+    struct Process {
+        RemoteParticipant participant;
+        double seconds = 0.0;  ///< since it was discovered [s]
+    };
+    std::vector<OfferedWriter> writers;
+    std::vector<Process> mute;  ///< participants of which no reader and no writer is known
+};
+
 /// Why one of our readers or writers does not exchange samples with a remote endpoint of its topic.
 struct Mismatch {
     WireComplaint complaint;

@@ -84,6 +84,12 @@ std::vector<RemoteEndpoint> Node::endpoints() const {
 std::vector<Mismatch> Node::mismatches() const {
     return m_impl->participant->discovery().mismatches();
 }
+DomainHearing Node::hearing() const {
+    return m_impl->participant->hearing();
+}
+Result<void> Node::rejoin() {
+    return m_impl->participant->rejoin();
+}
 void Node::onDiscovery(std::function<void()> changed) {
     m_impl->participant->onDiscovery(std::move(changed));
 }

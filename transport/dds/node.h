@@ -109,6 +109,12 @@ public:
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
         const;                                               ///< of all topics, also those that are not ROS
     [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers, in words
+    /// What is announced on the topics that are listened to here, and what of it came.
+    [[nodiscard]] DomainHearing hearing() const;
+    /// Leaves the domain and joins it as another participant, with another guid(): subscriptions and
+    /// publishers stay, what is transient local is written again, what is sent meanwhile is lost. Takes some
+    /// 0.1 s. Not for callbacks of this node. An error names what could not be made again.
+    Result<void> rejoin();
     /// @p changed is called on the thread of the small lane after participants, endpoints or mismatches
     /// changed (several changes may come as one), and once at first. Replaces an earlier one.
     void onDiscovery(std::function<void()> changed);

@@ -1,6 +1,7 @@
 #include "transport/dds/detail/discovery.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
 #include <fastdds/rtps/builtin/data/ReaderProxyData.h>
@@ -64,8 +65,7 @@ void Discovery::on_participant_discovery(Participant*, rtps::ParticipantDiscover
             std::erase_if(m_endpoints,
                           [&](const auto& known) { return known.second.endpoint.participant == guid; });
         } else {
-            RemoteParticipant& participant = m_participants[guid];
-            participant.guid = guid;
+            RemoteParticipant& participant = known(guid);
             participant.name = info.info.m_participantName.to_string();
             participant.host = hostOf(info.info);
         }
@@ -77,8 +77,7 @@ void Discovery::onParticipantAuthentication(Participant*, rtps::ParticipantAuthe
     const Guid guid = guidOf(info.guid);
     {
         const std::scoped_lock lock(m_mutex);
-        RemoteParticipant& participant = m_participants[guid];
-        participant.guid = guid;
+        RemoteParticipant& participant = known(guid);
         participant.refused = info.status == rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT;
     }
     m_changed();
@@ -160,10 +159,29 @@ void Discovery::matched(const Guid& local, const Guid& remote, bool now) {
     m_changed();
 }
 
+RemoteParticipant& Discovery::known(const Guid& participant) {
+    const auto [place, added] = m_participants.try_emplace(participant);
+    if (added) {
+        place->second.participant.guid = participant;
+        place->second.since = Clock::now();
+    }
+    return place->second.participant;
+}
+
+void Discovery::clear() {
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_participants.clear();
+        m_endpoints.clear();
+        m_local.clear();
+    }
+    m_changed();
+}
+
 RemoteEndpoint Discovery::named(RemoteEndpoint endpoint) const {
     if (const auto found = m_participants.find(endpoint.participant); found != m_participants.end()) {
-        endpoint.participantName = found->second.name;
-        endpoint.host = found->second.host;
+        endpoint.participantName = found->second.participant.name;
+        endpoint.host = found->second.participant.host;
     }
     return endpoint;
 }
@@ -171,7 +189,7 @@ RemoteEndpoint Discovery::named(RemoteEndpoint endpoint) const {
 std::vector<RemoteParticipant> Discovery::participants() const {
     const std::scoped_lock lock(m_mutex);
     std::vector<RemoteParticipant> all;
-    for (const auto& [guid, participant] : m_participants) all.push_back(participant);
+    for (const auto& [guid, known] : m_participants) all.push_back(known.participant);
     return all;
 }
 
@@ -180,6 +198,35 @@ std::vector<RemoteEndpoint> Discovery::endpoints() const {
     std::vector<RemoteEndpoint> all;
     for (const auto& [guid, known] : m_endpoints) all.push_back(named(known.endpoint));
     return all;
+}
+
+DomainHearing Discovery::hearing() const {
+    const std::scoped_lock lock(m_mutex);
+    const auto now = Clock::now();
+    const auto secondsSince = [now](Clock::time_point since) {
+        return std::chrono::duration<double>(now - since).count();
+    };
+    DomainHearing hearing;
+    std::set<Guid> speaking;
+    for (const auto& [guid, known] : m_endpoints) {
+        const RemoteEndpoint& theirs = known.endpoint;
+        speaking.insert(theirs.participant);
+        if (theirs.kind != RemoteEndpoint::Kind::Writer) continue;
+        bool listened = false, matched = false;
+        for (const auto& [ownGuid, ours] : m_local) {
+            if (ours.kind != LocalEndpoint::Kind::Reader || rosTopicOf(ours.ddsTopic) != theirs.topic)
+                continue;
+            listened = true;
+            matched = matched || ours.matched.contains(guid);
+        }
+        if (!listened) continue;
+        hearing.writers.push_back(
+            {guid, theirs.participant, theirs.topic, secondsSince(known.since), matched, false});
+    }
+    for (const auto& [guid, known] : m_participants) {
+        if (!speaking.contains(guid)) hearing.mute.push_back({known.participant, secondsSince(known.since)});
+    }
+    return hearing;
 }
 
 std::vector<Mismatch> Discovery::mismatches() const {

@@ -22,6 +22,11 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints() const;
     [[nodiscard]] std::vector<Mismatch> mismatches() const;
+    /// Without what only readers know: whether a writer was heard.
+    [[nodiscard]] DomainHearing hearing() const;
+
+    /// The participant has left its domain: all that it discovered, and what it had of its own, is gone.
+    void clear();
 
     // Our own side
     void add(const Guid& local, LocalEndpoint endpoint);
@@ -30,6 +35,10 @@ public:
 
 private:
     using Participant = eprosima::fastdds::dds::DomainParticipant;
+    struct KnownParticipant {
+        RemoteParticipant participant;
+        std::chrono::steady_clock::time_point since;
+    };
     struct Known {
         RemoteEndpoint endpoint;
         MatchTerms terms;
@@ -48,12 +57,13 @@ private:
     template <class ProxyData>
     void note(const ProxyData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms);
     void forget(const Guid& endpoint);
+    [[nodiscard]] RemoteParticipant& known(const Guid& participant);
     [[nodiscard]] RemoteEndpoint named(RemoteEndpoint endpoint) const;
 
     std::function<void()> m_changed;
     bool m_secure;
     mutable std::mutex m_mutex;
-    std::map<Guid, RemoteParticipant> m_participants;
+    std::map<Guid, KnownParticipant> m_participants;
     std::map<Guid, Known> m_endpoints;
     std::map<Guid, LocalEndpoint> m_local;
 };

@@ -38,7 +38,8 @@ void LaneThread::stop() {
 void LaneThread::add(const std::shared_ptr<Reader>& reader) {
     {
         const std::scoped_lock lock(m_mutex);
-        m_readers.push_back(reader);
+        if (std::find(m_readers.begin(), m_readers.end(), reader) == m_readers.end())
+            m_readers.push_back(reader);
     }
     m_waitSet.attach_condition(reader->condition());
 }

@@ -1,5 +1,8 @@
 #include "transport/dds/detail/participant.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fmt/format.h>
@@ -79,6 +82,11 @@ Participant::~Participant() {
 
 Result<void> Participant::join() {
     setUpLibrary(usesProfiles(m_settings));
+    const std::scoped_lock lock(m_mutex);
+    return enter();
+}
+
+Result<void> Participant::enter() {
     const auto qos = participantQos(m_settings);
     if (!qos) return qos.error();
     m_factory = efd::DomainParticipantFactory::get_shared_instance();
@@ -98,7 +106,69 @@ Result<void> Participant::join() {
     return {};
 }
 
+Result<void> Participant::rejoin() {
+    const std::scoped_lock alone(m_rejoining);
+    std::vector<std::shared_ptr<Reader>> readers;
+    std::vector<std::shared_ptr<Writer>> writers;
+    efd::DomainParticipant* left = nullptr;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_left) return Error{"the node has left its domain"};
+        m_away = true;
+        readers = m_readers;
+        writers = m_writers;
+    }
+    for (const auto& reader : readers) reader->suspend();
+    for (const auto& writer : writers) writer->suspend();
+    {
+        const std::scoped_lock lock(m_mutex);
+        left = std::exchange(m_participant, nullptr);
+        m_topics.clear();
+    }
+    // Without the lock: a listener that runs may want it.
+    if (left != nullptr) {
+        left->delete_contained_entities();
+        m_factory->delete_participant(left);
+    }
+    m_discovery.clear();
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (auto entered = enter(); !entered) return entered;
+        m_away = false;
+        readers = m_readers;  // some have come, some have gone meanwhile
+        writers = m_writers;
+    }
+    std::string problems;
+    const auto note = [&](const Result<void>& opened) {
+        if (!opened) problems += (problems.empty() ? "" : "; ") + opened.error().text;
+    };
+    for (const auto& reader : readers) note(reader->open());
+    for (const auto& writer : writers) note(writer->open());
+    if (!problems.empty()) return Error{problems};
+    return {};
+}
+
+Guid Participant::guid() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_guid;
+}
+
+DomainHearing Participant::hearing() const {
+    DomainHearing hearing = m_discovery.hearing();
+    std::vector<std::shared_ptr<Reader>> readers;
+    {
+        const std::scoped_lock lock(m_mutex);
+        readers = m_readers;
+    }
+    for (OfferedWriter& writer : hearing.writers) {
+        writer.heard = std::any_of(readers.begin(), readers.end(),
+                                   [&](const auto& reader) { return reader->heard(writer.guid); });
+    }
+    return hearing;
+}
+
 void Participant::leave() {
+    const std::scoped_lock alone(m_rejoining);
     std::vector<std::shared_ptr<Reader>> readers;
     std::vector<std::shared_ptr<Writer>> writers;
     {
@@ -119,6 +189,11 @@ void Participant::leave() {
     m_participant = nullptr;
 }
 
+void Participant::deliver(const std::shared_ptr<Reader>& reader) {
+    const std::scoped_lock lock(m_mutex);
+    if (!m_left) laneOf(*reader).add(reader);
+}
+
 LaneThread& Participant::laneOf(const Reader& reader) {
     return reader.settings().lane == Lane::Small ? *m_small : *m_large;
 }
@@ -126,31 +201,30 @@ LaneThread& Participant::laneOf(const Reader& reader) {
 Result<std::shared_ptr<Reader>> Participant::subscribe(const ReaderSettings& settings,
                                                        SampleCallback callback) {
     auto reader = std::make_shared<Reader>(*this, settings, std::move(callback));
-    if (auto opened = reader->open(); !opened) return opened.error();
     {
         const std::scoped_lock lock(m_mutex);
-        if (!m_left) {
-            m_readers.push_back(reader);
-            laneOf(*reader).add(reader);
-            return reader;
-        }
+        if (m_left) return gone(settings.topic);
+        m_readers.push_back(reader);  // before it is opened: rejoin() misses none
     }
-    reader->close();
-    return gone(settings.topic);
+    if (auto opened = reader->open(); !opened) {
+        release(reader);
+        return opened.error();
+    }
+    return reader;
 }
 
 Result<std::shared_ptr<Writer>> Participant::publish(const WriterSettings& settings) {
     auto writer = std::make_shared<Writer>(*this, settings);
-    if (auto opened = writer->open(); !opened) return opened.error();
     {
         const std::scoped_lock lock(m_mutex);
-        if (!m_left) {
-            m_writers.push_back(writer);
-            return writer;
-        }
+        if (m_left) return gone(settings.topic);
+        m_writers.push_back(writer);
     }
-    writer->close();
-    return gone(settings.topic);
+    if (auto opened = writer->open(); !opened) {
+        release(writer);
+        return opened.error();
+    }
+    return writer;
 }
 
 void Participant::release(const std::shared_ptr<Reader>& reader) {
@@ -197,6 +271,7 @@ Result<efd::DataReader*> Participant::createReader(const ReaderSettings& setting
                                                    efd::DataReaderListener& listener) {
     const std::scoped_lock lock(m_mutex);
     if (m_left) return gone(settings.topic);
+    if (m_away) return static_cast<efd::DataReader*>(nullptr);
     const auto topic = acquireTopic(settings.topic, settings.type);
     if (!topic) return topic.error();
     efd::DataReaderQos qos = readerQos(settings.qos);
@@ -230,6 +305,7 @@ Result<efd::DataWriter*> Participant::createWriter(const WriterSettings& setting
                                                    efd::DataWriterListener& listener) {
     const std::scoped_lock lock(m_mutex);
     if (m_left) return gone(settings.topic);
+    if (m_away) return static_cast<efd::DataWriter*>(nullptr);
     const auto topic = acquireTopic(settings.topic, settings.type);
     if (!topic) return topic.error();
     efd::DataWriterQos qos = writerQos(settings.qos, settings.flow);

@@ -29,6 +29,9 @@ public:
     Participant& operator=(const Participant&) = delete;
 
     Result<void> join();
+    /// Leaves the domain and joins it as another participant, with all its readers and writers. Not for who
+    /// is called back by it.
+    Result<void> rejoin();
     void leave();
 
     Result<std::shared_ptr<Reader>> subscribe(const ReaderSettings& settings, SampleCallback callback);
@@ -37,10 +40,12 @@ public:
     void release(const std::shared_ptr<Writer>& writer);
 
     [[nodiscard]] Discovery& discovery() { return m_discovery; }
-    [[nodiscard]] Guid guid() const { return m_guid; }
+    [[nodiscard]] Guid guid() const;
+    [[nodiscard]] DomainHearing hearing() const;
     void onDiscovery(std::function<void()> changed);
 
-    // For readers and writers
+    // For readers and writers; what is created is null between leaving and joining anew
+    void deliver(const std::shared_ptr<Reader>& reader);  ///< its samples, from now on
     Result<eprosima::fastdds::dds::DataReader*> createReader(
         const ReaderSettings& settings, eprosima::fastdds::dds::DataReaderListener& listener);
     void deleteReader(const Reader& reader, eprosima::fastdds::dds::DataReader* what);
@@ -53,6 +58,7 @@ private:
         eprosima::fastdds::dds::Topic* topic = nullptr;
         int users = 0;
     };
+    Result<void> enter();  // under the mutex
     Result<eprosima::fastdds::dds::Topic*> acquireTopic(const std::string& rosTopic,
                                                         const std::string& rosType);
     void releaseTopic(const std::string& ddsTopic);
@@ -61,8 +67,10 @@ private:
 
     const NodeSettings m_settings;
     std::shared_ptr<eprosima::fastdds::dds::DomainParticipantFactory> m_factory;
-    std::mutex m_mutex;  // of what follows; taken after a reader's m_use, never the other way round
+    std::mutex m_rejoining;      // held by rejoin() and leave()
+    mutable std::mutex m_mutex;  // of what follows; taken after a reader's m_use, never the other way round
     bool m_left = false;
+    bool m_away = false;                        // between leaving and joining anew: nothing is created
     std::map<std::string, UsedTopic> m_topics;  // by DDS name
     std::vector<std::shared_ptr<Reader>> m_readers;
     std::vector<std::shared_ptr<Writer>> m_writers;

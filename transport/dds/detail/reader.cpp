@@ -24,16 +24,24 @@ Reader::Reader(Participant& participant, ReaderSettings settings, SampleCallback
 Reader::~Reader() = default;
 
 Result<void> Reader::open() {
+    const std::scoped_lock lock(m_use);
+    if (m_closed || m_reader != nullptr) return {};
     auto made = m_participant.createReader(m_settings, *this);
     if (!made) return made.error();
     m_reader = *made;
+    if (m_reader == nullptr) return {};  // the participant is out of its domain, and opens it when it is back
     m_condition = &m_reader->get_statuscondition();
     m_condition->set_enabled_statuses(efd::StatusMask::data_available());
+    m_participant.deliver(shared_from_this());
     return {};
 }
 
 void Reader::close() {
     m_closed = true;
+    suspend();
+}
+
+void Reader::suspend() {
     const std::scoped_lock lock(m_use);
     if (m_reader != nullptr) m_participant.deleteReader(*this, m_reader);
     m_reader = nullptr;
@@ -73,10 +81,15 @@ bool Reader::deliver() {
     if (m_closed) return false;  // before the lock: who closes must not wait for one sample after the other
     const std::scoped_lock lock(m_use);
     ReceivedSample sample;
-    if (m_closed || !take(sample)) return false;
+    if (m_closed || m_reader == nullptr || !take(sample)) return false;
     count(sample);
     m_callback(std::move(sample));
     return true;
+}
+
+bool Reader::heard(const Guid& writer) const {
+    const std::scoped_lock lock(m_countsMutex);
+    return m_lastNumbers.contains(writer);
 }
 
 SubscriptionCounts Reader::counts() const {

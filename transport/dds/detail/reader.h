@@ -18,13 +18,16 @@ class Participant;
 
 /// A Fast DDS reader of bytes and whom it calls. Lives as long as its subscription or a lane uses it, its
 /// Fast DDS reader only until close().
-class Reader final : private eprosima::fastdds::dds::DataReaderListener {
+class Reader final : public std::enable_shared_from_this<Reader>,
+                     private eprosima::fastdds::dds::DataReaderListener {
 public:
     Reader(Participant& participant, ReaderSettings settings, SampleCallback callback);
     ~Reader() override;
 
-    /// Creates the Fast DDS reader. Its samples wait until a lane delivers them.
+    /// Creates the Fast DDS reader and gives it to its lane; nothing where it is open or closed for good.
     Result<void> open();
+    /// Leaves the topic until the next open(), as the participant leaves its domain. Waits as close() does.
+    void suspend();
     /// Leaves the topic. Waits for a callback that runs on another thread; may be called by the callback
     /// itself.
     void close();
@@ -32,6 +35,7 @@ public:
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
+    [[nodiscard]] bool heard(const Guid& writer) const;  ///< a sample of it came
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
     /// Only while open.
     [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }

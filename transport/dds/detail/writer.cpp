@@ -27,17 +27,43 @@ Writer::Writer(Participant& participant, WriterSettings settings)
 Writer::~Writer() = default;
 
 Result<void> Writer::open() {
+    const std::unique_lock lock(m_use);
+    if (m_closed || m_writer != nullptr) return {};
     auto made = m_participant.createWriter(m_settings, *this);
     if (!made) return made.error();
     m_writer = *made;
+    if (m_writer == nullptr) return {};  // the participant is out of its domain, and opens it when it is back
     m_guid = guidOf(m_writer->guid());
+    const std::scoped_lock keptLock(m_keptMutex);
+    for (const Payload& cdr : m_kept) {
+        if (auto sent = send(cdr); !sent) return sent;
+    }
     return {};
 }
 
-void Writer::close() {
+void Writer::suspend() {
     const std::unique_lock lock(m_use);
     if (m_writer != nullptr) m_participant.deleteWriter(*this, m_writer);
     m_writer = nullptr;
+}
+
+void Writer::close() {
+    {
+        const std::unique_lock lock(m_use);
+        m_closed = true;
+    }
+    suspend();
+}
+
+bool Writer::isKept() const {
+    return m_settings.qos.durability == Qos::Durability::TransientLocal;
+}
+
+Result<void> Writer::send(const Payload& cdr) {
+    RawSample sample{cdr};
+    if (!m_writer->write(&sample))
+        return Error{m_settings.topic + ": the history is full, nobody acknowledges"};
+    return {};
 }
 
 Result<void> Writer::write(const Payload& cdr) {
@@ -46,11 +72,19 @@ Result<void> Writer::write(const Payload& cdr) {
                                  EncapsulationSize)};
     }
     const std::shared_lock lock(m_use);
-    if (m_writer == nullptr) return Error{m_settings.topic + ": the node has left its domain"};
-    RawSample sample{cdr};
-    if (!m_writer->write(&sample))
-        return Error{m_settings.topic + ": the history is full, nobody acknowledges"};
-    return {};
+    if (m_closed) return Error{m_settings.topic + ": the node has left its domain"};
+    if (isKept()) {
+        const std::scoped_lock keptLock(m_keptMutex);
+        m_kept.push_back(cdr);
+        const int depth = m_settings.qos.depth;
+        if (depth > 0 && m_kept.size() > static_cast<std::size_t>(depth)) m_kept.pop_front();
+    }
+    return m_writer == nullptr ? Result<void>{} : send(cdr);
+}
+
+Guid Writer::guid() const {
+    const std::shared_lock lock(m_use);
+    return m_guid;
 }
 
 int Writer::matched() const {

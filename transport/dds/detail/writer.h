@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
+#include <mutex>
 #include <shared_mutex>
 
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -19,11 +21,14 @@ public:
     ~Writer() override;
 
     Result<void> open();
+    /// Leaves the topic until the next open(), as the participant leaves its domain. What is transient local
+    /// is kept, and written again then; what else is written meanwhile goes nowhere.
+    void suspend();
     void close();
     Result<void> write(const Payload& cdr);
     [[nodiscard]] int matched() const;
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
-    [[nodiscard]] Guid guid() const { return m_guid; }
+    [[nodiscard]] Guid guid() const;
     [[nodiscard]] const WriterSettings& settings() const { return m_settings; }
 
 private:
@@ -31,11 +36,17 @@ private:
     void on_publication_matched(DataWriter* writer,
                                 const eprosima::fastdds::dds::PublicationMatchedStatus& status) override;
 
+    Result<void> send(const Payload& cdr);
+    [[nodiscard]] bool isKept() const;  // for who joins later
+
     Participant& m_participant;
     const WriterSettings m_settings;
     mutable std::shared_mutex m_use;  // shared by those who use m_writer, alone for close()
     DataWriter* m_writer = nullptr;
+    bool m_closed = false;
     Guid m_guid;
+    mutable std::mutex m_keptMutex;
+    std::deque<Payload> m_kept;  // newest last, as many as the history has
 };
 
 }  // namespace leitstand::detail
