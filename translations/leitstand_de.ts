@@ -628,6 +628,10 @@
         <source>muted for %1 s</source>
         <translation>stumm noch %1 s</translation>
     </message>
+    <message>
+        <source>not heard: %1</source>
+        <translation>nicht zu hören: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmListModel</name>
@@ -3194,6 +3198,21 @@ Funk: %4 %5</translation>
     <message>
         <source>Report</source>
         <translation>Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Hearing</name>
+    <message>
+        <source>{}: {}; the station joins the network anew</source>
+        <translation>{}: {}; die Station tritt dem Netz neu bei</translation>
+    </message>
+    <message>
+        <source>announced by {}, but none of its topics are</source>
+        <translation>angekündigt von {}, aber keines seiner Themen</translation>
+    </message>
+    <message>
+        <source>announced, but nothing comes: {}</source>
+        <translation>angekündigt, aber nichts kommt: {}</translation>
     </message>
 </context>
 <context>

@@ -628,6 +628,10 @@
         <source>muted for %1 s</source>
         <translation>消音中 %1 s</translation>
     </message>
+    <message>
+        <source>not heard: %1</source>
+        <translation>受信なし: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmListModel</name>
@@ -3194,6 +3198,21 @@ Link: %4 %5</source>
     <message>
         <source>Report</source>
         <translation>報告書</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Hearing</name>
+    <message>
+        <source>{}: {}; the station joins the network anew</source>
+        <translation>{}: {}。ステーションはネットワークに入り直します</translation>
+    </message>
+    <message>
+        <source>announced by {}, but none of its topics are</source>
+        <translation>{}が告知されていますが、トピックがありません</translation>
+    </message>
+    <message>
+        <source>announced, but nothing comes: {}</source>
+        <translation>告知されていますが、何も届きません: {}</translation>
     </message>
 </context>
 <context>

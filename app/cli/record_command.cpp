@@ -49,11 +49,9 @@ std::string recordJson(const RecorderStatus& status) {
                           {"reconnects", link.reconnects},
                           {"megabits_per_second", link.megabitsPerSecond}});
     }
-    return nlohmann::ordered_json{{"events", status.log.events},
-                                  {"bytes", status.log.bytes},
-                                  {"lost", status.log.lost},
-                                  {"robots", robots},
-                                  {"topics", topics}}
+    return nlohmann::ordered_json{{"events", status.log.events}, {"bytes", status.log.bytes},
+                                  {"lost", status.log.lost},     {"robots", robots},
+                                  {"unheard", status.unheard},   {"topics", topics}}
         .dump(2);
 }
 
@@ -141,6 +139,9 @@ int runRecord(const RecordOptions& options) {
     for (const auto& [topic, errors] : status.log.broken) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
                                    topic, errors.count, errors.last));
+    }
+    if (!status.unheard.empty()) {
+        complain(line, fmt::format("announced, but nothing came of it: {}", fmt::join(status.unheard, ", ")));
     }
     if (!stopped) complain(line, stopped.error().text);
     if (status.log.lost > 0) {

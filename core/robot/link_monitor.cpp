@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/robot/hearing.h"
+
 namespace leitstand {
 namespace {
 
@@ -18,20 +20,6 @@ constexpr std::chrono::milliseconds SureEnough{200};  ///< of a clock by which d
 
 double seconds(std::chrono::nanoseconds duration) {
     return std::chrono::duration<double>(duration).count();
-}
-
-bool comesSteadily(StreamRole role) {
-    switch (role) {
-        case StreamRole::StaticTransforms:
-        case StreamRole::Mode:
-        case StreamRole::Bumps:
-        case StreamRole::Sightings:
-        case StreamRole::StopState:
-        case StreamRole::Pong:
-            return false;
-        default:
-            return !isCommand(role);
-    }
 }
 
 /// Which streams are written by the computer whose clock matters most, and at once.

@@ -11,6 +11,7 @@
 #include "core/robot/control/grant_book.h"
 #include "core/robot/control/sight_cap.h"
 #include "core/robot/control/stop_control.h"
+#include "core/robot/hearing.h"
 #include "core/robot/link_status.h"
 #include "core/robot/samples/motion_samples.h"
 
@@ -37,6 +38,7 @@ struct CameraView {
 /// One robot as the station has it now.
 struct RobotView {
     LinkStatus link;
+    std::optional<HearingFault> hearing;  ///< it is announced, and nothing of it comes
     GrantView grant;
     StopStatus stop;
     DriveView drive;

@@ -34,6 +34,24 @@ protected:
         return runProcess("/usr/bin/env", arguments);
     }
 
+    /// From now on the test called @p name fails beside others, and passes alone.
+    void failingBesideOthers(const std::string& name) const {
+        fs::create_directories(m_root / "build/asan");
+        for (const char* tool : {"git", "clang-format-14"}) program(std::string("tools/") + tool, "exit 0");
+        const std::string failed = "build/release/Testing/Temporary";
+        program("tools/ctest",
+                "case \"$*\" in\n"
+                "*--rerun-failed*) exit 0 ;;\n"
+                "*-N*) echo '  Test #1: " +
+                    name +
+                    "'; exit 0 ;;\n"
+                    "*'-L latency'*) exit 0 ;;\n"
+                    "*'preset release'*) mkdir -p " +
+                    failed + "; echo '1:" + name + "' >" + failed +
+                    "/LastTestsFailed.log; exit 1 ;;\n"
+                    "esac\nexit 0");
+    }
+
 private:
     [[nodiscard]] fs::path script() const { return m_root / "packaging/leitstand"; }
     void program(const std::string& name, const std::string& does) const {
@@ -54,6 +72,21 @@ TEST_F(RunScript, HandsOverWhatIsAskedFor) {
     const ProcessOutcome run = this->run({"run", "--theme", "light", "hall"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, testing::HasSubstr("started with: --theme light hall\n"));
+}
+
+TEST_F(RunScript, ATestThatNeedsASecondChanceInTwoRunsInARowHasFailed) {
+    failingBesideOthers("Odd.One");
+    const ProcessOutcome first = run({"test"});
+    EXPECT_EQ(first.exitCode, 0) << first.out << first.err;
+    EXPECT_THAT(first.out, testing::HasSubstr("UNSTEADY: passed alone only: Odd.One"));
+    const ProcessOutcome second = run({"test"});
+    EXPECT_NE(second.exitCode, 0) << second.out;
+    EXPECT_THAT(second.out, testing::HasSubstr("UNSTEADY twice in a row, which is a failure: Odd.One"));
+}
+
+TEST_F(RunScript, ADeafStartHasNoSecondChance) {
+    failingBesideOthers("StartLatency.RobotRecorderAndStation");
+    EXPECT_NE(run({"test"}).exitCode, 0);
 }
 
 }  // namespace

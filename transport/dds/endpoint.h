@@ -41,6 +41,7 @@ struct OfferedWriter {
     std::string topic;     ///< ROS name
     double seconds = 0.0;  ///< since it was discovered [s]
     bool matched = false;  ///< with a reader of ours
+    bool steady = false;   ///< it offers best effort, as streams do and events do not
     bool heard = false;    ///< a sample of it came
 };
 

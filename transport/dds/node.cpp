@@ -87,8 +87,8 @@ std::vector<Mismatch> Node::mismatches() const {
 DomainHearing Node::hearing() const {
     return m_impl->participant->hearing();
 }
-Result<void> Node::rejoin() {
-    return m_impl->participant->rejoin();
+Result<void> Node::rejoin(const std::function<void(const Guid&)>& entered) {
+    return m_impl->participant->rejoin(entered);
 }
 void Node::onDiscovery(std::function<void()> changed) {
     m_impl->participant->onDiscovery(std::move(changed));

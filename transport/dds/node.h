@@ -113,8 +113,9 @@ public:
     [[nodiscard]] DomainHearing hearing() const;
     /// Leaves the domain and joins it as another participant, with another guid(): subscriptions and
     /// publishers stay, what is transient local is written again, what is sent meanwhile is lost. Takes some
-    /// 0.1 s. Not for callbacks of this node. An error names what could not be made again.
-    Result<void> rejoin();
+    /// 0.1 s. Not for callbacks of this node. @p entered is told the new guid() before anything is sent or
+    /// heard as it. An error names what could not be made again.
+    Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
     /// @p changed is called on the thread of the small lane after participants, endpoints or mismatches
     /// changed (several changes may come as one), and once at first. Replaces an earlier one.
     void onDiscovery(std::function<void()> changed);

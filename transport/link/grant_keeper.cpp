@@ -129,6 +129,10 @@ Result<std::unique_ptr<GrantKeeper>> GrantKeeper::create(Node& node, const Stati
     return std::unique_ptr<GrantKeeper>(new GrantKeeper(std::move(state)));
 }
 
+void GrantKeeper::rejoined(const Guid& participant) {
+    m_state->change([&](GrantBook& book, SteadyTime) { book.rejoined(senderOf(participant)); });
+}
+
 void GrantKeeper::ask(const GrantId& id) {
     m_state->change([&](GrantBook& book, SteadyTime) { book.ask(id); });
 }

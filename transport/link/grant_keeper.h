@@ -34,6 +34,8 @@ public:
     GrantKeeper(const GrantKeeper&) = delete;
     GrantKeeper& operator=(const GrantKeeper&) = delete;
 
+    /// As of GrantBook; before anything is heard of this process under its new identity.
+    void rejoined(const Guid& participant);
     void ask(const GrantId& id);
     void release(const GrantId& id);  ///< asks no more, too
     void answer(const GrantId& id, bool consent);

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/session/domain/hearing_watch.h"
 #include "app/session/log/link_line.h"
 #include "core/mission/station_topics.h"
 #include "transport/dds/node.h"
@@ -26,6 +27,15 @@ bool isOfAnotherLog(const std::string& topic) {
            topic == station_topic::Undo;
 }
 
+/// Topics that are announced as steady streams for longer than it takes to hear them, and are not heard.
+std::vector<std::string> unheardIn(const DomainHearing& domain) {
+    std::set<std::string> unheard;
+    for (const OfferedWriter& one : domain.writers) {
+        if (!one.heard && one.steady && one.seconds >= HearWithin) unheard.insert(one.topic);
+    }
+    return {unheard.begin(), unheard.end()};
+}
+
 }  // namespace
 
 struct MissionRecorder::State {
@@ -35,6 +45,7 @@ struct MissionRecorder::State {
     std::unique_ptr<Node> node;
     std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
     std::unique_ptr<MissionFeed> feed;
+    std::unique_ptr<HearingWatch> hearing;
     std::mutex mutex;  ///< of the next two
     bool discovered = false;
     std::set<std::string> told;
@@ -57,6 +68,7 @@ struct MissionRecorder::State {
     void subscribeListed();
     void subscribeHeard();
     void watch(const std::stop_token& stop);
+    void watchHearing();
 };
 
 Result<void> MissionRecorder::State::watchLinks() {
@@ -107,6 +119,20 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
     }
 }
 
+void MissionRecorder::State::watchHearing() {
+    HearingWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.link = [this](const std::string& robot) {
+        for (const auto& link : links) {
+            if (const LinkStatus status = link->status(); status.robot == robot) return status.state;
+        }
+        return LinkState::NeverSeen;
+    };
+    setup.mayRejoin = [] { return true; };  // it listens, and commands nobody
+    setup.tell = [this](const std::string& text) { say(text); };
+    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+}
+
 Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
                                                                 Teller tell) {
     const auto network = nodeSettings(settings.domain, "leitstandctl record");
@@ -136,6 +162,7 @@ Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSe
         }
         raw->changed.notify_all();
     });
+    state->watchHearing();
     return std::unique_ptr<MissionRecorder>(new MissionRecorder(std::move(state)));
 }
 
@@ -146,17 +173,20 @@ MissionRecorder::~MissionRecorder() {
 }
 
 RecorderStatus MissionRecorder::status() const {
-    RecorderStatus status{.log = m_state->mission->status(), .topics = {}, .links = {}, .mismatches = {}};
+    RecorderStatus status{
+        .log = m_state->mission->status(), .topics = {}, .links = {}, .mismatches = {}, .unheard = {}};
     if (m_state->node) {
         for (const Mismatch& mismatch : m_state->node->mismatches())
             status.mismatches.push_back(toString(mismatch.complaint));
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
+    if (m_state->node) status.unheard = unheardIn(m_state->node->hearing());
     status.topics = m_state->feed->topics();
     return status;
 }
 
 Result<void> MissionRecorder::stop() {
+    m_state->hearing.reset();
     m_state->discovery.request_stop();
     if (m_state->discovery.joinable()) m_state->discovery.join();
     m_state->feed->end();

@@ -25,6 +25,8 @@ struct RecorderStatus {
     std::vector<HeardTopic> topics;
     std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
+    /// Topics that are announced as steady streams (best effort) for 2 s and more, of which nothing came.
+    std::vector<std::string> unheard;
 };
 
 /// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.

@@ -59,7 +59,7 @@ std::vector<std::uint64_t> scansOf(const Sample& sample) {
 
 }  // namespace
 
-SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)) {
+SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)), m_me(m_setup.me) {
     const MissionStatePtr mission = m_setup.mission();
     for (const auto& [id, scan] : *mission->keyScans) m_scans[id] = {scan.entry.robot, scan.entry.stamp};
 }
@@ -160,10 +160,15 @@ bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& 
            !m_setup.holdsMap();
 }
 
-void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
-    const bool ours = from == m_setup.me;
-    if (ours && event.topic != station_topic::Grants) return;
+void SharedIntake::rejoined(const Sender& me) {
     const std::lock_guard lock(m_mutex);
+    m_me = me;
+}
+
+void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
+    const std::lock_guard lock(m_mutex);
+    const bool ours = from == m_me;
+    if (ours && event.topic != station_topic::Grants) return;
     if (event.topic == station_topic::Grants) {
         if (!ours) hearGrant(event, from);
         m_setup.enter(std::move(event));

@@ -22,8 +22,8 @@ namespace leitstand {
 
 /// What a SharedIntake works with; may be called on any thread, with its lock held.
 struct SharedIntakeSetup {
-    Sender me;                                          ///< this process: what it says itself is left out
-    std::string station;                                ///< persistent identity
+    Sender me;            ///< this process at first: what it says itself is left out
+    std::string station;  ///< persistent identity
     std::function<MissionStatePtr()> mission = {};      ///< never null
     std::function<bool()> holdsMap = {};                ///< whether this station makes the map
     std::function<void(RawEvent)> enter = {};           ///< into the log, in this order
@@ -53,6 +53,8 @@ class SharedIntake {
 public:
     explicit SharedIntake(SharedIntakeSetup setup);
 
+    /// This process is @p me in the domain from now on.
+    void rejoined(const Sender& me);
     /// Takes what @p from said, on one of station_topic.
     void take(RawEvent event, const Sender& from, SteadyTime now);
     /// An event of our log: key scans are known from then on.
@@ -99,6 +101,7 @@ private:
 
     const SharedIntakeSetup m_setup;
     mutable std::mutex m_mutex;
+    Sender m_me;                             ///< under the mutex
     std::map<std::uint64_t, Known> m_scans;  ///< by id; under the mutex, as all that follows
     std::set<std::uint64_t> m_adopted;
     std::map<Sender, Other> m_others;

@@ -1,5 +1,6 @@
 #include "app/session/station/station_state.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -27,6 +28,7 @@ Station::State::~State() {
     if (cameras) cameras->snapshots().finish();  // they are told in the log
     if (finds) finds->finish();                  // what the operator saw is in the log
     if (alarms) alarms->end();
+    hearing.reset();
     if (feed) feed->end();
     if (sharing) sharing->end();
     // Events that wait still go into the log; what would come of them in the map does not.
@@ -180,6 +182,31 @@ void Station::State::listen() {
     });
 }
 
+bool Station::State::isAtRest() const {
+    return std::none_of(lines.begin(), lines.end(), [this](const auto& one) {
+        const auto& [name, line] = one;
+        const StopStatus stop = stops->status(name);
+        if (stop.releasing || (stop.sent && !stop.standing)) return true;
+        if (brakes->isRunning(name)) return true;
+        if (line->drive() == nullptr) return false;
+        const DriveStatus drive = line->drive()->status();
+        return drive.driving || drive.velocity != DriveVelocity{};
+    });
+}
+
+void Station::State::watchHearing() {
+    HearingWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.link = [this](const std::string& robot) { return lines.at(robot)->link().status().state; };
+    setup.mayRejoin = [this] { return isAtRest(); };
+    setup.onRejoining = [this](const Guid& me) {
+        grants->rejoined(me);
+        intake->rejoined(senderOf(me));
+    };
+    setup.tell = [this](const std::string& text) { say(text); };
+    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+}
+
 void Station::State::tellMismatches() {
     for (const Mismatch& mismatch : node->mismatches()) {
         {
@@ -280,6 +307,7 @@ Result<void> Station::State::start() {
         sharing->say(now, station_topic::Clock);
     });
     share();
+    watchHearing();
     {
         const std::lock_guard lock(mutex);
         open = true;
@@ -294,6 +322,7 @@ RobotView Station::State::view(const std::string& name) const {
     if (known == nullptr) return {};
     RobotView view;
     known->tell(view);
+    if (open && hearing) view.hearing = hearing->fault(name);
     view.grant = grants->view(driveGrant(name));
     view.stop = stops->status(name);
     return view;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/session/coverage/coverage_watch.h"
+#include "app/session/domain/hearing_watch.h"
 #include "app/session/finds/find_desk.h"
 #include "app/session/heap_keeper.h"
 #include "app/session/log/mission_feed.h"
@@ -54,6 +55,7 @@ struct Station::State {
     std::unique_ptr<SharedIntake> intake;
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
+    std::unique_ptr<HearingWatch> hearing;
     std::mutex mutex;                                        ///< of the next two
     std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
     std::set<std::string> told;                              ///< mismatches; under the mutex
@@ -74,6 +76,8 @@ struct Station::State {
     void share();
     void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
     void listen();
+    void watchHearing();
+    [[nodiscard]] bool isAtRest() const;  ///< nothing moves by this station, and nothing is being stopped
     [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all
     void say(const std::string& text) const {

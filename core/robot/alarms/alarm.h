@@ -34,6 +34,7 @@ inline constexpr const char* Attitude = "attitude";               ///< value: sh
 inline constexpr const char* RollOver = "roll_over";              ///< value: tilt [rad]
 inline constexpr const char* LinkLost = "link_lost";              ///< value: silence [s]
 inline constexpr const char* LinkDegraded = "link_degraded";      ///< note: why, in words
+inline constexpr const char* Unheard = "unheard";                 ///< note: what is announced, in words
 inline constexpr const char* Battery = "battery";                 ///< value: minutes or share left, see note
 inline constexpr const char* Gas = "gas";                         ///< value: [ppm]
 inline constexpr const char* Bump = "bump";                       ///< detail: bumper

@@ -85,6 +85,11 @@ private:
             add(idOf(alarm_key::LinkDegraded), Severity::Attention,
                 fmt::format(alarm_says::LinkDegraded, why), Unknown, why);
         }
+        if (const auto& unheard = m_robot.view.hearing) {
+            const std::string what = toString(*unheard);
+            add(idOf(alarm_key::Unheard), Severity::Attention, fmt::format(alarm_says::Unheard, what),
+                Unknown, what);
+        }
     }
 
     void attitude() {

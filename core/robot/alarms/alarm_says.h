@@ -6,6 +6,7 @@ namespace leitstand::alarm_says {
 
 inline constexpr const char* LinkLost = "link lost, silent for {} s";
 inline constexpr const char* LinkDegraded = "link: {}";
+inline constexpr const char* Unheard = "not heard: {}";
 inline constexpr const char* RolledOver = "rolled over, tilted by {} degrees";
 inline constexpr const char* Tilted = "roll {}, pitch {} degrees: {} % of where it tips over";
 inline constexpr const char* BatteryShare = "battery {} %";

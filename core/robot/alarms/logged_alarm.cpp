@@ -64,7 +64,8 @@ std::string messageOf(const std::string& part, const std::string& text) {
 void readNote(AlarmCause& cause) {
     if (cause.id.key == alarm_key::Diagnostics) cause.note = messageOf(cause.id.detail, cause.text);
     for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, alarm_says::LinkDegraded),
-                                     std::pair(alarm_key::GrantLost, alarm_says::GrantLost)}) {
+                                     std::pair(alarm_key::GrantLost, alarm_says::GrantLost),
+                                     std::pair(alarm_key::Unheard, alarm_says::Unheard)}) {
         if (cause.id.key != key) continue;
         const SaidSentence found = knownEnding(cause.text, std::array{words});
         if (found.words != nullptr) cause.note = found.values.front();

@@ -36,6 +36,13 @@ GrantBook::Entry* GrantBook::entryOf(const GrantId& id) {
     return &m_entries[id];
 }
 
+void GrantBook::rejoined(const Sender& sender) {
+    for (auto& [id, entry] : m_entries) {
+        if (entry.mine) entry.holderSender = sender;
+    }
+    m_sender = sender;
+}
+
 void GrantBook::ask(const GrantId& id) {
     Entry* entry = entryOf(id);
     if (entry == nullptr) return;

@@ -41,6 +41,9 @@ public:
     GrantBook(const StationIdentity& me, const Sender& sender, SteadyTime now,
               const GrantTiming& timing = {});
 
+    /// The station's process has another identity in the domain from now on; what it holds it goes on
+    /// holding.
+    void rejoined(const Sender& sender);
     void ask(const GrantId& id);                      ///< wants it from now on
     void release(const GrantId& id, SteadyTime now);  ///< gives it up (to who asked first), asks no more
     /// The operator's answer to the station that asked first; nothing when nobody asks.

@@ -220,8 +220,8 @@ DomainHearing Discovery::hearing() const {
             matched = matched || ours.matched.contains(guid);
         }
         if (!listened) continue;
-        hearing.writers.push_back(
-            {guid, theirs.participant, theirs.topic, secondsSince(known.since), matched, false});
+        hearing.writers.push_back({guid, theirs.participant, theirs.topic, secondsSince(known.since), matched,
+                                   theirs.qos.reliability == Qos::Reliability::BestEffort, false});
     }
     for (const auto& [guid, known] : m_participants) {
         if (!speaking.contains(guid)) hearing.mute.push_back({known.participant, secondsSince(known.since)});

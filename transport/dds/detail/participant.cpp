@@ -106,7 +106,7 @@ Result<void> Participant::enter() {
     return {};
 }
 
-Result<void> Participant::rejoin() {
+Result<void> Participant::rejoin(const std::function<void(const Guid&)>& entered) {
     const std::scoped_lock alone(m_rejoining);
     std::vector<std::shared_ptr<Reader>> readers;
     std::vector<std::shared_ptr<Writer>> writers;
@@ -133,7 +133,11 @@ Result<void> Participant::rejoin() {
     m_discovery.clear();
     {
         const std::scoped_lock lock(m_mutex);
-        if (auto entered = enter(); !entered) return entered;
+        if (auto done = enter(); !done) return done;
+    }
+    if (entered) entered(guid());
+    {
+        const std::scoped_lock lock(m_mutex);
         m_away = false;
         readers = m_readers;  // some have come, some have gone meanwhile
         writers = m_writers;

@@ -29,9 +29,8 @@ public:
     Participant& operator=(const Participant&) = delete;
 
     Result<void> join();
-    /// Leaves the domain and joins it as another participant, with all its readers and writers. Not for who
-    /// is called back by it.
-    Result<void> rejoin();
+    /// As of Node.
+    Result<void> rejoin(const std::function<void(const Guid&)>& entered);
     void leave();
 
     Result<std::shared_ptr<Reader>> subscribe(const ReaderSettings& settings, SampleCallback callback);

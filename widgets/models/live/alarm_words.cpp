@@ -11,6 +11,7 @@
 
 #include "core/base/pose.h"
 #include "core/robot/alarms/log_says.h"
+#include "core/robot/hearing.h"
 #include "core/robot/link_reasons.h"
 #include "widgets/models/live/freshness.h"
 #include "widgets/models/live/link_text.h"
@@ -46,7 +47,8 @@ constexpr std::array<std::string_view, 9> Measured = {
     alarm_key::Attitude,      alarm_key::RollOver,    alarm_key::LinkLost,
     alarm_key::Battery,       alarm_key::Gas,         alarm_key::StopUnanswered,
     alarm_key::FrozenPicture, alarm_key::ClockOffset, alarm_key::UncertainScan};
-constexpr std::array<std::string_view, 2> Noted = {alarm_key::LinkDegraded, alarm_key::GrantLost};
+constexpr std::array<std::string_view, 3> Noted = {alarm_key::LinkDegraded, alarm_key::GrantLost,
+                                                   alarm_key::Unheard};
 
 bool isOneOf(std::span<const std::string_view> keys, std::string_view key) {
     return std::ranges::find(keys, key) != keys.end();
@@ -112,6 +114,8 @@ QString alarmText(const AlarmCause& cause) {
         const auto reason = linkReasonFrom(cause.note);
         return AlarmTexts::tr("link: %1").arg(reason ? linkReasonText(*reason) : note);
     }
+    if (key == alarm_key::Unheard)
+        return AlarmTexts::tr("not heard: %1").arg(QString::fromStdString(hearingWorded(cause.note)));
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
     if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(robotSaysText(detail.toStdString()));

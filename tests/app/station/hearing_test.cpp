@@ -1,0 +1,102 @@
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "app/session/station/station_alarms.h"
+#include "tests/app/station/station_scene.h"
+#include "tests/transport/link/control_robot.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+/// A robot whose odometry is announced, and comes only when it is told to.
+class QuietRobot {
+public:
+    QuietRobot(const TestDomain& domain, const RobotDescription& robot)
+        : m_node(nodeIn(domain, {.name = robot.name})), m_stream(*robot.stream(StreamRole::Odometry)) {
+        m_odometry = must(m_node->publisher({m_stream.topic, m_stream.type, m_stream.qos}));
+    }
+    void speak() { static_cast<void>(m_odometry->write(testPayload(700, 1))); }
+    /// Participants that it has seen so far: a station that joined anew counts twice.
+    std::size_t seen() {
+        for (const RemoteParticipant& one : m_node->participants()) m_seen.insert(one.guid);
+        return m_seen.size();
+    }
+
+private:
+    std::unique_ptr<Node> m_node;
+    const StreamDescription m_stream;
+    std::unique_ptr<Publisher> m_odometry;
+    std::set<Guid> m_seen;
+};
+
+class StationHearing : public StationScene {};
+
+TEST_F(StationHearing, ARobotThatIsAnnouncedAndSaysNothingIsToldAndTheStationJoinsAnew) {
+    const RobotDescription description = drivenRobot();
+    QuietRobot robot(m_domain, description);
+    auto station = stationFor({description});
+    station->ask("kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").grant.mine; }));
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").hearing.has_value(); }));
+    EXPECT_EQ(station->robot("kurt3d").hearing->names, std::vector<std::string>{"/kurt3d/odom"});
+    ASSERT_TRUE(waitUntil([&] { return robot.seen() == 2U; })) << words();
+    EXPECT_THAT(words(), HasSubstr("announced, but nothing comes: /kurt3d/odom"));
+    EXPECT_THAT(words(), HasSubstr("joins the network anew"));
+    ASSERT_TRUE(waitUntil([&] {
+        const std::vector<Alarm> alarms = station->alarms().view().alarms;
+        return std::any_of(alarms.begin(), alarms.end(),
+                           [](const Alarm& one) { return one.cause.id.key == alarm_key::Unheard; });
+    }));
+    EXPECT_TRUE(station->robot("kurt3d").grant.mine) << "what it holds it goes on holding";
+    ASSERT_TRUE(waitUntil([&] {
+        robot.speak();
+        return station->robot("kurt3d").link.state == LinkState::Connected;
+    }));
+    EXPECT_TRUE(waitUntil([&] { return !station->robot("kurt3d").hearing.has_value(); }));
+    EXPECT_TRUE(station->robot("kurt3d").grant.mine);
+}
+
+TEST_F(StationHearing, NobodyJoinsAnewWhileARobotMoves) {
+    const RobotDescription moving = drivenRobot(), quiet = drivenRobot("crawler");
+    const auto node = nodeIn(m_domain);
+    ControlRobot robot(*node, moving);
+    auto station = stationFor({moving, quiet});
+    ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; })) << words();
+    QuietRobot silent(m_domain, quiet);
+    const auto until = std::chrono::steady_clock::now() + 4s;
+    std::size_t seen = 0;
+    ASSERT_TRUE(waitUntil([&] {
+        station->push({0.3, 0.0, 0.0});
+        seen = silent.seen();
+        return std::chrono::steady_clock::now() > until && station->robot("crawler").hearing.has_value();
+    }));
+    EXPECT_EQ(seen, 2U) << "the station as it came, and the other robot";
+    EXPECT_GT(robot.speed(), 0.2);
+    station->focus({});
+    EXPECT_TRUE(waitUntil([&] { return silent.seen() == 3U; })) << words();
+}
+
+TEST_F(StationHearing, AStopStandsAfterJoiningAnewUnderItsNumber) {
+    const RobotDescription stopped = drivenRobot(), quiet = drivenRobot("crawler");
+    const auto node = nodeIn(m_domain);
+    ControlRobot robot(*node, stopped);
+    auto station = stationFor({stopped, quiet});
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").link.state == LinkState::Connected; }));
+    station->stop("kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").stop.standing; }));
+    QuietRobot silent(m_domain, quiet);
+    ASSERT_TRUE(waitUntil([&] { return silent.seen() == 3U; })) << words();
+    ASSERT_TRUE(waitUntil([&] { return station->robot("kurt3d").link.state == LinkState::Connected; }));
+    const StopStatus stop = station->robot("kurt3d").stop;
+    EXPECT_TRUE(stop.sent && stop.acknowledged && stop.stopped);
+    station->ask("kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return station->release("kurt3d").ok(); }));
+    EXPECT_TRUE(waitUntil([&] { return !station->robot("kurt3d").stop.stopped; })) << "by its next number";
+}
+
+}  // namespace
+}  // namespace leitstand::test

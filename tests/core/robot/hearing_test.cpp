@@ -1,0 +1,106 @@
+#include "core/robot/hearing.h"
+
+#include <gmock/gmock.h>
+
+namespace leitstand::test {
+namespace {
+
+using std::chrono::seconds;
+using testing::ElementsAre;
+
+RobotDescription kurt3d() {
+    RobotDescription robot;
+    robot.name = "kurt3d";
+    for (const auto& [role, topic] :
+         {std::pair(StreamRole::Odometry, "/kurt3d/odom"), std::pair(StreamRole::Points, "/kurt3d/points"),
+          std::pair(StreamRole::Transforms, "/tf"), std::pair(StreamRole::Battery, "/kurt3d/battery_state"),
+          std::pair(StreamRole::Mode, "/kurt3d/mode"),
+          std::pair(StreamRole::DriveCommand, "/kurt3d/cmd_vel")}) {
+        StreamDescription stream;
+        stream.role = role;
+        stream.topic = topic;
+        robot.streams.push_back(stream);
+    }
+    return robot;
+}
+
+AnnouncedWriter writer(const char* topic, double since, bool heard = false, const char* process = "P") {
+    return {topic, process, since, heard};
+}
+
+TEST(Hearing, TopicsThatAreAnnouncedAndDoNotComeAreAFaultAfterTwoSeconds) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/points", 1.9), writer("/kurt3d/odom", 1.9)};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced));
+    for (AnnouncedWriter& one : announced.writers) one.seconds = 2.0;
+    const auto fault = hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->kind, HearingFault::Kind::Silent);
+    EXPECT_THAT(fault->names, ElementsAre("/kurt3d/odom", "/kurt3d/points"));
+    EXPECT_EQ(toString(*fault), "announced, but nothing comes: /kurt3d/odom, /kurt3d/points");
+}
+
+TEST(Hearing, ARobotOfWhichAnythingIsHeardHasNone) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/odom", 9.0), writer("/kurt3d/points", 9.0, true)};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced));
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Degraded, announced));
+}
+
+TEST(Hearing, StreamsOnEventsSlowOnesAndThoseOfAllRobotsSayNothing) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/mode", 9.0), writer("/kurt3d/battery_state", 9.0),
+                         writer("/tf", 9.0), writer("/crawler/odom", 9.0)};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced));
+}
+
+TEST(Hearing, ALinkThatWasLostIsNoFaultButOneThatCameBackMuteIs) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/odom", 90.0, true, "before")};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Lost, announced)) << "a gap of the radio";
+    announced.writers.push_back(writer("/kurt3d/odom", 3.0, false, "started again"));
+    EXPECT_TRUE(hearingFaultOf(kurt3d(), LinkState::Lost, announced));
+}
+
+TEST(Hearing, AProcessWithoutTopicsIsAFaultWhileNothingElseOfTheRobotIsThere) {
+    Announced announced;
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced)) << "it is not there";
+    announced.mute = {{"kurt3d", 1.0}};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced));
+    announced.mute = {{"kurt3d", 2.5}};
+    const auto fault = hearingFaultOf(kurt3d(), LinkState::NeverSeen, announced);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(toString(*fault), "announced by kurt3d, but none of its topics are");
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced));
+}
+
+TEST(Hearing, LongListsAreCut) {
+    const HearingFault fault{HearingFault::Kind::Silent, {"/a", "/b", "/c", "/d", "/e"}};
+    EXPECT_EQ(toString(fault), "announced, but nothing comes: /a, /b, /c, /d, ...");
+}
+
+TEST(RejoinPlan, ThreeTimesThenNotUntilTheRobotWasHeard) {
+    RejoinPlan plan;
+    const SteadyTime begin{};
+    EXPECT_FALSE(plan.isDue(false, true, begin));
+    EXPECT_TRUE(plan.isDue(true, true, begin));
+    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(4)));
+    EXPECT_FALSE(plan.isDue(false, true, begin + seconds(4))) << "all is new for two seconds after joining";
+    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(5)));
+    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(19)));
+    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(20)));
+    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(1000)));
+    plan.heard();
+    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(1001)));
+}
+
+TEST(RejoinPlan, NotWhileARobotMovesOrIsBeingStopped) {
+    RejoinPlan plan;
+    const SteadyTime begin{};
+    EXPECT_FALSE(plan.isDue(true, false, begin));
+    EXPECT_FALSE(plan.isDue(true, false, begin + seconds(100)));
+    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(101)));
+}
+
+}  // namespace
+}  // namespace leitstand::test
