@@ -1,0 +1,76 @@
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/net/radio_link.h"
+#include "tests/transport/link/control_robot.h"
+#include "tests/transport/link/control_station.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// A robot with our watchdog, driven over a link of 5 % loss whose packets come 20 to 40 ms late.
+class DriveOverRadio : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const std::string why = whyNoNamespaces(); !why.empty())
+            GTEST_SKIP() << "SKIPPED: the radio link needs network namespaces and TUN: " << why;
+        m_radio.emplace(RadioConditions{.delay = 20ms, .jitter = 20ms, .loss = 0.05});
+        {
+            const InNamespace there(m_radio->robots());
+            m_there = nodeIn(m_domain);
+            m_robot = std::make_unique<ControlRobot>(*m_there, m_description);
+        }
+        const InNamespace here(m_radio->station());
+        m_here = nodeIn(m_domain);
+        m_station = std::make_unique<ControlStation>(*m_here, m_description);
+        m_station->ask();
+        ASSERT_TRUE(waitUntil([&] { return m_station->mayDrive(); }));
+        ASSERT_TRUE(m_station->driveUntil(0.3, [&] { return m_robot->speed() > 0.0; }));
+    }
+    /// How often the robot stands while its stick is held for @p duration, looked at a thousand times a
+    /// second.
+    [[nodiscard]] int stutters(std::chrono::seconds duration) const {
+        int count = 0;
+        bool moved = true;
+        auto next = Clock::now();
+        for (const auto end = next + duration; next < end; next += 1ms) {
+            std::this_thread::sleep_until(next);
+            const bool moves = m_robot->speed() > 0.0;
+            if (moved && !moves) ++count;
+            moved = moves;
+        }
+        const auto counts = m_robot->commands().counts();
+        std::printf(
+            "%lld s at 5 %% loss and 20 ms of jitter: %llu commands came, %llu refused, %d stutters\n",
+            static_cast<long long>(duration.count()), static_cast<unsigned long long>(counts.taken),
+            static_cast<unsigned long long>(counts.refused), count);
+        return count;
+    }
+
+    const TestDomain m_domain;
+    const RobotDescription m_description = drivenRobot();
+    std::optional<RadioLink> m_radio;
+    std::unique_ptr<Node> m_there, m_here;
+    std::unique_ptr<ControlRobot> m_robot;
+    std::unique_ptr<ControlStation> m_station;
+};
+using DriveOverRadioLong = DriveOverRadio;
+using DriveOverRadioLatency = DriveOverRadio;
+
+TEST_F(DriveOverRadioLatency, AMinuteIsDrivenWithOneStutterAtMost) {
+    EXPECT_LE(stutters(60s), 1);
+}
+
+TEST_F(DriveOverRadioLong, TenMinutesAreDrivenWithOneStutterAtMost) {
+    EXPECT_LE(stutters(600s), 1);
+}
+
+}  // namespace
+}  // namespace leitstand::test
