@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     const auto arguments = guardArgumentsFrom(words);
     if (!arguments) return fail(arguments.error(), 2);
     NodeSettings network = arguments->network;
-    network.name = "leitstand-guard";
+    network.name = arguments->guard.ownName;
     if (!arguments->keys.empty()) {
         const auto files = securityFiles(arguments->keys);
         if (!files) return fail(files.error(), 1);

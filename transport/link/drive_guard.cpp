@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -21,7 +22,6 @@ namespace {
 
 constexpr std::chrono::milliseconds LooksForRobot(100);  ///< whether the robot still hears the guard
 constexpr std::chrono::milliseconds TellsAgain(500);
-constexpr std::string_view OurNames = "leitstand";  ///< participants that are stations, recorders, guards
 
 SteadyTime moment() {
     return std::chrono::steady_clock::now();
@@ -88,16 +88,18 @@ Result<void> DriveGuard::State::open() {
     return {};
 }
 
-/// This process, the station and recorders listen to commands too: they do not count.
+/// A reader of the commands is the robot's unless it is a station's, which records what is said (it is known
+/// by its grants), or another guard's.
 bool DriveGuard::State::isHeard() const {
-    const Sender self = senderOf(node.guid());
     const auto readers = publisher->readers();
     const auto endpoints = node.endpoints();
-    return std::any_of(endpoints.begin(), endpoints.end(), [&](const RemoteEndpoint& one) {
-        const Sender owner = senderOf(one.guid);
-        return owner != self && owner != settings.driver && !one.participantName.starts_with(OurNames) &&
-               std::find(readers.begin(), readers.end(), one.guid) != readers.end();
-    });
+    std::set<Sender> others = {senderOf(node.guid()), settings.driver};
+    for (const RemoteEndpoint& one : endpoints) {
+        const bool grants = one.kind == RemoteEndpoint::Kind::Writer && one.topic == station_topic::Grants;
+        if (grants || one.participantName == settings.ownName) others.insert(senderOf(one.guid));
+    }
+    return std::any_of(readers.begin(), readers.end(),
+                       [&](const Guid& reader) { return !others.contains(senderOf(reader)); });
 }
 
 bool DriveGuard::State::read(int pipe) {

@@ -18,10 +18,11 @@ inline constexpr std::string_view Ready = "ready", Waits = "waits";
 }
 
 struct DriveGuardSettings {
-    std::string robot;     ///< name
-    std::string station;   ///< identity of the station that is guarded
-    Sender driver = {};    ///< its process, whose commands are nobody else's
-    DriveMessage message;  ///< how the robot is driven
+    std::string ownName = "leitstand-guard";  ///< of the node, and of others that guard
+    std::string robot;                        ///< name
+    std::string station;                      ///< identity of the station that is guarded
+    Sender driver = {};                       ///< its process, whose commands are nobody else's
+    DriveMessage message;                     ///< how the robot is driven
     GuardTiming timing = {};
 };
 

@@ -183,8 +183,9 @@ Result<GuardArguments> guardArgumentsFrom(const std::vector<std::string>& words)
         if (i + 1 == words.size() || !option->set(arguments, words[i + 1]))
             return Error{fmt::format("{}: expected {}", option->name, option->expects)};
     }
-    const auto& [robot, station, driver, message, timing] = arguments.guard;
-    if (robot.empty() || station.empty() || message.stream.topic.empty() || message.stream.type.empty())
+    const DriveGuardSettings& guard = arguments.guard;
+    const StreamDescription& stream = guard.message.stream;
+    if (guard.robot.empty() || guard.station.empty() || stream.topic.empty() || stream.type.empty())
         return Error{"expected --robot, --station, --topic and --type"};
     return arguments;
 }

@@ -1,12 +1,10 @@
 // A robot that goes on without commands, driven by a station that hangs or dies: real processes, by the
 // truth.
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -16,8 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/brake_file.h"
-#include "tests/app/robots/held_station.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/robots/station_and_robot.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand::test {
@@ -25,8 +22,6 @@ namespace {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
-
-constexpr double Pace = 0.2;  ///< [m/s]
 
 /// What /proc says of a process in line @p name of its status.
 std::string statusOf(pid_t id, const std::string& name) {
@@ -56,48 +51,24 @@ std::optional<pid_t> guardOf(pid_t station) {
     return std::nullopt;
 }
 
-class GuardedRobot : public testing::Test {
+class GuardedRobot : public StationAndRobot {
 protected:
     GuardedRobot() {
-        writeText(m_folder / "hall.yaml", hallFile("hall"));
         // It showed in an earlier brake test that it goes on.
-        EXPECT_TRUE(writeBrakes(m_folder / "brakes.yaml", {{"kurt3d",
-                                                            {.verdict = BrakeResult::Verdict::Failed,
-                                                             .seconds = 1.6,
-                                                             .metres = 0.3,
-                                                             .watchdog = BrakeResult::Watchdog::None}}})
-                        .ok());
-        m_robot = std::make_unique<RobotProcess>(
-            m_domain, "kurt3d",
-            std::vector<std::string>{"--no-watchdog", "--arena", (m_folder / "hall.yaml").string(),
-                                     "--interface", "lo"});
-        startStation();
+        const BrakeResult none{.verdict = BrakeResult::Verdict::Failed,
+                               .seconds = 1.6,
+                               .metres = 0.3,
+                               .watchdog = BrakeResult::Watchdog::None};
+        EXPECT_TRUE(writeBrakes(m_folder / "brakes.yaml", {{"kurt3d", none}}).ok());
+        startRobot({"--no-watchdog"});
+        startStation({"--blind", "--nevertheless"});
     }
-    void startStation() {
-        m_station = std::make_unique<HeldStation>(m_folder.path(), m_domain, Pace,
-                                                  std::vector<std::string>{"--blind", "--nevertheless"});
-    }
-    [[nodiscard]] bool drives() const {
-        return m_station->drives() && waitUntil([this] { return m_truth.now() > 0.9 * Pace; }, 10s);
-    }
-    /// How long the robot drove on after the station got @p number [s].
-    [[nodiscard]] double standsAfter(int number) {
-        const Time gone = TrueSpeed::Clock::now();
-        m_station->signal(number);
-        EXPECT_TRUE(waitUntil([&] { return m_truth.stoodAfter(gone).has_value(); }, 10s)) << "it goes on";
-        std::this_thread::sleep_for(300ms);  // for good
-        return m_truth.stoodAfter(gone).value_or(99.0);
-    }
-
-    const TestDomain m_domain;
-    const TemporaryFolder m_folder;
-    const TrueSpeed m_truth{m_domain, "hall"};
-    std::unique_ptr<RobotProcess> m_robot;
-    std::unique_ptr<HeldStation> m_station;
 };
 
-TEST_F(GuardedRobot, StandsWhenItsStationIsKilledAndNothingIsLeftBehind) {
-    ASSERT_TRUE(drives()) << m_station->out() << m_robot->out();
+using GuardedRobotLatency = GuardedRobot;
+
+TEST_F(GuardedRobotLatency, StandsWhenItsStationIsKilledAndNothingIsLeftBehind) {
+    ASSERT_TRUE(drives()) << words();
     const auto guard = guardOf(m_station->id());
     ASSERT_TRUE(guard);
     const double megabytes = std::stod(statusOf(*guard, "VmRSS")) * 1024.0 / 1e6;
@@ -111,8 +82,8 @@ TEST_F(GuardedRobot, StandsWhenItsStationIsKilledAndNothingIsLeftBehind) {
     EXPECT_LT(m_truth.now(), TrueSpeed::Standing);
 }
 
-TEST_F(GuardedRobot, StandsWhenItsStationIsFrozenAndObeysItAgainAfterwards) {
-    ASSERT_TRUE(drives()) << m_station->out() << m_robot->out();
+TEST_F(GuardedRobotLatency, StandsWhenItsStationIsFrozenAndObeysItAgainAfterwards) {
+    ASSERT_TRUE(drives()) << words();
     const auto guard = guardOf(m_station->id());
     ASSERT_TRUE(guard);
     const double took = standsAfter(SIGSTOP);
@@ -130,7 +101,7 @@ TEST_F(GuardedRobot, StandsWhenItsStationIsFrozenAndObeysItAgainAfterwards) {
 }
 
 TEST_F(GuardedRobot, AnotherDriverIsNotDisturbed) {
-    ASSERT_TRUE(drives()) << m_station->out() << m_robot->out();
+    ASSERT_TRUE(drives()) << words();
     const auto node = nodeIn(m_domain, {.interfaces = {"lo"}});
     const RobotDescription description = shippedRobot("kurt3d");
     const StreamDescription& stream = *description.stream(StreamRole::DriveCommand);
@@ -155,7 +126,7 @@ TEST_F(GuardedRobot, AnotherDriverIsNotDisturbed) {
 }
 
 TEST_F(GuardedRobot, IsNotDrivenWithoutItsGuard) {
-    ASSERT_TRUE(drives()) << m_station->out() << m_robot->out();
+    ASSERT_TRUE(drives()) << words();
     const auto guard = guardOf(m_station->id());
     ASSERT_TRUE(guard);
     const Time gone = TrueSpeed::Clock::now();
@@ -176,7 +147,7 @@ TEST_F(GuardedRobot, WhereNoGuardCanBeStartedItIsNotDriven) {
     fs::copy_file(program("held_station"), alone);
     const Time begun = TrueSpeed::Clock::now();
     const ChildProcess station(alone, {m_folder.path().string(), std::to_string(m_domain.number()), "kurt3d",
-                                       std::to_string(Pace), "--blind", "--nevertheless"});
+                                       std::to_string(Speed), "--blind", "--nevertheless"});
     ASSERT_TRUE(waitUntil([&] { return station.out().find("guard failed") != std::string::npos; }, 60s))
         << station.out();
     std::this_thread::sleep_for(3s);  // it would have driven by now

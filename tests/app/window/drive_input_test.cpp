@@ -1,9 +1,5 @@
 #include "app/window/live/drive_input.h"
 
-#include <chrono>
-#include <optional>
-#include <thread>
-
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
@@ -249,83 +245,6 @@ TEST_F(DriveInputTest, KeysAndPadNeverDriveTogether) {
     let(Qt::Key_W);
     hold(Qt::Key_W);
     EXPECT_GT(sticks().forward, 0.0);
-}
-
-/// The setpoint that the sticks are told to, and a window that hangs.
-class HangTest : public DriveInputTest {
-protected:
-    HangTest() {
-        m_setpoint.permit(true);
-        QObject::connect(&m_input, &DriveInput::sticks, [this](const DriveVelocity& velocity) {
-            const auto now = std::chrono::steady_clock::now();
-            m_setpoint.set(velocity, now);
-            m_moves = m_setpoint.at(now).forward;
-        });
-    }
-    [[nodiscard]] double moves() const { return m_moves; }  ///< when the sticks were told last [m/s]
-    /// Lets the sticks be told, by the rhythm of keys or by a pad that is held.
-    void tell() {
-        if (m_pad) m_input.setPad(*m_pad, true);
-        QTest::qWait(60);
-    }
-    void hang() {
-        std::this_thread::sleep_for(std::chrono::milliseconds(900));  // as a window that hangs
-        for (int i = 0; i < 10; ++i) {
-            tell();
-            EXPECT_EQ(moves(), 0.0) << "held all the time";
-        }
-    }
-    DriveSetpoint m_setpoint{limitsOf(robot())};
-    std::optional<DriveVelocity> m_pad;
-    double m_moves = 0.0;
-};
-
-TEST_F(HangTest, KeysThatWereHeldThroughItMoveNothingUntilTheyWereLetGo) {
-    m_input.setFocus(true);
-    tell();
-    hold(Qt::Key_W);
-    tell();
-    ASSERT_GT(moves(), 0.2);
-    hang();
-    let(Qt::Key_W);
-    tell();
-    hold(Qt::Key_W);
-    tell();
-    EXPECT_GT(moves(), 0.2);
-}
-
-TEST_F(HangTest, APadThatWasHeldThroughItMovesNothingUntilItsSticksWereLetGo) {
-    m_pad = DriveVelocity{};
-    tell();
-    m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
-    ASSERT_GT(moves(), 0.2);
-    hang();
-    m_pad = DriveVelocity{};
-    tell();
-    m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
-    EXPECT_GT(moves(), 0.2);
-}
-
-TEST_F(HangTest, KeysBesideAPadMoveNothingEither) {
-    m_input.setFocus(true);
-    m_pad = DriveVelocity{};
-    tell();
-    hold(Qt::Key_W);
-    m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
-    ASSERT_GT(moves(), 0.2);
-    hang();
-    // The pad lets go: the key that is still held has to be pressed anew.
-    m_pad.reset();
-    m_input.setPad({}, false);
-    tell();
-    EXPECT_EQ(moves(), 0.0);
-    let(Qt::Key_W);
-    hold(Qt::Key_W);
-    tell();
-    EXPECT_GT(moves(), 0.2);
 }
 
 TEST_F(DriveInputTest, SpaceAndAnotherRobotMakeThePadLetGo) {
