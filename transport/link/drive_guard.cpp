@@ -41,6 +41,7 @@ struct DriveGuard::State {
     State(Node& domain, DriveGuardSettings given)
         : node(domain),
           settings(std::move(given)),
+          drivers{settings.driver},
           rules(settings.robot, settings.station, settings.timing) {}
 
     Result<void> open();
@@ -51,7 +52,10 @@ struct DriveGuard::State {
     Node& node;
     const DriveGuardSettings settings;
     std::mutex mutex;
-    GuardRules rules;  ///< under the mutex
+    // Under the mutex:
+    bool piped = true;         ///< the pipe
+    std::set<Sender> drivers;  ///< participants that the station is, or was
+    GuardRules rules;
     std::unique_ptr<Publisher> publisher;
     std::unique_ptr<Subscription> commands, grants;  ///< last: they call back
 };
@@ -68,9 +72,8 @@ Result<void> DriveGuard::State::open() {
     auto heard = node.subscribe({stream.topic, stream.type, any, Lane::Small},
                                 [this, self](const ReceivedSample& sample) {
                                     const Sender from = senderOf(sample.writer);
-                                    if (from == self || from == settings.driver) return;
                                     const std::lock_guard lock(mutex);
-                                    rules.commanded(moment());
+                                    if (from != self && !drivers.contains(from)) rules.commanded(moment());
                                 });
     if (!heard) return heard.error();
     commands = std::move(heard).value();
@@ -81,6 +84,9 @@ Result<void> DriveGuard::State::open() {
             const auto* grant = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
             if (grant == nullptr) return;
             const std::lock_guard lock(mutex);
+            // The station has joined the domain anew, as another participant. One that was started anew is
+            // another driver: the pipe of the one before is closed.
+            if (piped && grant->station == settings.station) drivers.insert(senderOf(sample.writer));
             rules.hear(*grant, senderOf(sample.writer), moment());
         });
     if (!held) return held.error();
@@ -134,6 +140,7 @@ void DriveGuard::serve(int pipe) {
         if (open && !m_state->read(pipe)) {
             open = false;
             const std::lock_guard lock(m_state->mutex);
+            m_state->piped = false;
             m_state->rules.closed();
         }
         GuardRules::Step step;

@@ -195,6 +195,23 @@ TEST_F(DriveGuardTest, WhatIsNoPulseIsSilence) {
     EXPECT_GT(m_zeros, 0);
 }
 
+TEST_F(DriveGuardTest, ItsStationIsKnownByItsGrantsWhenItJoinedTheDomainAnew) {
+    ASSERT_TRUE(isReady());
+    const auto again = must(Node::create(named("leitstand")));
+    const StreamDescription stream = *m_robot.stream(StreamRole::DriveCommand);
+    const auto driver = must(again->publisher({stream.topic, stream.type, stream.qos, Flow::Immediate}));
+    const auto keeper = must(GrantKeeper::create(*again, {"a", "Left desk", {{driveGrant("kurt3d"), 5}}}));
+    const Payload command = must(must(driveMessageFor(m_robot)).encoded({0.2, 0.0, 0.0}, {}));
+    EXPECT_TRUE(waitUntil([&] {
+        tell("drive 0");
+        for (int i = 0; i < 12 && m_zeros == 0; ++i) {
+            EXPECT_TRUE(driver->write(command));
+            std::this_thread::sleep_for(50ms);
+        }
+        return m_zeros > 0;
+    })) << "its own commands silence it";
+}
+
 TEST_F(DriveGuardTest, ItIsSilentBesideSomebodyElsesCommands) {
     ASSERT_TRUE(isReady());
     const StreamDescription stream = *m_robot.stream(StreamRole::DriveCommand);
