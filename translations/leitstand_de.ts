@@ -6980,6 +6980,10 @@ F1 listet alle Tasten</translation>
 <context>
     <name>leitstand::Station</name>
     <message>
+        <source>{} has no guard and is not driven: {}</source>
+        <translation>{} hat keinen Wächter und wird nicht gefahren: {}</translation>
+    </message>
+    <message>
         <source>{} is not in the map yet: nothing was filed</source>
         <translation>{} ist noch nicht in der Karte: nichts wurde erfasst</translation>
     </message>

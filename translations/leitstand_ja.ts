@@ -6980,6 +6980,10 @@ F1 でキー一覧</translation>
 <context>
     <name>leitstand::Station</name>
     <message>
+        <source>{} has no guard and is not driven: {}</source>
+        <translation>{}: ガードがないため操縦しません: {}</translation>
+    </message>
+    <message>
         <source>{} is not in the map yet: nothing was filed</source>
         <translation>{} がまだ地図にない: 登録なし</translation>
     </message>

@@ -28,6 +28,8 @@ public:
         std::map<std::string, std::vector<std::string>> words;  ///< of its command line, by robot
         /// Whether a robot may be driven has changed. Called on the guards' own thread.
         std::function<void(const std::string& robot)> onChange;
+        /// A robot has no guard, which it should have, and why. On the same thread.
+        std::function<void(const std::string& robot, const std::string& problem)> onTrouble;
     };
     explicit StationGuards(Setup setup);
     ~StationGuards();  ///< guards end
@@ -50,10 +52,12 @@ private:
         bool deaf = false;                      ///< it did not take what it was told
         std::string problem;                    ///< why there is none
         SteadyTime failed = {};
+        std::string told;  ///< the problem that was told last; of our thread
     };
     void run(const std::stop_token& stop);
     void wake() const;
     bool look(const std::string& robot, Entry& entry, bool stopping);
+    void tellTrouble(const std::string& robot, Entry& entry);
     void begin(const std::string& robot, Entry& entry);
 
     const Setup m_setup;

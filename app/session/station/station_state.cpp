@@ -278,6 +278,13 @@ void Station::State::guardRobots() {
         setup.words.emplace(robot.name, wordsOf(arguments));
     }
     setup.onChange = [this](const std::string& robot) { refresh(robot); };
+    setup.onTrouble = [this](const std::string& robot, const std::string& problem) {
+        for (const RobotDescription& one : settings.mission.robots) {
+            if (one.name != robot) continue;
+            say(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
+                                one.title, problem));
+        }
+    };
     guards = std::make_unique<StationGuards>(std::move(setup));
 }
 

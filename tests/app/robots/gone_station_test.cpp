@@ -20,22 +20,32 @@ using GoneStationLatency = StationAndRobot;
 class GoneStation : public StationAndRobot, public testing::WithParamInterface<bool> {};
 
 TEST_F(GoneStationLatency, TheRobotStandsWithinThreeTenthsOfASecond) {
-    constexpr int Cases = 20;
+    constexpr std::size_t Cases = 20;
     startRobot();
     std::vector<double> took;
-    while (took.size() < Cases) {
+    int late = 0;
+    // A simulated robot that gets no processor for a while stands still meanwhile, and then goes on: what its
+    // truth says too late is no measurement. Most of them have to be some.
+    const auto measure = [&](int number) {
+        const Time gone = TrueSpeed::Clock::now();
+        const double seconds = standsAfter(number);
+        m_truth.longestGapSince(gone) < 0.06 ? took.push_back(seconds) : void(++late);
+    };
+    while (took.size() < Cases && late < 10) {
         startStation({"--blind"});
         ASSERT_TRUE(drives()) << words();
-        took.push_back(standsAfter(SIGSTOP));
+        measure(SIGSTOP);
         m_station->signal(SIGCONT);
         m_station->turn();
         ASSERT_TRUE(drives()) << words();
-        took.push_back(standsAfter(SIGKILL));
+        measure(SIGKILL);
         m_station->wait();
     }
+    ASSERT_GE(took.size(), Cases) << late << " came too late: the computer is too busy";
+    took.resize(Cases);
     std::sort(took.begin(), took.end());
     for (const double seconds : took) std::printf("%.0f ", 1e3 * seconds);
-    std::printf("ms until it stands\n");
+    std::printf("ms until it stands; %d not judged\n", late);
     EXPECT_LE(took[Cases - 2], 0.3) << "19 of 20";
     EXPECT_LE(took.back(), 0.4) << "always";
 }

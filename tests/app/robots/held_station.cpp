@@ -1,6 +1,7 @@
 #include "tests/app/robots/held_station.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "transport/convert/decode.h"
 
@@ -71,6 +72,17 @@ std::optional<double> TrueSpeed::stoodAfter(Time moment) const {
     }
     if (!stood) return std::nullopt;
     return std::chrono::duration<double>(*stood - moment).count();
+}
+
+double TrueSpeed::longestGapSince(Time moment) const {
+    const std::scoped_lock lock(m_mutex);
+    double longest = 0.0;
+    for (auto one = m_speeds.rbegin(); one != m_speeds.rend() && one->first > moment; ++one) {
+        const auto before = std::next(one);
+        if (before == m_speeds.rend()) break;
+        longest = std::max(longest, std::chrono::duration<double>(one->first - before->first).count());
+    }
+    return longest;
 }
 
 double TrueSpeed::fastestSince(Time moment) const {

@@ -49,6 +49,9 @@ public:
     /// after
     /// @p moment]. Empty: it moves still, or nothing came since.
     [[nodiscard]] std::optional<double> stoodAfter(Time moment) const;
+    /// The longest time between two samples since @p moment, of which 50 a second come [s]: a longer one
+    /// means that the robot's own computer, or this one, was busy with something else.
+    [[nodiscard]] double longestGapSince(Time moment) const;
     /// The fastest since @p moment [m/s].
     [[nodiscard]] double fastestSince(Time moment) const;
 

@@ -96,7 +96,7 @@ int Writer::matched() const {
 }
 
 std::vector<Guid> Writer::readers() const {
-    return m_participant.discovery().matchedWith(m_guid);
+    return m_participant.discovery().matchedWith(guid());
 }
 
 bool Writer::waitForAcknowledgments(std::chrono::milliseconds atMost) const {
