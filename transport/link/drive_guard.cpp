@@ -46,11 +46,15 @@ struct DriveGuard::State {
 
     Result<void> open();
     [[nodiscard]] bool isHeard() const;
+    /// Tells the station whether the robot hears the guard: when that changes, and again and again.
+    void tell(int pipe, bool heard, SteadyTime now);
     /// Takes all that came through @p pipe; whether its other end is still open.
     bool read(int pipe);
 
     Node& node;
     const DriveGuardSettings settings;
+    std::optional<bool> told;  ///< whether the robot hears the guard, as the station was told last
+    SteadyTime toldAt = {};
     std::mutex mutex;
     // Under the mutex:
     bool piped = true;         ///< the pipe
@@ -108,6 +112,14 @@ bool DriveGuard::State::isHeard() const {
                        [&](const Guid& reader) { return !others.contains(senderOf(reader)); });
 }
 
+void DriveGuard::State::tell(int pipe, bool heard, SteadyTime now) {
+    if (told == heard && now - toldAt < TellsAgain) return;
+    const std::string_view word = heard ? guard_word::Ready : guard_word::Waits;
+    static_cast<void>(send(pipe, word.data(), word.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
+    told = heard;
+    toldAt = now;
+}
+
 bool DriveGuard::State::read(int pipe) {
     std::array<char, 64> text{};
     for (;;) {
@@ -134,8 +146,7 @@ Result<std::unique_ptr<DriveGuard>> DriveGuard::create(Node& node, DriveGuardSet
 }
 
 void DriveGuard::serve(int pipe) {
-    std::optional<bool> told;
-    SteadyTime toldAt = {};
+    SteadyTime looks = {};
     for (bool open = true;;) {
         if (open && !m_state->read(pipe)) {
             open = false;
@@ -156,11 +167,9 @@ void DriveGuard::serve(int pipe) {
         }
         if (step.over) return;
         const SteadyTime now = moment();
-        if (const bool heard = m_state->isHeard(); open && (told != heard || now - toldAt >= TellsAgain)) {
-            const std::string_view word = heard ? guard_word::Ready : guard_word::Waits;
-            static_cast<void>(send(pipe, word.data(), word.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
-            told = heard;
-            toldAt = now;
+        if (open && now >= looks) {
+            looks = now + LooksForRobot;
+            m_state->tell(pipe, m_state->isHeard(), now);
         }
         waitFor(pipe, open, std::min(step.next.value_or(now + LooksForRobot), now + LooksForRobot) - now);
     }

@@ -179,6 +179,20 @@ TEST(DriveSchedule, ChangesGoOutAtOnceButNoFloodOfThem) {
     EXPECT_NEAR(count, 100, 2) << "a pad at 1 kHz";
 }
 
+TEST(DriveSchedule, SaysWhetherMoreCommandsFollow) {
+    DriveSchedule schedule;
+    EXPECT_FALSE(schedule.decide(Zero, false, at(0)).speaks);
+    EXPECT_TRUE(schedule.decide(Forward, true, at(100)).speaks);
+    EXPECT_TRUE(schedule.decide(Forward, true, at(110)).speaks) << "nothing is due, but soon";
+    int zeros = 0;
+    for (std::int64_t now = 150; now < 2'000; now += 50) {
+        const auto decision = schedule.decide(Zero, false, at(now));
+        zeros += decision.send ? 1 : 0;
+        EXPECT_EQ(decision.speaks, zeros < 20) << now;
+    }
+    EXPECT_EQ(zeros, 20);
+}
+
 TEST(DriveSchedule, AfterDrivingTwentyZerosAndThenSilence) {
     DriveSchedule schedule;
     EXPECT_TRUE(sent(schedule, Zero, false, 0, 1'000).empty()) << "who never drove says nothing";
