@@ -1,5 +1,7 @@
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <deque>
 #include <optional>
 #include <thread>
 
@@ -39,11 +41,36 @@ protected:
     [[nodiscard]] int stutters(std::chrono::seconds duration) const {
         int count = 0;
         bool moved = true;
+        std::deque<Clock::time_point> sent, came;  // newest of what was seen to be sent and to come
+        std::uint64_t lastSent = 0, lastCame = 0;
+        const auto note = [](std::deque<Clock::time_point>& moments, std::uint64_t& last, std::uint64_t now,
+                             Clock::time_point at) {
+            if (last != now) moments.push_back(at);
+            last = now;
+            if (moments.size() > 8) moments.pop_front();
+        };
+        const auto told = [](const char* what, const std::deque<Clock::time_point>& moments,
+                             Clock::time_point now) {
+            std::printf("  %s", what);
+            for (const auto one : moments)
+                std::printf(" %.0f", std::chrono::duration<double, std::milli>(now - one).count());
+            std::printf(" ms before\n");
+        };
         auto next = Clock::now();
         for (const auto end = next + duration; next < end; next += 1ms) {
             std::this_thread::sleep_until(next);
+            const auto now = Clock::now();
+            note(sent, lastSent, m_station->streamer().status().sent, now);
+            note(came, lastCame, m_robot->commands().counts().taken, now);
             const bool moves = m_robot->speed() > 0.0;
-            if (moved && !moves) ++count;
+            if (moved && !moves) {
+                ++count;
+                const DriveStatus status = m_station->streamer().status();
+                std::printf("stutter %d: the station says %.1f m/s, needs neutral %d\n", count,
+                            status.velocity.forward, status.needsNeutral ? 1 : 0);
+                told("sent", sent, now);
+                told("came", came, now);
+            }
             moved = moves;
         }
         const auto counts = m_robot->commands().counts();
