@@ -790,6 +790,14 @@
         <translation>Bremsprüfung bestanden: er stand nach {} ms und {} cm</translation>
     </message>
     <message>
+        <source>brake test passed: without commands it braked after {} ms and stood after {} ms and {} cm</source>
+        <translation>Bremsprüfung bestanden: ohne Fahrbefehle bremste er nach {} ms und stand nach {} ms und {} cm</translation>
+    </message>
+    <message>
+        <source>brake test FAILED: without commands it braked after {} ms and stood only after {} ms and {} cm</source>
+        <translation>Bremsprüfung NICHT BESTANDEN: ohne Fahrbefehle bremste er nach {} ms und stand erst nach {} ms und {} cm</translation>
+    </message>
+    <message>
         <source>brake test FAILED: without commands it still moved after {} ms and {} cm</source>
         <translation>Bremsprüfung NICHT BESTANDEN: ohne Fahrbefehle fuhr er nach {} ms und {} cm noch</translation>
     </message>
@@ -1986,6 +1994,14 @@ Funk: %4 %5</translation>
 </context>
 <context>
     <name>leitstand::Error</name>
+    <message>
+        <source>{}: cannot be started: {}</source>
+        <translation>{}: lässt sich nicht starten: {}</translation>
+    </message>
+    <message>
+        <source>leitstand-guard has ended</source>
+        <translation>leitstand-guard ist beendet</translation>
+    </message>
     <message>
         <source>{}: is of other key scans than the mission has now; register again</source>
         <translation>{}: ist von anderen Schlüsselscans, als die Mission jetzt hat; bitte erneut registrieren</translation>
@@ -5176,8 +5192,16 @@ F1 listet alle Tasten</translation>
         <translation>KEIN WATCHDOG: %1</translation>
     </message>
     <message>
-        <source>Failed its brake test and is driven nevertheless: without radio it goes on</source>
-        <translation>Hat den Bremstest nicht bestanden und wird dennoch gefahren: ohne Funk fährt er weiter</translation>
+        <source>Failed its brake test and is driven nevertheless: without radio it goes on. When this station hangs or dies, its guard stops it</source>
+        <translation>Hat die Bremsprüfung nicht bestanden und wird dennoch gefahren: ohne Funk fährt er weiter. Hängt oder endet diese Station, hält ihn sein Wächter an</translation>
+    </message>
+    <message>
+        <source>BRAKES LATE: %1</source>
+        <translation>SPÄTE BREMSE: %1</translation>
+    </message>
+    <message>
+        <source>Failed its brake test and is driven nevertheless: without radio it stands late</source>
+        <translation>Hat die Bremsprüfung nicht bestanden und wird dennoch gefahren: ohne Funk steht er spät</translation>
     </message>
     <message>
         <source>%1 is not heard any more</source>
@@ -5311,12 +5335,40 @@ F1 listet alle Tasten</translation>
         <translation>Bremse: nicht getestet</translation>
     </message>
     <message>
-        <source>brake: FAILED, moves without commands; driving is refused</source>
-        <translation>Bremse: DURCHGEFALLEN, fährt ohne Befehle; Fahren wird verweigert</translation>
+        <source>brake: FAILED, %1; driving is refused</source>
+        <translation>Bremse: DURCHGEFALLEN, %1; Fahren wird verweigert</translation>
     </message>
     <message>
         <source>brake: FAILED, and driven nevertheless</source>
         <translation>Bremse: DURCHGEFALLEN, wird dennoch gefahren</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, and driven nevertheless; %1</source>
+        <translation>Bremse: DURCHGEFALLEN, wird dennoch gefahren; %1</translation>
+    </message>
+    <message>
+        <source>brakes after %1, stands after %2 and %3 cm</source>
+        <translation>bremst nach %1, steht nach %2 und %3 cm</translation>
+    </message>
+    <message>
+        <source>still moves %1 after the last command</source>
+        <translation>fährt %1 nach dem letzten Befehl noch</translation>
+    </message>
+    <message>
+        <source>moves without commands</source>
+        <translation>fährt ohne Befehle</translation>
+    </message>
+    <message>
+        <source>its guard is not heard by it yet</source>
+        <translation>sein Wächter wird von ihm noch nicht gehört</translation>
+    </message>
+    <message>
+        <source>its guard stands by</source>
+        <translation>sein Wächter steht bereit</translation>
+    </message>
+    <message>
+        <source>no guard: %1</source>
+        <translation>kein Wächter: %1</translation>
     </message>
     <message>
         <source>brake: no result (%1)</source>
@@ -5471,8 +5523,8 @@ F1 listet alle Tasten</translation>
         <translation>Bestanden: %1</translation>
     </message>
     <message>
-        <source>FAILED: moves without commands</source>
-        <translation>DURCHGEFALLEN: fährt ohne Befehle</translation>
+        <source>FAILED: %1</source>
+        <translation>DURCHGEFALLEN: %1</translation>
     </message>
     <message>
         <source>No result: %1</source>
@@ -6927,6 +6979,10 @@ F1 listet alle Tasten</translation>
 </context>
 <context>
     <name>leitstand::Station</name>
+    <message>
+        <source>{} has no guard and is not driven: {}</source>
+        <translation>{} hat keinen Wächter und wird nicht gefahren: {}</translation>
+    </message>
     <message>
         <source>{} is not in the map yet: nothing was filed</source>
         <translation>{} ist noch nicht in der Karte: nichts wurde erfasst</translation>

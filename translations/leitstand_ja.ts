@@ -790,6 +790,14 @@
         <translation>ブレーキ試験合格: {} ms、{} cm で停止</translation>
     </message>
     <message>
+        <source>brake test passed: without commands it braked after {} ms and stood after {} ms and {} cm</source>
+        <translation>ブレーキ試験 合格: 指令なしで {} ms 後に制動し、{} ms・{} cm で停止</translation>
+    </message>
+    <message>
+        <source>brake test FAILED: without commands it braked after {} ms and stood only after {} ms and {} cm</source>
+        <translation>ブレーキ試験 不合格: 指令なしで {} ms 後に制動し、停止は {} ms・{} cm 後</translation>
+    </message>
+    <message>
         <source>brake test FAILED: without commands it still moved after {} ms and {} cm</source>
         <translation>ブレーキ試験不合格: 指令なしで {} ms、{} cm 後もまだ動いていた</translation>
     </message>
@@ -1986,6 +1994,14 @@ Link: %4 %5</source>
 </context>
 <context>
     <name>leitstand::Error</name>
+    <message>
+        <source>{}: cannot be started: {}</source>
+        <translation>{}: 起動できません: {}</translation>
+    </message>
+    <message>
+        <source>leitstand-guard has ended</source>
+        <translation>leitstand-guard が終了しました</translation>
+    </message>
     <message>
         <source>{}: is of other key scans than the mission has now; register again</source>
         <translation>{}: 現在のミッションとは別のキースキャンのもの。もう一度レジストレーションしてください</translation>
@@ -5176,8 +5192,16 @@ F1 でキー一覧</translation>
         <translation>ウォッチドッグなし: %1</translation>
     </message>
     <message>
-        <source>Failed its brake test and is driven nevertheless: without radio it goes on</source>
-        <translation>ブレーキ試験に不合格のまま操縦中: 無線が切れても走り続ける</translation>
+        <source>Failed its brake test and is driven nevertheless: without radio it goes on. When this station hangs or dies, its guard stops it</source>
+        <translation>ブレーキ試験に不合格のまま操縦中: 無線が切れても動き続ける。この操縦卓が固まるか落ちると、ガードが停止させる</translation>
+    </message>
+    <message>
+        <source>BRAKES LATE: %1</source>
+        <translation>制動遅れ: %1</translation>
+    </message>
+    <message>
+        <source>Failed its brake test and is driven nevertheless: without radio it stands late</source>
+        <translation>ブレーキ試験に不合格のまま操縦中: 無線が切れると停止が遅い</translation>
     </message>
     <message>
         <source>%1 is not heard any more</source>
@@ -5311,12 +5335,40 @@ F1 でキー一覧</translation>
         <translation>ブレーキ: 未試験</translation>
     </message>
     <message>
-        <source>brake: FAILED, moves without commands; driving is refused</source>
-        <translation>ブレーキ: 不合格、指令なしで動く。操縦は拒否</translation>
+        <source>brake: FAILED, %1; driving is refused</source>
+        <translation>ブレーキ: 不合格、%1。操縦は拒否</translation>
     </message>
     <message>
         <source>brake: FAILED, and driven nevertheless</source>
         <translation>ブレーキ: 不合格、それでも操縦中</translation>
+    </message>
+    <message>
+        <source>brake: FAILED, and driven nevertheless; %1</source>
+        <translation>ブレーキ: 不合格、それでも操縦中。%1</translation>
+    </message>
+    <message>
+        <source>brakes after %1, stands after %2 and %3 cm</source>
+        <translation>%1 後に制動、%2・%3 cm で停止</translation>
+    </message>
+    <message>
+        <source>still moves %1 after the last command</source>
+        <translation>最後の指令の %1 後も動く</translation>
+    </message>
+    <message>
+        <source>moves without commands</source>
+        <translation>指令なしで動く</translation>
+    </message>
+    <message>
+        <source>its guard is not heard by it yet</source>
+        <translation>ガードの声がまだ届いていない</translation>
+    </message>
+    <message>
+        <source>its guard stands by</source>
+        <translation>ガード待機中</translation>
+    </message>
+    <message>
+        <source>no guard: %1</source>
+        <translation>ガードなし: %1</translation>
     </message>
     <message>
         <source>brake: no result (%1)</source>
@@ -5471,8 +5523,8 @@ F1 でキー一覧</translation>
         <translation>合格: %1</translation>
     </message>
     <message>
-        <source>FAILED: moves without commands</source>
-        <translation>不合格: 指令なしで動く</translation>
+        <source>FAILED: %1</source>
+        <translation>不合格: %1</translation>
     </message>
     <message>
         <source>No result: %1</source>
@@ -6927,6 +6979,10 @@ F1 でキー一覧</translation>
 </context>
 <context>
     <name>leitstand::Station</name>
+    <message>
+        <source>{} has no guard and is not driven: {}</source>
+        <translation>{}: ガードがないため操縦しません: {}</translation>
+    </message>
     <message>
         <source>{} is not in the map yet: nothing was filed</source>
         <translation>{} がまだ地図にない: 登録なし</translation>

@@ -62,9 +62,9 @@ Default defaultOf(StreamRole role) {
         case StreamRole::Pong:
             return {"pong", qos(Reliable, Volatile, 10)};
         case StreamRole::DriveCommand:
-            return {"cmd_vel", qos(Reliable, Volatile, 1, 0.3)};
+            return {"cmd_vel", qos(Reliable, Volatile, 1, 0.2)};
         case StreamRole::TrackCommand:
-            return {"track_cmd", qos(Reliable, Volatile, 1, 0.3)};
+            return {"track_cmd", qos(Reliable, Volatile, 1, 0.2)};
         case StreamRole::StopCommand:
             return {"stop_cmd", qos(Reliable, Stays, 1)};
         case StreamRole::ModeCommand:

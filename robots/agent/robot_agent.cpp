@@ -19,11 +19,13 @@ namespace {
 constexpr auto OperatorLooks = std::chrono::seconds(10);
 const auto EarlyFor = RobotRuleSettings().early;  ///< how long a wish waits for its sender's grant
 constexpr std::size_t MostEarly = 8;
+constexpr auto ForEver = std::chrono::hours(24 * 365);
 constexpr double AtRest = 0.03;  ///< slower sides are held by the brake [m/s]
 
-RobotRuleSettings rulesOf(const RobotDescription& robot, Time now) {
+RobotRuleSettings rulesOf(const RobotDescription& robot, const AgentSettings& settings, Time now) {
     return {.limits = limitsOf(robot),
-            .firstStop = static_cast<std::uint64_t>(now.time_since_epoch().count())};
+            .firstStop = static_cast<std::uint64_t>(now.time_since_epoch().count()),
+            .careless = settings.careless};
 }
 
 ModeSettings modesOf(const RobotDescription& robot, const AgentSettings& settings) {
@@ -31,6 +33,7 @@ ModeSettings modesOf(const RobotDescription& robot, const AgentSettings& setting
     modes.linkLoss = robot.linkLoss;
     modes.hasRemote = settings.hasRemote;
     modes.modes = settings.modes;
+    if (settings.careless) modes.watchdog = modes.lostAfter = ForEver;
     return modes;
 }
 
@@ -52,7 +55,7 @@ RobotAgent::RobotAgent(RobotHardware& hardware, const RobotDescription& robot, c
     : m_hardware(hardware),
       m_robot(robot),
       m_settings(settings),
-      m_rules(robot.name, rulesOf(robot, hardware.now())),
+      m_rules(robot.name, rulesOf(robot, settings, hardware.now())),
       m_cameras({GrantSample::Kind::Camera, robot.name}),
       m_machine(modesOf(robot, settings)),
       m_left(settings.motors),
@@ -132,6 +135,7 @@ void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from
 void RobotAgent::drive(const DriveVelocity& wish, const Sender& from) {
     const DriveVerdict verdict = m_rules.drive(wish, from, steady());
     if (verdict == DriveVerdict::Taken) m_machine.command(m_rules.commanded(steady()), m_hardware.now());
+    if (verdict == DriveVerdict::NotNeutral) m_machine.commandBeforeNeutral(wish, m_hardware.now());
     if (verdict == DriveVerdict::NoNumber) m_machine.command({}, m_hardware.now());
 }
 

@@ -22,6 +22,7 @@ struct AgentSettings {
     SpeedControllerSettings motors;
     std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be asked for
     bool hasRemote = false;
+    bool careless = false;  ///< as a stock robot without a watchdog: of RobotRuleSettings
 };
 
 /// What all robots do alike: rules of commands (RobotRules), modes, speed controllers, brake, answers.

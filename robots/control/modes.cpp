@@ -85,6 +85,11 @@ void ModeMachine::command(const DriveVelocity& velocity, Time now) {
     if (isZero(m_command) && isManual(m_mode)) m_neutral = true;
 }
 
+void ModeMachine::commandBeforeNeutral(const DriveVelocity& velocity, Time now) {
+    command(velocity, now);
+    m_neutral = false;
+}
+
 void ModeMachine::heardStation(Time now) {
     m_heard = m_heard ? std::max(*m_heard, now) : now;
 }

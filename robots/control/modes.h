@@ -42,7 +42,7 @@ enum class Driver : std::uint8_t {
 };
 
 struct ModeSettings {
-    std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);    ///< commands are good for
+    std::chrono::nanoseconds watchdog = DriveWatchdog;                     ///< commands are good for
     std::chrono::nanoseconds lostAfter = std::chrono::seconds(3);          ///< of silence, the link is lost
     std::chrono::nanoseconds finishWithin = std::chrono::seconds(60);      ///< of FinishAndWait
     std::chrono::nanoseconds remoteIdle = std::chrono::milliseconds(500);  ///< then the remote is let go of
@@ -88,6 +88,8 @@ public:
     Result<void> request(const std::string& mode, Time now);
     /// The operator's sticks, each time a command comes (or each time RobotRules is asked).
     void command(const DriveVelocity& velocity, Time now);
+    /// The sticks, of which RobotRules wants to see zero first.
+    void commandBeforeNeutral(const DriveVelocity& velocity, Time now);
     void heardStation(Time now);  ///< anything came from the station that drives
 
     ModeDecision step(const ModeInputs& inputs, Time now);

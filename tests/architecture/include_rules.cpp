@@ -42,6 +42,7 @@ const std::vector<Rule>& rules() {
         {"app/session", with(core, {"core/io", "transport", "app/session"}), {"Eigen", "fmt"}},
         {"app/report", with(core, {"app/session/report", "app/report"}), {"Eigen", "fmt", "Qt"}},
         {"app/language", {"core/base", "app/language"}, {"Qt"}},
+        {"app/guard", with(core, {"transport"}), {}},
         {"app/cli",
          with(core, {"core/io", "transport", "app/session", "app/report", "app/language", "app/cli"}),
          {"Eigen", "fmt", "CLI", "nlohmann", "Qt"}},

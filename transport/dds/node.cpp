@@ -33,6 +33,9 @@ Result<void> Publisher::write(const Payload& cdr) {
 int Publisher::matched() const {
     return m_impl->writer->matched();
 }
+std::vector<Guid> Publisher::readers() const {
+    return m_impl->writer->readers();
+}
 bool Publisher::waitForAcknowledgments(std::chrono::milliseconds atMost) const {
     return m_impl->writer->waitForAcknowledgments(atMost);
 }

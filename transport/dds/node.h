@@ -79,7 +79,8 @@ public:
     /// Sends @p cdr, encapsulation header first. Never waits for the network when the history is keep_last.
     /// An error when the bytes are no sample, the node is gone, or a keep_all history stays full for 0.1 s.
     Result<void> write(const Payload& cdr);
-    [[nodiscard]] int matched() const;  ///< readers that get what is written
+    [[nodiscard]] int matched() const;                ///< readers that get what is written
+    [[nodiscard]] std::vector<Guid> readers() const;  ///< who they are
     /// True once all matched reliable readers have everything; false after @p atMost.
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
     [[nodiscard]] Guid guid() const;

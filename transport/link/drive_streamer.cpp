@@ -9,7 +9,8 @@
 #include <fmt/format.h>
 #include <pthread.h>
 
-#include "transport/convert/encode.h"
+#include "transport/link/drive_message.h"
+#include "transport/link/grant_sender.h"
 
 namespace leitstand {
 namespace {
@@ -18,19 +19,29 @@ SteadyTime steadyNow() {
     return std::chrono::steady_clock::now();
 }
 
+/// Readers that are not of this process, which listens too when it records.
+int othersOf(const Publisher& publisher) {
+    const Sender self = senderOf(publisher.guid());
+    const auto readers = publisher.readers();
+    return static_cast<int>(std::count_if(readers.begin(), readers.end(),
+                                          [&](const Guid& reader) { return senderOf(reader) != self; }));
+}
+
 }  // namespace
 
 struct DriveStreamer::State {
-    State(const RobotDescription& robot, const StreamDescription& chosen, DriveStreamerSettings given)
+    State(const RobotDescription& robot, DriveMessage said, DriveStreamerSettings given)
         : settings(std::move(given)),
-          stream(chosen),
-          frame(robot.baseFrame),
-          distance(trackDistance(robot)),
+          message(std::move(said)),
           setpoint(limitsOf(robot), settings.lifetime),
           schedule(settings.rhythm) {}
 
-    [[nodiscard]] Sample sampleOf(const DriveVelocity& velocity) const;
-    void send(const DriveVelocity& velocity);
+    [[nodiscard]] std::chrono::nanoseconds clockAhead() const {
+        return settings.clockAhead ? settings.clockAhead() : std::chrono::nanoseconds(0);
+    }
+    bool send(const DriveVelocity& velocity);
+    /// To the guard: more commands follow, or none for now.
+    void pulse(bool driving);
     /// Sends what is due; when to come again.
     SteadyTime step();
     void run(const std::stop_token& stop);
@@ -45,9 +56,7 @@ struct DriveStreamer::State {
     }
 
     const DriveStreamerSettings settings;
-    const StreamDescription stream;
-    const std::string frame;
-    const double distance;  ///< between the tracks [m]
+    const DriveMessage message;
     mutable std::mutex mutex;
     std::condition_variable_any woken;
     // Under the mutex, which is never held while anything is written:
@@ -56,39 +65,26 @@ struct DriveStreamer::State {
     bool changed = false;
     // Of the streamer's own thread:
     DriveSchedule schedule;
+    bool pulsed = false;  ///< the guard was told last that more commands follow
     std::unique_ptr<Publisher> publisher;
     std::jthread thread;  ///< last: joined first
 };
 
-Sample DriveStreamer::State::sampleOf(const DriveVelocity& velocity) const {
-    const Time now = std::chrono::system_clock::now();
-    const auto ahead = settings.clockAhead ? settings.clockAhead() : std::chrono::nanoseconds(0);
-    const std::optional<Time> stamp = commandStamp(stream.stamp, now, ahead);
-    if (stream.role == StreamRole::TrackCommand) {
-        const auto [left, right] = tracksOf(velocity, distance);
-        TrackCommand command;
-        command.header = {stamp.value_or(Time{}), frame};
-        command.names = {settings.leftTrack, settings.rightTrack};
-        command.velocities = {left, right};
-        return command;
-    }
-    TwistSample command;
-    command.stamp = stamp;
-    command.frame = frame;
-    command.linear = {velocity.forward, velocity.left, 0.0};
-    command.angular = {0.0, 0.0, velocity.turn};
-    return command;
-}
-
-void DriveStreamer::State::send(const DriveVelocity& velocity) {
-    const auto cdr = encode(sampleOf(velocity), stream.type);
+bool DriveStreamer::State::send(const DriveVelocity& velocity) {
+    const auto cdr = message.encoded(velocity, clockAhead());
     const Result<void> written = cdr ? publisher->write(*cdr) : Result<void>(cdr.error());
-    const int listeners = publisher->matched();
+    const int listeners = othersOf(*publisher);
     const std::lock_guard lock(mutex);
     status.listeners = listeners;
     status.velocity = velocity;
     ++(written ? status.sent : status.unsent);
     status.error = written ? std::string() : written.error().text;
+    return written.ok();
+}
+
+void DriveStreamer::State::pulse(bool driving) {
+    if (settings.onPulse && (driving || pulsed)) settings.onPulse({driving, clockAhead()});
+    pulsed = driving;
 }
 
 SteadyTime DriveStreamer::State::step() {
@@ -119,10 +115,12 @@ SteadyTime DriveStreamer::State::step() {
         status.needsNeutral = setpoint.waitsForNeutral();
     }
     if (conditions.silent && conditions.mayDrive && !conditions.hold) {
+        pulse(false);
         return steadyNow() + settings.rhythm.period;
     }
     const auto decision = schedule.decide(velocity, driving || conditions.hold, steadyNow());
-    if (decision.send) send(velocity);
+    if (decision.send && send(velocity)) pulse(true);
+    if (!decision.speaks) pulse(false);
     // What grows too old becomes zero then, not with the next repetition.
     return driving ? std::min(decision.next, expires) : decision.next;
 }
@@ -143,23 +141,20 @@ DriveStreamer::~DriveStreamer() {
     m_state->thread.request_stop();
     if (m_state->thread.joinable()) m_state->thread.join();
     if (!isZero(m_state->status.velocity)) m_state->send({});
+    m_state->pulse(false);
 }
 
 Result<std::unique_ptr<DriveStreamer>> DriveStreamer::create(Node& node, const RobotDescription& robot,
                                                              DriveStreamerSettings settings) {
-    const StreamDescription* stream = robot.stream(StreamRole::DriveCommand);
-    if (stream == nullptr) stream = robot.stream(StreamRole::TrackCommand);
-    if (stream == nullptr) {
-        return Error{
-            fmt::format("{}: expected a stream drive_command or track_command, found neither", robot.name)};
-    }
-    if (stream->role == StreamRole::TrackCommand && trackDistance(robot) <= 0.0) {
-        return Error{
-            fmt::format("{}: track_command: expected a footprint that is as wide as its tracks", robot.name)};
-    }
-    auto state = std::make_unique<State>(robot, *stream, std::move(settings));
+    auto found = driveMessageFor(robot);
+    if (!found) return found.error();
+    DriveMessage message = std::move(found).value();
+    message.leftTrack = settings.leftTrack;
+    message.rightTrack = settings.rightTrack;
+    auto state = std::make_unique<State>(robot, std::move(message), std::move(settings));
+    const StreamDescription* const stream = &state->message.stream;
     // Better now than when the operator first pushes the stick.
-    if (const auto tried = encode(state->sampleOf({}), stream->type); !tried) {
+    if (const auto tried = state->message.encoded({}, {}); !tried) {
         return Error{fmt::format("{}: {}", stream->topic, tried.error().text)};
     }
     auto publisher = node.publisher({stream->topic, stream->type, stream->qos, Flow::Immediate});
@@ -195,7 +190,7 @@ DriveStatus DriveStreamer::status() const {
 }
 
 int DriveStreamer::listeners() const {
-    return m_state->publisher->matched();
+    return othersOf(*m_state->publisher);
 }
 
 }  // namespace leitstand

@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/robot/control/drive_schedule.h"
 #include "core/robot/control/drive_setpoint.h"
+#include "core/robot/control/guard_rules.h"
 #include "core/robot/control/sight_cap.h"
 #include "core/robot/robot_description.h"
 #include "transport/dds/node.h"
@@ -31,6 +32,9 @@ struct DriveStreamerSettings {
     std::function<SightCap(const DriveVelocity& sticks, bool withoutEyes)> sight = {};
     /// Robot's clock minus station's, for commands that are stamped with the robot's; asked likewise.
     std::function<std::chrono::nanoseconds()> clockAhead = {};
+    /// Told on the streamer's thread of each command that was written, and when no more come for now. Must
+    /// not wait.
+    std::function<void(const GuardPulse&)> onPulse = {};
     std::chrono::nanoseconds lifetime = std::chrono::milliseconds(200);  ///< of a setpoint
     DriveRhythm rhythm = {};
     std::string leftTrack = "left_track", rightTrack = "right_track";  ///< joints of track commands
@@ -44,7 +48,8 @@ struct DriveStatus {
     bool needsNeutral = false;    ///< the sticks have to be let go first
     std::uint64_t sent = 0;       ///< commands
     std::uint64_t unsent = 0;     ///< commands that could not be written
-    int listeners = 0;            ///< readers of the commands; a robot begins with a zero that it has heard
+    int listeners = 0;            ///< readers of the commands in other processes; a robot begins with a zero
+                                  ///< that it has heard
     SightCap sight = {};          ///< what caps the speed
     std::string error;            ///< why the last of those; empty when the last one was written
     friend bool operator==(const DriveStatus&, const DriveStatus&) = default;
@@ -76,7 +81,7 @@ public:
     void setFocus(bool focus);  ///< off at first; off stops the robot at once
     void refresh();             ///< the conditions have changed: look at once
     [[nodiscard]] DriveStatus status() const;
-    [[nodiscard]] int listeners() const;  ///< readers of the commands now, also while none is sent
+    [[nodiscard]] int listeners() const;  ///< of DriveStatus, now, also while none is sent
 
 private:
     struct State;

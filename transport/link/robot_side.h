@@ -16,7 +16,7 @@ namespace leitstand {
 
 /// How a robot takes commands.
 struct RobotCommandSettings {
-    std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);  ///< without a command it stops
+    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< without a command it stops
     GrantTiming grants = {};
     StandingRules standing = {};
     std::function<Time()> clock = {};  ///< the robot's, for stamps; none: the computer's

@@ -15,6 +15,7 @@
 #include "app/session/station/station.h"
 #include "app/session/station/station_alarms.h"
 #include "app/session/station/station_brakes.h"
+#include "app/session/station/station_guards.h"
 #include "core/base/words.h"
 
 namespace leitstand {
@@ -89,6 +90,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
         one.view = m_station.robot(robot.name);
         one.brake = m_station.brakes().result(robot.name);
         one.brakeOverridden = m_station.brakes().isOverridden(robot.name);
+        one.guard = m_station.guards().view(robot.name);
         const auto own =
             std::stable_partition(complaints.begin(), complaints.end(),
                                   [&](const WireComplaint& one) { return !speaksOf(one, robot.name); });

@@ -17,17 +17,15 @@ constexpr std::array Wishes = {StreamRole::ModeCommand, StreamRole::GoalPose, St
 }  // namespace
 
 Result<std::unique_ptr<RobotLine>> RobotLine::create(Node& node, const RobotDescription& robot,
-                                                     const std::string& station,
-                                                     std::function<DriveConditions()> conditions,
+                                                     const std::string& station, Driving driving,
                                                      LinkListener watch) {
     std::unique_ptr<RobotLine> line(new RobotLine(robot));
-    auto opened = line->open(node, station, std::move(conditions), std::move(watch));
+    auto opened = line->open(node, station, std::move(driving), std::move(watch));
     if (!opened) return opened.error();
     return line;
 }
 
-Result<void> RobotLine::open(Node& node, const std::string& station,
-                             std::function<DriveConditions()> conditions, LinkListener watch) {
+Result<void> RobotLine::open(Node& node, const std::string& station, Driving with, LinkListener watch) {
     for (const StreamRole role : Wishes) {
         const StreamDescription* stream = m_robot.stream(role);
         if (stream == nullptr) continue;
@@ -52,7 +50,8 @@ Result<void> RobotLine::open(Node& node, const std::string& station,
                         m_robot.stream(StreamRole::TrackCommand) != nullptr;
     if (!driven) return {};
     DriveStreamerSettings driving;
-    driving.conditions = [this, given = std::move(conditions)] {
+    driving.onPulse = std::move(with.onPulse);
+    driving.conditions = [this, given = std::move(with.conditions)] {
         DriveConditions now = given();
         if (m_linkLost) now.mayDrive = false;  // when it is back, sticks that are still held move nothing
         return now;

@@ -21,11 +21,15 @@ namespace leitstand {
 /// publishers of its other commands. Any thread.
 class RobotLine {
 public:
-    /// @p conditions: as of DriveStreamer; @p watch: onStatus is used by the line itself too. Errors name the
-    /// robot's topic.
-    [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(
-        Node& node, const RobotDescription& robot, const std::string& station,
-        std::function<DriveConditions()> conditions, LinkListener watch);
+    /// What the line's streamer asks and tells (DriveStreamerSettings).
+    struct Driving {
+        std::function<DriveConditions()> conditions;
+        std::function<void(const GuardPulse&)> onPulse;
+    };
+    /// @p watch: onStatus is used by the line itself too. Errors name the robot's topic.
+    [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
+                                                                   const std::string& station,
+                                                                   Driving driving, LinkListener watch);
     RobotLine(const RobotLine&) = delete;
     RobotLine& operator=(const RobotLine&) = delete;
 
@@ -42,8 +46,7 @@ public:
 
 private:
     RobotLine(const RobotDescription& robot) : m_robot(robot), m_sight(m_robot) {}
-    Result<void> open(Node& node, const std::string& station, std::function<DriveConditions()> conditions,
-                      LinkListener watch);
+    Result<void> open(Node& node, const std::string& station, Driving driving, LinkListener watch);
 
     struct Command {
         std::string type;

@@ -190,6 +190,10 @@ StationBrakes& Station::brakes() {
     return *m_state->brakes;
 }
 
+StationGuards& Station::guards() {
+    return *m_state->guards;
+}
+
 StationCameras& Station::cameras() {
     return *m_state->cameras;
 }

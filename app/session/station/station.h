@@ -27,6 +27,7 @@ class FindDesk;
 class StationAlarms;
 class StationBrakes;
 class StationCameras;
+class StationGuards;
 class StationStreams;
 
 /// A station in a domain.
@@ -117,6 +118,7 @@ public:
     /// Errors also as of maySend().
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
+    [[nodiscard]] StationGuards& guards();    ///< of robots that go on without commands
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
     [[nodiscard]] StationCameras& cameras();
 

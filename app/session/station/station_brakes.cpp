@@ -35,7 +35,7 @@ StationBrakes::StationBrakes(const std::vector<RobotDescription>& robots, std::f
         Entry& entry = m_entries[robot.name];
         if (const auto known = remembered.find(robot.name); known != remembered.end())
             entry.last = known->second;
-        entry.refused = entry.last.verdict == Verdict::Failed;
+        judge(entry);
     }
 }
 
@@ -134,7 +134,12 @@ void StationBrakes::keep(Entry& entry, const BrakeResult& result) {
     // A test that proved nothing takes nothing back.
     const bool proved = result.verdict != Verdict::Inconclusive;
     if (proved || entry.last.verdict != Verdict::Failed) entry.last = result;
+    judge(entry);
+}
+
+void StationBrakes::judge(Entry& entry) {
     entry.refused = entry.last.verdict == Verdict::Failed;
+    entry.unwatched = entry.last.showsNoWatchdog();
 }
 
 void StationBrakes::finish(const std::string& robot, const BrakeResult& result) {
@@ -178,6 +183,11 @@ bool StationBrakes::isRunning(const std::string& robot) const {
 bool StationBrakes::refuses(const std::string& robot) const {
     const Entry* const entry = find(robot);
     return entry != nullptr && entry->refused && !entry->overridden && !entry->running;
+}
+
+bool StationBrakes::needsGuard(const std::string& robot) const {
+    const Entry* const entry = find(robot);
+    return entry != nullptr && entry->unwatched && entry->overridden && !entry->running;
 }
 
 bool StationBrakes::silences(const std::string& robot) const {

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] bool isRunning(const std::string& robot) const;
     /// The robot failed and must not be driven. Never waits.
     [[nodiscard]] bool refuses(const std::string& robot) const;
+    /// It showed that it has no watchdog, and is driven nevertheless. Never waits.
+    [[nodiscard]] bool needsGuard(const std::string& robot) const;
     /// Nothing may be sent to the robot now. Never waits; false once the test is not looked after any more.
     [[nodiscard]] bool silences(const std::string& robot) const;
 
@@ -63,13 +65,14 @@ private:
         BrakeResult last;  ///< that was not inconclusive, or that there was first
         double space = 0.0;
         SteadyTime spaceAt = {};
-        std::atomic<bool> running = false, refused = false, overridden = false;
+        std::atomic<bool> running = false, refused = false, overridden = false, unwatched = false;
         std::atomic<std::int64_t> silentUntil = 0;  ///< on the steady clock [ns]
     };
     [[nodiscard]] Entry* find(const std::string& robot);
     [[nodiscard]] const Entry* find(const std::string& robot) const;
     void step(const std::string& robot, Entry& entry);
     static void keep(Entry& entry, const BrakeResult& result);  ///< locked
+    static void judge(Entry& entry);                            ///< likewise, by the last result
     void finish(const std::string& robot, const BrakeResult& result);
 
     const std::filesystem::path m_file;

@@ -14,6 +14,7 @@
 #include "core/mission/station_topics.h"
 #include "core/robot/preflight/brake_says.h"
 #include "transport/link/grant_sender.h"
+#include "transport/link/guard_arguments.h"
 
 namespace leitstand {
 Station::State::~State() {
@@ -46,6 +47,7 @@ Station::State::~State() {
     sharing.reset();
     intake.reset();
     lines.clear();
+    guards.reset();  // their thread looks at the lines; they are told that nobody drives
     streams.reset();
     brakes.reset();
     stops.reset();
@@ -86,10 +88,11 @@ Result<void> Station::State::control() {
 
 Result<void> Station::State::lineTo(const RobotDescription& robot) {
     const auto conditions = [this, name = robot.name] {
-        const bool may =
-            grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) && !brakes->refuses(name);
+        const bool may = grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) &&
+                         !brakes->refuses(name) && guards->allows(name);
         return DriveConditions{may, stops->holdsByZeros(name), brakes->silences(name)};
     };
+    const auto pulse = [this, name = robot.name](const GuardPulse& now) { guards->pulse(name, now); };
     LinkListener watch;
     watch.onStatus = [this](const LinkStatus& link) {
         if (!open) return;
@@ -103,7 +106,7 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
         const std::lock_guard lock(mutex);
         if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
     };
-    auto line = RobotLine::create(*node, robot, memory->identity().id, conditions, std::move(watch));
+    auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse}, std::move(watch));
     if (!line) return line.error();
     lines.emplace(robot.name, std::move(line).value());
     return {};
@@ -240,7 +243,10 @@ void Station::State::watchBrakes() {
             drive->setFocus(false);  // others may be driven by now
         }
     };
-    hands.refresh = [this](const std::string& robot) { refresh(robot); };
+    hands.refresh = [this](const std::string& robot) {
+        guards->want(robot, brakes->needsGuard(robot));
+        refresh(robot);
+    };
     hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
         if (!kept) say(kept.error().text);
         const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
@@ -251,6 +257,35 @@ void Station::State::watchBrakes() {
     };
     const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
     brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
+}
+
+void Station::State::guardRobots() {
+    StationGuards::Setup setup;
+    setup.program = guardProgram();
+    for (const RobotDescription& robot : settings.mission.robots) {
+        const auto message = driveMessageFor(robot);
+        if (!message) continue;  // it is not driven
+        GuardArguments arguments;
+        arguments.network.domain = settings.domain.domain;
+        arguments.network.interfaces = settings.domain.interfaces;
+        arguments.network.initialPeers = settings.domain.initialPeers;
+        arguments.network.discoveryServer = settings.domain.discoveryServer;
+        arguments.keys = settings.domain.keys;
+        arguments.guard.robot = robot.name;
+        arguments.guard.station = memory->identity().id;
+        arguments.guard.driver = senderOf(node->guid());
+        arguments.guard.message = *message;
+        setup.words.emplace(robot.name, wordsOf(arguments));
+    }
+    setup.onChange = [this](const std::string& robot) { refresh(robot); };
+    setup.onTrouble = [this](const std::string& robot, const std::string& problem) {
+        for (const RobotDescription& one : settings.mission.robots) {
+            if (one.name != robot) continue;
+            say(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
+                                one.title, problem));
+        }
+    };
+    guards = std::make_unique<StationGuards>(std::move(setup));
 }
 
 Result<void> Station::State::start() {
@@ -288,6 +323,7 @@ Result<void> Station::State::start() {
     if (auto controlled = control(); !controlled) return controlled;
     watchStreams();
     watchBrakes();
+    guardRobots();
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }

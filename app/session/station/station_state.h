@@ -22,6 +22,7 @@
 #include "app/session/station/station_brakes.h"
 #include "app/session/station/station_cameras.h"
 #include "app/session/station/station_clock.h"
+#include "app/session/station/station_guards.h"
 #include "app/session/station/station_mapping.h"
 #include "app/session/station/station_streams.h"
 #include "app/session/victims/victim_watch.h"
@@ -43,6 +44,7 @@ struct Station::State {
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;
     std::unique_ptr<StationBrakes> brakes;
+    std::unique_ptr<StationGuards> guards;
     RobotLines lines;  ///< fixed once open
     std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
@@ -68,6 +70,7 @@ struct Station::State {
     Result<void> lineTo(const RobotDescription& robot);
     void watchStreams();
     void watchBrakes();
+    void guardRobots();
     void map(std::vector<KeyScanSample> earlier);
     void search();
     void cover(std::vector<KeyScanSample> earlier);

@@ -18,6 +18,8 @@ namespace {
 
 using Verdict = BrakeResult::Verdict;
 
+constexpr auto Stops = BrakeResult::Watchdog::Stops, None = BrakeResult::Watchdog::None;
+
 /// What is not known is not remembered.
 constexpr std::array<std::pair<const char*, Verdict>, 2> Words = {
     {{"passed", Verdict::Passed}, {"failed", Verdict::Failed}}};
@@ -42,7 +44,12 @@ std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file)
             result.seconds = entry.second["seconds"].as<double>();
             result.metres = entry.second["metres"].as<double>();
             result.when = Time(std::chrono::seconds(entry.second["when"].as<std::int64_t>()));
-            if (std::isfinite(result.seconds) && std::isfinite(result.metres))
+            if (const auto stops = entry.second["stops"]) {
+                result.watchdog = stops.as<bool>() ? Stops : None;
+                if (result.watchdog == Stops) result.brakesAfter = entry.second["brakes_after"].as<double>();
+            }
+            if (std::isfinite(result.seconds) && std::isfinite(result.metres) &&
+                std::isfinite(result.brakesAfter))
                 results[entry.first.as<std::string>()] = result;
         } catch (const YAML::Exception&) {
             continue;  // one entry that makes no sense lets no robot drive that failed
@@ -63,8 +70,13 @@ Result<void> writeBrakes(const std::filesystem::path& file,
                 << YAML::Value << word << YAML::Key << "seconds" << YAML::Value
                 << fmt::format("{:.3f}", result.seconds) << YAML::Key << "metres" << YAML::Value
                 << fmt::format("{:.3f}", result.metres) << YAML::Key << "when" << YAML::Value
-                << std::chrono::floor<std::chrono::seconds>(result.when.time_since_epoch()).count()
-                << YAML::EndMap;
+                << std::chrono::floor<std::chrono::seconds>(result.when.time_since_epoch()).count();
+            if (result.watchdog != BrakeResult::Watchdog::Unknown)
+                out << YAML::Key << "stops" << YAML::Value << (result.watchdog == Stops);
+            if (result.watchdog == Stops)
+                out << YAML::Key << "brakes_after" << YAML::Value
+                    << fmt::format("{:.3f}", result.brakesAfter);
+            out << YAML::EndMap;
         }
     }
     out << YAML::EndMap << YAML::EndMap << YAML::Newline;

@@ -14,7 +14,7 @@ struct DriveRhythm {
 };
 
 /// When the next drive command is to be sent: at once when it changed, and again every 50 ms (design, section
-/// 4). Pure. While nobody drives it says zero twenty times (a second: the robot's watchdog needs 0.3 s) and
+/// 4). Pure. While nobody drives it says zero twenty times (a second: the robot's watchdog needs 0.2 s) and
 /// is then silent, so that it overrides no navigation on board and no other station.
 class DriveSchedule {
 public:
@@ -23,6 +23,7 @@ public:
     struct Decision {
         bool send = false;
         SteadyTime next = {};  ///< when to ask again, if nothing changes before
+        bool speaks = false;   ///< more commands follow within a period; else it is silent from now on
     };
     /// @p driving: somebody has hold of the sticks, or zeros are to be held.
     [[nodiscard]] Decision decide(const DriveVelocity& velocity, bool driving, SteadyTime now);

@@ -58,6 +58,7 @@ DriveSetpoint::DriveSetpoint(const DriveLimits& limits, std::chrono::nanoseconds
     : m_limits(limits), m_lifetime(lifetime) {}
 
 void DriveSetpoint::set(const DriveVelocity& velocity, SteadyTime now, bool withoutEyes) {
+    if (now - expires() >= SetpointForgotten) m_neutral = false;
     m_velocity = limited(velocity, m_limits);
     m_set = now;
     m_any = true;

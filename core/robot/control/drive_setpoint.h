@@ -37,14 +37,22 @@ struct DriveLimits {
 [[nodiscard]] std::pair<double, double> tracksOf(const DriveVelocity& velocity, double distance);
 [[nodiscard]] DriveVelocity velocityOf(std::pair<double, double> tracks, double distance);
 
+/// Our robots stand when no drive command came for so long, and a command is sent to live no longer. Fixed:
+/// commands come every 50 ms, so three of them in a row may be lost.
+inline constexpr std::chrono::milliseconds DriveWatchdog(200);
+
+/// A setpoint that expired so long ago is forgotten: motion begins again with neutral sticks only. A shorter
+/// gap is a hiccup, which sticks that are held outlast.
+inline constexpr std::chrono::milliseconds SetpointForgotten(500);
+
 /// What the operator's sticks ask of a robot (design, sections 4 and 7): the newest counts, for 200 ms. Pure.
 ///
 /// Without permission (no focus, no grant, stopped) it is zero, and once there is permission again it stays
-/// zero until a zero was set: sticks must be neutral first.
+/// zero until a zero was set: sticks must be neutral first. The same holds when nothing was set for so long
+/// that the last setpoint is forgotten: a station that hung must not move the robot when it is back.
 class DriveSetpoint {
 public:
-    explicit DriveSetpoint(const DriveLimits& limits,
-                           std::chrono::nanoseconds lifetime = std::chrono::milliseconds(200));
+    explicit DriveSetpoint(const DriveLimits& limits, std::chrono::nanoseconds lifetime = DriveWatchdog);
 
     /// The sticks as they are at @p now; to be set again and again while they are held. @p withoutEyes: the
     /// driver holds the override of the speed cap.

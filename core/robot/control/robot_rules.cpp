@@ -14,7 +14,14 @@ void RobotRules::hear(const GrantSample& sample, const Sender& from, SteadyTime 
     m_grant.hear(sample, from, now);
 }
 
+DriveVerdict RobotRules::obeyAnybody(const DriveVelocity& velocity) {
+    if (m_latch.isStopped()) return DriveVerdict::Stopped;
+    m_velocity = limited(velocity, m_settings.limits);
+    return DriveVerdict::Taken;
+}
+
 DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now) {
+    if (m_settings.careless) return obeyAnybody(velocity);
     if (!m_grant.obeys(from, now)) {
         // Commands and grants are two topics: its grant may be on the way.
         if (isZero(velocity)) m_earlyZero = {from, now};
@@ -24,6 +31,8 @@ DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from
         std::isfinite(velocity.forward) && std::isfinite(velocity.left) && std::isfinite(velocity.turn);
     const bool early =
         m_earlyZero && m_earlyZero->first == from && now - m_earlyZero->second < m_settings.early;
+    // Nothing for so long: it stood, and what comes now may be a stick that was held through a hang.
+    if (now - m_driven >= m_settings.watchdog + SetpointForgotten) m_neutral = false;
     const bool neutral = early || (m_neutral && m_neutralIn == m_grant.changes());
     m_velocity = {};
     m_driver = from;
@@ -60,6 +69,7 @@ void RobotRules::moved(double speed, double turnRate, SteadyTime now) {
 }
 
 DriveVelocity RobotRules::commanded(SteadyTime now) const {
+    if (m_settings.careless) return m_latch.isStopped() ? DriveVelocity{} : m_velocity;
     const bool valid = !m_latch.isStopped() && m_neutral && m_neutralIn == m_grant.changes() &&
                        m_grant.obeys(m_driver, now) && now - m_driven < m_settings.watchdog;
     return valid ? m_velocity : DriveVelocity{};

@@ -15,11 +15,14 @@ namespace leitstand {
 /// How a robot treats commands.
 struct RobotRuleSettings {
     DriveLimits limits = {};
-    std::chrono::nanoseconds watchdog = std::chrono::milliseconds(300);  ///< without a command it stops
+    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< without a command it stops
     GrantTiming grants = {};
     StandingRules standing = {};
     std::uint64_t firstStop = 0;                               ///< of StopLatch
     std::chrono::nanoseconds early = std::chrono::seconds(1);  ///< what overtook its grant counts so long
+    /// As a stock robot without a watchdog: the newest command of whoever sends one counts, for ever. STOP
+    /// holds.
+    bool careless = false;
 };
 
 /// What became of a drive command.
@@ -27,7 +30,7 @@ enum class DriveVerdict : std::uint8_t {
     Taken,
     NotHolder,   ///< from a process that does not hold the grant
     Stopped,     ///< the stop stands
-    NotNeutral,  ///< after a stop or a new holder, the first command must be zero
+    NotNeutral,  ///< after a stop, a new holder or a long silence, the first command must be zero
     NoNumber,    ///< it stops the robot
 };
 
@@ -53,6 +56,8 @@ public:
     [[nodiscard]] const GrantArbiter& grant() const { return m_grant; }
 
 private:
+    DriveVerdict obeyAnybody(const DriveVelocity& velocity);
+
     RobotRuleSettings m_settings;
     GrantArbiter m_grant;
     StopLatch m_latch;

@@ -16,11 +16,18 @@ using Verdict = BrakeResult::Verdict;
 constexpr auto Untested = translatable("leitstand::BrakeSays", "brake not tested");
 constexpr auto Passed =
     translatable("leitstand::BrakeSays", "brake test passed: it stood after {} ms and {} cm");
+constexpr auto PassedAfter =
+    translatable("leitstand::BrakeSays",
+                 "brake test passed: without commands it braked after {} ms and stood after {} ms and {} cm");
+constexpr auto FailedAfter = translatable(
+    "leitstand::BrakeSays",
+    "brake test FAILED: without commands it braked after {} ms and stood only after {} ms and {} cm");
 constexpr auto Failed = translatable(
     "leitstand::BrakeSays", "brake test FAILED: without commands it still moved after {} ms and {} cm");
 constexpr auto Inconclusive = translatable("leitstand::BrakeSays", "brake test without result: {}");
 constexpr auto NoRoom = translatable("leitstand::BrakeSays", "only {} cm are free ahead, {} cm are needed");
-constexpr std::array<const char*, 4> Verdicts = {Untested, Passed, Failed, Inconclusive};
+constexpr std::array<const char*, 6> Verdicts = {Untested,    Passed, PassedAfter,
+                                                 FailedAfter, Failed, Inconclusive};
 
 struct CauseWords {
     Cause cause;
@@ -44,6 +51,11 @@ constexpr std::array<CauseWords, 11> Causes = {{
 
 std::string whole(double value) {
     return saidFigure(std::isfinite(value) ? value : 0.0);
+}
+
+std::string standing(const char* words, const BrakeResult& result) {
+    return leitstand::fill(words, whole(1e3 * result.brakesAfter), whole(1e3 * result.seconds),
+                           whole(100.0 * result.metres));
 }
 
 std::string causeOf(const BrakeResult& result) {
@@ -71,8 +83,10 @@ std::string toString(const BrakeResult& result) {
         case Verdict::Untested:
             return Untested;
         case Verdict::Passed:
+            if (result.brakesAfter > 0.0) return standing(PassedAfter, result);
             return leitstand::fill(Passed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
         case Verdict::Failed:
+            if (result.watchdog == BrakeResult::Watchdog::Stops) return standing(FailedAfter, result);
             return leitstand::fill(Failed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
         case Verdict::Inconclusive:
             return leitstand::fill(Inconclusive, causeOf(result));

@@ -6,6 +6,9 @@ namespace leitstand {
 namespace {
 
 using Cause = BrakeResult::Cause;
+using Watchdog = BrakeResult::Watchdog;
+
+constexpr double Braking = 0.8;  ///< of its speed at the cut: slower, it brakes
 
 double seconds(std::chrono::nanoseconds duration) {
     return std::chrono::duration<double>(duration).count();
@@ -31,6 +34,7 @@ void BrakeTest::start(SteadyTime now) {
 void BrakeTest::odometry(Time stamp, const Eigen::Vector2d& position, double speed, double turn) {
     if (m_newest && stamp <= m_newest->stamp) return;
     m_newest = Motion{stamp, position, speed, turn};
+    if (m_cut && std::abs(speed) > Braking * std::abs(m_cut->speed)) m_atSpeed = stamp;
 }
 
 bool BrakeTest::isStanding() const {
@@ -38,8 +42,9 @@ bool BrakeTest::isStanding() const {
            std::abs(m_newest->turn) < 10.0 * m_settings.standing;
 }
 
-void BrakeTest::finish(BrakeResult::Verdict verdict, double duration, double way) {
-    m_result = {.verdict = verdict, .seconds = duration, .metres = way};
+void BrakeTest::finish(BrakeResult::Verdict verdict, Watchdog watchdog, double duration, double way) {
+    m_result = {.verdict = verdict, .seconds = duration, .metres = way, .watchdog = watchdog};
+    if (watchdog == Watchdog::Stops) m_result.brakesAfter = seconds(m_atSpeed - m_cut->stamp);
     m_phase = Phase::Done;
 }
 
@@ -100,6 +105,7 @@ BrakeTest::Step BrakeTest::drive(SteadyTime now) {
     if (atSpeed && !m_moving) m_moving = now;
     if (m_moving && seconds(now - *m_moving) >= m_settings.run) {
         m_cut = m_newest;
+        m_atSpeed = m_cut->stamp;
         enter(Phase::Cut, now);
         return {{}, true};
     }
@@ -114,11 +120,12 @@ BrakeTest::Step BrakeTest::watch(SteadyTime now) {
     const double way = (m_newest->position - m_cut->position).norm();
     if (duration > 0.0 && isStanding()) {
         const bool good = duration <= m_settings.stopTime && way <= m_settings.stopDistance;
-        finish(good ? BrakeResult::Verdict::Passed : BrakeResult::Verdict::Failed, duration, way);
+        finish(good ? BrakeResult::Verdict::Passed : BrakeResult::Verdict::Failed, Watchdog::Stops, duration,
+               way);
         return {};
     }
     if (duration > m_settings.giveUp) {
-        finish(BrakeResult::Verdict::Failed, duration, way);
+        finish(BrakeResult::Verdict::Failed, Watchdog::None, duration, way);
         return {};
     }
     if (seconds(now - m_since) > 2.0 * m_settings.giveUp) {
@@ -127,7 +134,7 @@ BrakeTest::Step BrakeTest::watch(SteadyTime now) {
     }
     // What goes on too long or too far is stopped by zeros at once; it has failed all the same.
     if (way > 3.0 * m_settings.stopDistance) {
-        finish(BrakeResult::Verdict::Failed, duration, way);
+        finish(BrakeResult::Verdict::Failed, Watchdog::None, duration, way);
         return {};
     }
     return {{}, true};

@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-/// How a robot's brake is tested, and what it must do (design, section 4: without commands it stops within
-/// 0.3 s; the rest is the way of the link and of the wheels).
+/// How a robot's brake is tested, and what it must do. Our own robots brake after DriveWatchdog; stock ones
+/// later, or never: they are measured.
 struct BrakeTestSettings {
     double speed = 0.1;         ///< [m/s]
     double neutral = 0.4;       ///< sticks are let go for so long first [s]
@@ -52,12 +52,24 @@ struct BrakeResult {
         TooSlow,       ///< it did not come to its speed
         OdometryEnded  ///< none came after the cut
     };
+    /// What the robot does when commands cease.
+    enum class Watchdog : std::uint8_t {
+        Unknown,
+        Stops,  ///< it stands by itself, in time or too late
+        None,   ///< it goes on: zeros had to stop it
+    };
     Verdict verdict = Verdict::Untested;
     double seconds = 0.0;  ///< from the cut until standing [s]; of a robot that did not stop: until given up
     double metres = 0.0;   ///< on that way [m]
     Cause cause = Cause::None;
     double free = 0.0, needed = 0.0;  ///< of NoRoom [m]
     Time when{};                      ///< station's clock
+    Watchdog watchdog = Watchdog::Unknown;
+    double brakesAfter = 0.0;  ///< of one that stops: it drove on so long before it braked [s]; 0: not known
+    /// It failed, and nothing says that it stands by itself: zeros have to be sent to it.
+    [[nodiscard]] bool showsNoWatchdog() const {
+        return verdict == Verdict::Failed && watchdog != Watchdog::Stops;
+    }
     friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
 };
 
@@ -70,8 +82,9 @@ struct BrakeFacts {
 };
 
 /// Drives a robot at 0.1 m/s for up to a second, then says nothing more (no zero either), and measures by its
-/// odometry how long and how far it goes on. The operator holds a key meanwhile: when it is let go, or
-/// anything else is missing, the test ends and the robot is stopped by zeros. Pure: no clock, no thread.
+/// odometry when it brakes, and how long and how far it goes on. The operator holds a key meanwhile: when it
+/// is let go, or anything else is missing, the test ends and the robot is stopped by zeros. Pure: no clock,
+/// no thread.
 class BrakeTest {
 public:
     enum class Phase : std::uint8_t { Idle, Neutral, Driving, Cut, Done };
@@ -101,7 +114,7 @@ private:
         double speed = 0.0, turn = 0.0;
     };
     void enter(Phase phase, SteadyTime now);
-    void finish(BrakeResult::Verdict verdict, double seconds, double metres);
+    void finish(BrakeResult::Verdict verdict, BrakeResult::Watchdog watchdog, double seconds, double metres);
     [[nodiscard]] bool isStanding() const;
     Step neutral(const BrakeFacts& facts, SteadyTime now);
     Step drive(SteadyTime now);
@@ -113,6 +126,7 @@ private:
     std::optional<SteadyTime> m_released;  ///< since when the sticks are let go and accepted
     std::optional<SteadyTime> m_moving;    ///< since when it drives at speed
     std::optional<Motion> m_newest, m_cut;
+    Time m_atSpeed{};  ///< newest stamp after the cut at which it had not braked yet
     BrakeResult m_result;
 };
 

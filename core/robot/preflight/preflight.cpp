@@ -130,15 +130,21 @@ void judgeBrake(Page& page, const RobotFacts& facts, Time now) {
             page.newest().brake = brake;
             return;
         case Verdict::Failed:
-            return page.add(facts.brakeOverridden ? Kind::BrakeOverridden : Kind::BrakeFailed,
-                            facts.brakeOverridden ? CheckState::Attention : CheckState::Fail, {},
-                            brake.seconds, brake.metres);
+            page.add(facts.brakeOverridden ? Kind::BrakeOverridden : Kind::BrakeFailed,
+                     facts.brakeOverridden ? CheckState::Attention : CheckState::Fail, {}, brake.seconds,
+                     brake.metres);
+            page.newest().brake = brake;
+            page.newest().guard = facts.guard;
+            if (facts.brakeOverridden && facts.guard.state == GuardView::State::Failed)
+                page.newest().state = CheckState::Fail;
+            return;
         case Verdict::Passed:
             break;
     }
     const bool old = now - brake.when > BrakeFor;
     page.add(old ? Kind::BrakeOld : Kind::BrakePassed, old ? CheckState::Attention : CheckState::Ok, {},
              brake.seconds, brake.metres);
+    page.newest().brake = brake;
 }
 
 void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Time now, double farClock) {

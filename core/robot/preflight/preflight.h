@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "core/robot/control/guard_view.h"
 #include "core/robot/far_clock.h"
 #include "core/robot/preflight/brake_test.h"
 #include "core/robot/robot_description.h"
@@ -27,6 +28,7 @@ struct RobotFacts {
     RobotView view;
     BrakeResult brake;             ///< newest
     bool brakeOverridden = false;  ///< driven although it failed
+    GuardView guard;               ///< of one without a watchdog that is driven nevertheless
     std::vector<WireComplaint> complaints;
 };
 
@@ -72,11 +74,11 @@ struct PreflightCheck {
         GrantOthers,  ///< detail: who has it
         Deaf,         ///< it hears no drive commands
         Stopped,      ///< a stop stands
-        BrakePassed,  ///< number: until standing [s]; other: way [m]
+        BrakePassed,  ///< number: until standing [s]; other: way [m]; brake
         BrakeOld,     ///< the same, more than a day ago
         BrakeUntested,
-        BrakeFailed,      ///< refused for driving
-        BrakeOverridden,  ///< failed, and driven nevertheless
+        BrakeFailed,      ///< refused for driving; brake
+        BrakeOverridden,  ///< failed, and driven nevertheless; brake, guard
         BrakeUnclear,     ///< brake: why
         Stranger,         ///< detail: name of a robot that may be added
         Network,          ///< detail: card and address that are used
@@ -100,6 +102,7 @@ struct PreflightCheck {
     std::string detail = {};  ///< as the kind says
     double number = 0.0, other = 0.0;
     BrakeResult brake = {};
+    GuardView guard = {};
     WireComplaint wire = {};
     std::vector<LinkReason> reasons = {};
 };

@@ -48,6 +48,8 @@ void addRobots(CLI::App& app, int& exitCode) {
         command->add_option("--interface", options->interfaces, "Network interfaces to use (all)");
         command->add_option("--peer", options->peers, "Addresses of stations where multicast does not pass");
         command->add_option("--keys", options->keys, "Identity in a secured domain, KEYS/enclaves/NAME");
+        command->add_flag("--no-watchdog", options->careless,
+                          "Goes on without commands, and obeys whoever sends one, as many stock robots do");
         if (kind == "kurt3d")
             command->add_flag("--tilting", options->tilting, "Carries the tilting scanner of 2004");
         else

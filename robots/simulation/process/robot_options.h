@@ -20,6 +20,7 @@ struct RobotOptions {
     int domain = 0;
     std::vector<std::string> interfaces, peers;
     std::string keys;           ///< folder of its identity; empty: unsecured
+    bool careless = false;      ///< without a watchdog, and anybody's
     bool tilting = false;       ///< Kurt3D carries the tilting scanner of 2004
     bool turningLaser = false;  ///< the Crawler's laser turns
 };

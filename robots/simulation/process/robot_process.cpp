@@ -73,19 +73,22 @@ Result<FuzzySystem> fuzzyRules() {
     return Error{"control/fuzzy_drive.yaml: not found beside the robots' files"};
 }
 
-template <class Agent>
-Result<std::unique_ptr<RobotAgent>> make(RobotHardware& hardware, const RobotDescription& robot) {
+template <class Agent, class Settings>
+Result<std::unique_ptr<RobotAgent>> make(const RobotOptions& options, RobotHardware& hardware,
+                                         const RobotDescription& robot) {
     const auto rules = fuzzyRules();
     if (!rules) return rules.error();
-    auto agent = Agent::create(hardware, robot, *rules);
+    Settings settings;
+    settings.agent.careless = options.careless;
+    auto agent = Agent::create(hardware, robot, *rules, settings);
     if (!agent) return agent.error();
     return std::unique_ptr<RobotAgent>(std::move(agent).value());
 }
 
 Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotHardware& hardware,
                                              const RobotDescription& robot) {
-    if (options.kind == "crawler") return make<CrawlerAgent>(hardware, robot);
-    return make<Kurt3dAgent>(hardware, robot);
+    if (options.kind == "crawler") return make<CrawlerAgent, CrawlerSettings>(options, hardware, robot);
+    return make<Kurt3dAgent, Kurt3dSettings>(options, hardware, robot);
 }
 
 Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::string& name, int domain,

@@ -18,7 +18,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr auto Period = std::chrono::milliseconds(50);
+constexpr auto Period = std::chrono::milliseconds(20);
 constexpr auto Forgotten = std::chrono::seconds(5);
 constexpr std::size_t MostGhosts = 8;
 const std::string Frame = "arena";

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/station/station_guards.h"
 #include "core/io/robot/brake_file.h"
 #include "core/mission/mission_state.h"
 #include "core/robot/stream_defaults.h"
@@ -79,6 +80,9 @@ TEST_F(StationBrakesTest, TheSimulatedRobotPassesAndIsRemembered) {
     EXPECT_GT(result.seconds, 0.05);
     EXPECT_LE(result.seconds, 0.5);
     EXPECT_LE(result.metres, 0.1);
+    EXPECT_EQ(result.watchdog, BrakeResult::Watchdog::Stops);
+    EXPECT_GT(result.brakesAfter, 0.1);
+    EXPECT_LT(result.brakesAfter, result.seconds);
     EXPECT_FALSE(station->robot("kurt3d").drive.focus) << "driving begins anew after it";
     station.reset();
     station = stationFor({kurt3d()});
@@ -97,12 +101,19 @@ TEST_F(StationBrakesTest, ARobotWithoutAWatchdogFailsIsStoppedAndRefusedUntilOve
     })) << words();
     ASSERT_TRUE(test(*station, "rover"));
     ASSERT_EQ(station->brakes().result("rover").verdict, Verdict::Failed) << words();
+    EXPECT_TRUE(station->brakes().result("rover").showsNoWatchdog());
     EXPECT_TRUE(waitUntil([&] { return robot.speed() == 0.0; })) << "zeros again after the test";
+    EXPECT_EQ(station->guards().view("rover"), GuardView{}) << "it is not driven";
     EXPECT_FALSE(moves(*station, "rover", speed)) << "refused";
 
     station->brakes().setOverridden("rover", true);
     EXPECT_TRUE(station->brakes().isOverridden("rover"));
     EXPECT_TRUE(moves(*station, "rover", speed, 20s));
+    EXPECT_EQ(station->guards().view("rover").state, GuardView::State::Ready);
+    station->brakes().setOverridden("rover", false);
+    EXPECT_TRUE(waitUntil([&] { return !station->guards().processOf("rover"); }))
+        << "nobody drives it any more";
+    station->brakes().setOverridden("rover", true);
     station.reset();
     ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; }));
     station = stationFor({carelessRobot()});

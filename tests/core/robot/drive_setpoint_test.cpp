@@ -34,6 +34,33 @@ TEST(DriveSetpoint, TheNewestCountsForTwoHundredMilliseconds) {
     EXPECT_FALSE(setpoint.isFresh(at(310)));
     setpoint.set(Forward, at(400));
     EXPECT_EQ(setpoint.at(at(400)), Forward) << "a hiccup of the window needs no neutral sticks";
+    setpoint.set(Forward, at(1'099));
+    EXPECT_EQ(setpoint.at(at(1'099)), Forward) << "expired for less than half a second";
+}
+
+TEST(DriveSetpoint, OneThatExpiredForHalfASecondNeedsNeutralSticksAgain) {
+    for (const std::int64_t hang : {700, 1'000, 2'500, 10'000}) {
+        DriveSetpoint setpoint = ready();
+        setpoint.set(Forward, at(10));
+        for (std::int64_t now = 10 + hang; now < 15'000; now += 20) {
+            setpoint.set(Forward, at(now));
+            ASSERT_EQ(setpoint.at(at(now)), Zero) << "hung for " << hang << " ms, at " << now;
+            ASSERT_TRUE(setpoint.waitsForNeutral());
+        }
+        setpoint.set(Zero, at(15'000));
+        setpoint.set(Forward, at(15'020));
+        EXPECT_EQ(setpoint.at(at(15'020)), Forward) << "hung for " << hang << " ms";
+    }
+}
+
+TEST(DriveSetpoint, SticksThatArePushedDuringAHangMoveNothing) {
+    DriveSetpoint setpoint = ready();
+    setpoint.set(Zero, at(10));
+    setpoint.set(Forward, at(1'500));
+    EXPECT_EQ(setpoint.at(at(1'500)), Zero) << "nobody saw the robot when the stick was pushed";
+    setpoint.set(Zero, at(1'520));
+    setpoint.set(Forward, at(1'540));
+    EXPECT_EQ(setpoint.at(at(1'540)), Forward);
 }
 
 TEST(DriveSetpoint, WithoutPermissionItIsZeroAndSticksMustBeNeutralAfterwards) {
@@ -150,6 +177,20 @@ TEST(DriveSchedule, ChangesGoOutAtOnceButNoFloodOfThem) {
         count += schedule.decide({1e-4 * static_cast<double>(now), 0, 0}, true, at(now)).send ? 1 : 0;
     }
     EXPECT_NEAR(count, 100, 2) << "a pad at 1 kHz";
+}
+
+TEST(DriveSchedule, SaysWhetherMoreCommandsFollow) {
+    DriveSchedule schedule;
+    EXPECT_FALSE(schedule.decide(Zero, false, at(0)).speaks);
+    EXPECT_TRUE(schedule.decide(Forward, true, at(100)).speaks);
+    EXPECT_TRUE(schedule.decide(Forward, true, at(110)).speaks) << "nothing is due, but soon";
+    int zeros = 0;
+    for (std::int64_t now = 150; now < 2'000; now += 50) {
+        const auto decision = schedule.decide(Zero, false, at(now));
+        zeros += decision.send ? 1 : 0;
+        EXPECT_EQ(decision.speaks, zeros < 20) << now;
+    }
+    EXPECT_EQ(zeros, 20);
 }
 
 TEST(DriveSchedule, AfterDrivingTwentyZerosAndThenSilence) {

@@ -24,14 +24,26 @@ protected:
     RobotRules m_rules{"kurt3d", {.limits = {0.5, 1.0, false}}};
 };
 
-TEST_F(Rules, TheHoldersCommandsCountForThreeHundredMilliseconds) {
+TEST_F(Rules, TheHoldersCommandsCountForTwoHundredMilliseconds) {
     EXPECT_EQ(commanded(0), Zero);
     EXPECT_EQ(drive(Zero, 0), DriveVerdict::Taken);
     EXPECT_EQ(drive(Forward, 10), DriveVerdict::Taken);
-    EXPECT_EQ(commanded(309), Forward);
-    EXPECT_EQ(commanded(310), Zero);
+    EXPECT_EQ(commanded(209), Forward);
+    EXPECT_EQ(commanded(210), Zero);
     EXPECT_EQ(drive({3.0, 0.0, 0.0}, 400), DriveVerdict::Taken);
     EXPECT_EQ(commanded(400).forward, 0.5) << "no faster than the robot may";
+}
+
+TEST_F(Rules, AfterALongSilenceTheFirstCommandIsZero) {
+    static_cast<void>(drive(Zero, 0));
+    static_cast<void>(drive(Forward, 10));
+    EXPECT_EQ(drive(Forward, 709), DriveVerdict::Taken) << "a gap in the link";
+    EXPECT_EQ(drive(Forward, 1'409), DriveVerdict::NotNeutral) << "a station that hung";
+    EXPECT_EQ(commanded(1'409), Zero);
+    EXPECT_EQ(drive(Forward, 1'459), DriveVerdict::NotNeutral) << "the stick is still held";
+    EXPECT_EQ(drive(Zero, 1'509), DriveVerdict::Taken);
+    EXPECT_EQ(drive(Forward, 1'559), DriveVerdict::Taken);
+    EXPECT_EQ(commanded(1'559), Forward);
 }
 
 TEST_F(Rules, NobodyElseMovesIt) {
@@ -132,6 +144,17 @@ TEST_F(Rules, WhatIsNoNumberStops) {
     static_cast<void>(drive(Forward, 10));
     EXPECT_EQ(drive({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, 20), DriveVerdict::NoNumber);
     EXPECT_EQ(commanded(20), Zero);
+}
+
+TEST_F(Rules, ACarelessRobotObeysAnybodyForEverButStops) {
+    RobotRules careless{"kurt3d", {.limits = {0.5, 1.0, false}, .careless = true}};
+    EXPECT_EQ(careless.drive(Forward, sender(7), at(0)), DriveVerdict::Taken);
+    EXPECT_EQ(careless.commanded(at(3'600'000)), Forward);
+    EXPECT_EQ(careless.drive({3.0, 0.0, 0.0}, sender(8), at(3'600'000)), DriveVerdict::Taken);
+    EXPECT_EQ(careless.commanded(at(3'600'000)).forward, 0.5);
+    static_cast<void>(careless.hear({{}, "viewer", 1, true, 0}, sender(7), at(3'600'010)));
+    EXPECT_EQ(careless.commanded(at(3'600'010)), Zero);
+    EXPECT_EQ(careless.drive(Forward, sender(7), at(3'600'020)), DriveVerdict::Stopped);
 }
 
 TEST_F(Rules, TellsWhetherItStands) {

@@ -28,6 +28,42 @@ TEST(BrakeFile, WhatIsKnownComesBackAndWhatIsNotIsLeftOut) {
     EXPECT_EQ(read.at("rover").verdict, Verdict::Failed);
 }
 
+TEST(BrakeFile, WhatTheWatchdogDoesComesBack) {
+    const TemporaryFolder folder;
+    const auto file = folder / "brakes.yaml";
+    const BrakeResult late{.verdict = Verdict::Failed,
+                           .seconds = 0.9,
+                           .metres = 0.09,
+                           .when = Time(1'700'000'000s),
+                           .watchdog = BrakeResult::Watchdog::Stops,
+                           .brakesAfter = 0.812};
+    const BrakeResult none{.verdict = Verdict::Failed,
+                           .seconds = 1.6,
+                           .metres = 0.16,
+                           .when = Time(1'700'000'100s),
+                           .watchdog = BrakeResult::Watchdog::None};
+    ASSERT_TRUE(writeBrakes(file, {{"late", late}, {"none", none}}).ok());
+    const auto read = readBrakes(file);
+    EXPECT_EQ(read.at("late"), late);
+    EXPECT_EQ(read.at("none"), none);
+    EXPECT_FALSE(read.at("late").showsNoWatchdog());
+    EXPECT_TRUE(read.at("none").showsNoWatchdog());
+}
+
+TEST(BrakeFile, OfAFailureThatSaysNothingOfAWatchdogThereIsNone) {
+    const TemporaryFolder folder;
+    const auto file = folder / "brakes.yaml";
+    const std::string failed = "brakes: {a: {verdict: failed, seconds: 0.9, metres: 0.1, when: 1";
+    for (const char* rest :
+         {"}}", ", stops: perhaps}}", ", stops: true}}", ", stops: true, brakes_after: .nan}}",
+          ", stops: true, brakes_after: x}}", ", stops: false}}"}) {
+        std::ofstream(file) << failed << rest;
+        const auto read = readBrakes(file);
+        ASSERT_TRUE(read.contains("a")) << rest;
+        EXPECT_TRUE(read.at("a").showsNoWatchdog()) << rest;
+    }
+}
+
 TEST(BrakeFile, NonsenseIsNoTest) {
     const TemporaryFolder folder;
     const auto file = folder / "brakes.yaml";

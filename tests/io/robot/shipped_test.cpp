@@ -35,7 +35,7 @@ TEST(ShippedRobots, SpeakTheTopicsOfTheDesign) {
     ASSERT_NE(kurt.stream(StreamRole::Points), nullptr);
     EXPECT_EQ(kurt.stream(StreamRole::Points)->qos.depth, 600);
     EXPECT_EQ(kurt.stream(StreamRole::StopCommand)->qos.lifespan, 0.0);
-    EXPECT_EQ(kurt.stream(StreamRole::DriveCommand)->qos.lifespan, 0.3);
+    EXPECT_EQ(kurt.stream(StreamRole::DriveCommand)->qos.lifespan, 0.2);
     EXPECT_EQ(kurt.stream(StreamRole::Thermal)->sensor, "ir");
     EXPECT_EQ(kurt.linkLoss.at("explore"), LinkLossRule::ReturnToLink);
     EXPECT_EQ(shipped("crawler").drive, DriveType::Tracked);

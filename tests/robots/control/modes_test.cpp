@@ -163,11 +163,11 @@ TEST(Modes, TheOperatorDrivesWhenTheSticksWereNeutral) {
     EXPECT_EQ(robot.drive().driver, Driver::Operator);
 }
 
-TEST(Modes, TheWatchdogStopsWithinThreeTenthsOfASecond) {
+TEST(Modes, TheWatchdogStopsAfterTwoTenthsOfASecond) {
     Robot robot;
     EXPECT_EQ(robot.drive().driver, Driver::Operator);
     robot.sticks.reset();
-    EXPECT_EQ(robot.run(0.25).driver, Driver::Operator);
+    EXPECT_EQ(robot.run(0.15).driver, Driver::Operator);
     EXPECT_EQ(robot.run(0.05).driver, Driver::Nobody);
     robot.sticks = Ahead;
     EXPECT_EQ(robot.run().driver, Driver::Operator) << "the hand is still on the stick";

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
+#include "core/robot/robot_says.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/fake_robot.h"
 #include "tests/support/places.h"
@@ -78,14 +79,30 @@ TEST_F(Kurt3d, AnOldWishIsNoWish) {
     EXPECT_EQ(agent->mode(), DriveMode::Teleoperation);
 }
 
-TEST_F(Kurt3d, StandsWithin300MillisecondsOfTheLastCommand) {
+TEST_F(Kurt3d, BrakesTwoHundredMillisecondsAfterTheLastCommand) {
     station->keepDriving(0.0, 0.1);
-    station->keepDriving(0.3, 0.5);
-    station->pass(0.2);
+    station->keepDriving(0.3, 0.5);  // the last one is said 0.05 s before its end
+    station->pass(0.14);
     EXPECT_GT(robot.left, 0.2);
-    station->pass(0.6);
+    station->pass(0.02);
     EXPECT_EQ(robot.left, 0.0);
     EXPECT_TRUE(robot.brake);
+}
+
+TEST_F(Kurt3d, AStickThatWasHeldThroughAHangOfItsStationMovesNothingAndIsTold) {
+    station->keepDriving(0.0, 0.1);
+    station->keepDriving(0.3, 0.5);
+    station->pass(0.5);
+    station->keepDriving(0.3, 0.3);
+    EXPECT_GT(robot.left, 0.2) << "a short gap is bridged";
+    station->pass(1.0);
+    station->keepDriving(0.3, 1.0);
+    EXPECT_EQ(robot.left, 0.0);
+    EXPECT_EQ(station->all<ModeSample>().back().reason, robot_says::NeutralFirst);
+    station->keepDriving(0.0, 0.1);
+    EXPECT_NE(station->all<ModeSample>().back().reason, robot_says::NeutralFirst);
+    station->keepDriving(0.3, 0.5);
+    EXPECT_GT(robot.left, 0.2);
 }
 
 TEST_F(Kurt3d, AStopStandsUntilTheHolderReleasesIt) {

@@ -37,6 +37,8 @@ RadioLink::~RadioLink() {
 void RadioLink::run(std::stop_token stop) {
     std::mt19937 random(m_conditions.seed);
     std::bernoulli_distribution lost(m_conditions.loss);
+    std::uniform_real_distribution<double> late(0.0,
+                                                std::chrono::duration<double>(m_conditions.jitter).count());
     std::deque<Packet> flying;  // in the order in which they arrive
     Clock::time_point airFree = Clock::now();
     const auto accept = [&](int to, std::vector<std::byte> bytes) {
@@ -49,7 +51,13 @@ void RadioLink::run(std::stop_token stop) {
         }
         const double seconds = 8.0 * static_cast<double>(bytes.size()) / m_conditions.bitsPerSecond;
         airFree += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-        if (!lost(random)) flying.push_back({airFree + m_conditions.delay, to, std::move(bytes)});
+        if (lost(random)) return;
+        const auto jitter =
+            std::chrono::duration<double>(m_conditions.jitter.count() > 0 ? late(random) : 0.0);
+        const auto due = airFree + m_conditions.delay + std::chrono::duration_cast<Clock::duration>(jitter);
+        const auto place = std::upper_bound(flying.begin(), flying.end(), due,
+                                            [](auto moment, const Packet& one) { return moment < one.due; });
+        flying.insert(place, {due, to, std::move(bytes)});
     };
     std::vector<std::byte> buffer(65536);
     while (!stop.stop_requested()) {

@@ -14,6 +14,7 @@ namespace leitstand::test {
 struct RadioConditions {
     double bitsPerSecond = 10e6;                  ///< shared by both directions, as on a WLAN
     std::chrono::milliseconds delay{20};          ///< of every packet, each way
+    std::chrono::milliseconds jitter{0};          ///< more, from none to that; packets overtake each other
     double loss = 0.05;                           ///< share of packets that never arrive
     std::chrono::milliseconds longestQueue{200};  ///< what would wait longer for the air is dropped
     std::uint32_t seed = 1;

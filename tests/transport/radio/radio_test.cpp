@@ -53,7 +53,7 @@ public:
                    [this](auto) { ++m_pictures; });
         }
         Qos command;
-        command.lifespan = 0.3;
+        command.lifespan = 0.2;
         m_commands = must(station.publisher({prefix + "cmd_vel", TestType, command, Flow::Immediate}));
         const InNamespace there(radio.robots());
         std::vector<std::string> words = {std::to_string(domain), name, std::to_string(seconds)};

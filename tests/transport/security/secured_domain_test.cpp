@@ -1,12 +1,19 @@
+#include <array>
 #include <functional>
+#include <string_view>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
 #include "tests/transport/security/secured.h"
 #include "transport/dds/node.h"
+#include "transport/link/drive_guard.h"
+#include "transport/link/grant_sender.h"
 #include "transport/security/authorities.h"
 #include "transport/security/enclave.h"
 #include "transport/security/keys.h"
@@ -53,6 +60,44 @@ TEST_F(SecuredDomain, StationAndRobotTalk) {
     ASSERT_TRUE(drive.allowed() && odometry.allowed() && driven.allowed() && seen.allowed());
     EXPECT_TRUE(writingUntil({&drive, &odometry}, [&] { return driven.samples() > 9 && seen.samples() > 9; }))
         << driven.samples() << " commands, " << seen.samples() << " samples";
+}
+
+TEST_F(SecuredDomain, AGuardWithTheKeysOfItsStationIsHeardByTheRobot) {
+    const auto join = [&](const std::string& name) {
+        NodeSettings settings;
+        settings.domain = m_domain.number();
+        settings.security = filesOf(name);
+        return Node::create(settings).value();
+    };
+    const auto station = join("station1"), beside = join("station1"), robot = join("kurt3d");
+    StreamDescription command;
+    command.role = StreamRole::DriveCommand;
+    command.topic = "/kurt3d/cmd_vel";
+    command.type = "geometry_msgs/msg/Twist";
+    std::atomic<int> zeros = 0;
+    const auto driven = robot->subscribe({command.topic, command.type, command.qos, Lane::Small},
+                                         [&](const ReceivedSample&) { ++zeros; });
+    ASSERT_TRUE(driven.ok()) << driven.error().text;
+    DriveGuardSettings settings;
+    settings.robot = "kurt3d";
+    settings.station = "a";
+    settings.driver = senderOf(station->guid());
+    settings.message.stream = command;
+    const auto guard = DriveGuard::create(*beside, settings).value();
+    std::array<int, 2> ends{};
+    ASSERT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()), 0);
+    std::jthread serving([&] { guard->serve(ends[1]); });
+    std::array<char, 16> word{};
+    EXPECT_TRUE(waitUntil([&] {
+        const ssize_t size = recv(ends[0], word.data(), word.size(), MSG_DONTWAIT);
+        return size > 0 && std::string_view(word.data(), static_cast<std::size_t>(size)) == "ready";
+    }));
+    EXPECT_EQ(zeros, 0);
+    EXPECT_GT(send(ends[0], "drive 0", 7, MSG_NOSIGNAL), 0);
+    EXPECT_TRUE(waitUntil([&] { return zeros >= 5; }));
+    close(ends[0]);
+    serving.join();
+    close(ends[1]);
 }
 
 TEST_F(SecuredDomain, OurNodesTakePart) {

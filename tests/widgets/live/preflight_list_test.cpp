@@ -75,6 +75,35 @@ TEST_F(PreflightListTest, TheBrakeTestTellsHowItStands) {
     EXPECT_EQ(brakeText(Phase::Idle, {Verdict::Passed, 0.31, 0.02}), "Passed: stands after 310 ms and 2 cm");
 }
 
+TEST_F(PreflightListTest, TheWatchdogOfARobotIsTold) {
+    using Phase = BrakeTest::Phase;
+    BrakeResult brake{.verdict = Verdict::Passed, .seconds = 0.31, .metres = 0.02};
+    brake.watchdog = BrakeResult::Watchdog::Stops;
+    brake.brakesAfter = 0.2;
+    EXPECT_EQ(brakeText(Phase::Idle, brake), "Passed: brakes after 200 ms, stands after 310 ms and 2 cm");
+    PreflightCheck check{Kind::BrakePassed, CheckState::Ok, "k", {}, 0.31, 0.02};
+    check.brake = brake;
+    EXPECT_EQ(checkText(check), "brake: brakes after 200 ms, stands after 310 ms and 2 cm without commands");
+    check.kind = Kind::BrakeFailed;
+    check.brake.verdict = Verdict::Failed;
+    EXPECT_EQ(checkText(check),
+              "brake: FAILED, brakes after 200 ms, stands after 310 ms and 2 cm; driving is refused");
+    check.brake.watchdog = BrakeResult::Watchdog::None;
+    EXPECT_EQ(checkText(check),
+              "brake: FAILED, still moves 310 ms after the last command; driving is refused");
+}
+
+TEST_F(PreflightListTest, TheGuardOfARobotIsTold) {
+    PreflightCheck check{Kind::BrakeOverridden, CheckState::Attention, "k"};
+    std::set<QString> texts = {checkText(check)};
+    for (const auto state : {GuardView::State::Starting, GuardView::State::Ready, GuardView::State::Failed}) {
+        check.guard = {state, "no such file"};
+        texts.insert(checkText(check));
+    }
+    EXPECT_EQ(texts.size(), 4U);
+    EXPECT_THAT(checkText(check).toStdString(), testing::HasSubstr("no guard: no such file"));
+}
+
 TEST_F(PreflightListTest, EveryCauseOfABrakeTestWithoutResultIsTold) {
     std::set<QString> texts;
     constexpr int Last = int(BrakeResult::Cause::OdometryEnded);

@@ -178,6 +178,13 @@ void Discovery::clear() {
     m_changed();
 }
 
+std::vector<Guid> Discovery::matchedWith(const Guid& local) const {
+    const std::scoped_lock lock(m_mutex);
+    const auto found = m_local.find(local);
+    if (found == m_local.end()) return {};
+    return {found->second.matched.begin(), found->second.matched.end()};
+}
+
 RemoteEndpoint Discovery::named(RemoteEndpoint endpoint) const {
     if (const auto found = m_participants.find(endpoint.participant); found != m_participants.end()) {
         endpoint.participantName = found->second.participant.name;

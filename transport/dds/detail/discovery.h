@@ -32,6 +32,7 @@ public:
     void add(const Guid& local, LocalEndpoint endpoint);
     void remove(const Guid& local);
     void matched(const Guid& local, const Guid& remote, bool now);
+    [[nodiscard]] std::vector<Guid> matchedWith(const Guid& local) const;
 
 private:
     using Participant = eprosima::fastdds::dds::DomainParticipant;

@@ -10,7 +10,8 @@ namespace {
 namespace efd = eprosima::fastdds::dds;
 using eprosima::fastrtps::Duration_t;
 
-constexpr int MostKept = 5000;  // samples of a keep_all history
+constexpr double Heartbeats = 0.1;  ///< of reliable writers, while somebody lacks something [s]
+constexpr int MostKept = 5000;      // samples of a keep_all history
 // A reliable Fast DDS reader that may keep one sample only is stuck after a loss: the newer sample waits for
 // the lost one to be given up, and there is no room for the next. Over a link with 5 % loss, one of two is
 // lost then.
@@ -68,7 +69,10 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
     efd::DataWriterQos made;
     apply(qos, made);
     if (qos.lifespan > 0.0) made.lifespan().duration = Duration_t(static_cast<long double>(qos.lifespan));
-    made.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.1);
+    // What lives short is asked for again soon: a drive command that was lost can come before its time is
+    // over.
+    const double period = qos.lifespan > 0.0 ? std::min(Heartbeats, qos.lifespan / 10.0) : Heartbeats;
+    made.reliable_writer_qos().times.heartbeatPeriod = Duration_t(static_cast<long double>(period));
     if (flow == Flow::Immediate) {
         made.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
     } else {

@@ -95,6 +95,10 @@ int Writer::matched() const {
     return status.current_count;
 }
 
+std::vector<Guid> Writer::readers() const {
+    return m_participant.discovery().matchedWith(guid());
+}
+
 bool Writer::waitForAcknowledgments(std::chrono::milliseconds atMost) const {
     const auto end = std::chrono::steady_clock::now() + atMost;
     do {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <mutex>
 #include <shared_mutex>
+#include <vector>
 
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
@@ -27,6 +28,7 @@ public:
     void close();
     Result<void> write(const Payload& cdr);
     [[nodiscard]] int matched() const;
+    [[nodiscard]] std::vector<Guid> readers() const;
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
     [[nodiscard]] Guid guid() const;
     [[nodiscard]] const WriterSettings& settings() const { return m_settings; }

@@ -23,8 +23,11 @@ QString megabytes(double bytesPerSecond) {
 }
 
 QString standing(const PreflightCheck& check) {
-    return Words::tr("stands after %1 and %2 cm")
-        .arg(secondsText(check.number), numberText(100.0 * check.other, 0));
+    const QString after = secondsText(check.number), way = numberText(100.0 * check.other, 0);
+    if (check.brake.brakesAfter > 0.0)
+        return Words::tr("brakes after %1, stands after %2 and %3 cm")
+            .arg(secondsText(check.brake.brakesAfter), after, way);
+    return Words::tr("stands after %1 and %2 cm").arg(after, way);
 }
 
 QString reasonsText(const std::vector<LinkReason>& reasons) {
@@ -115,6 +118,28 @@ QString robotText(const PreflightCheck& check, const QString& detail) {
     }
 }
 
+/// What a robot that failed does when commands cease.
+QString failureText(const PreflightCheck& check) {
+    if (check.brake.watchdog == BrakeResult::Watchdog::Stops) return standing(check);
+    return check.number > 0.0
+               ? Words::tr("still moves %1 after the last command").arg(secondsText(check.number))
+               : Words::tr("moves without commands");
+}
+
+QString guardText(const GuardView& guard) {
+    switch (guard.state) {
+        case GuardView::State::None:
+            break;
+        case GuardView::State::Starting:
+            return Words::tr("its guard is not heard by it yet");
+        case GuardView::State::Ready:
+            return Words::tr("its guard stands by");
+        case GuardView::State::Failed:
+            return Words::tr("no guard: %1").arg(QString::fromStdString(guard.problem));
+    }
+    return {};
+}
+
 QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
     switch (check.kind) {
         case Kind::BrakePassed:
@@ -124,9 +149,12 @@ QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
         case Kind::BrakeUntested:
             return Words::tr("brake: not tested");
         case Kind::BrakeFailed:
-            return Words::tr("brake: FAILED, moves without commands; driving is refused");
-        case Kind::BrakeOverridden:
-            return Words::tr("brake: FAILED, and driven nevertheless");
+            return Words::tr("brake: FAILED, %1; driving is refused").arg(failureText(check));
+        case Kind::BrakeOverridden: {
+            const QString guard = guardText(check.guard);
+            return guard.isEmpty() ? Words::tr("brake: FAILED, and driven nevertheless")
+                                   : Words::tr("brake: FAILED, and driven nevertheless; %1").arg(guard);
+        }
         case Kind::BrakeUnclear:
             return Words::tr("brake: no result (%1)").arg(causeText(check.brake));
         default:
@@ -273,13 +301,14 @@ QString brakeText(BrakeTest::Phase phase, const BrakeResult& result) {
     PreflightCheck check;
     check.number = result.seconds;
     check.other = result.metres;
+    check.brake = result;
     switch (result.verdict) {
         case BrakeResult::Verdict::Untested:
             return Words::tr("0.6 m must be free ahead");
         case BrakeResult::Verdict::Passed:
             return Words::tr("Passed: %1").arg(standing(check));
         case BrakeResult::Verdict::Failed:
-            return Words::tr("FAILED: moves without commands");
+            return Words::tr("FAILED: %1").arg(failureText(check));
         case BrakeResult::Verdict::Inconclusive:
             return Words::tr("No result: %1").arg(causeText(result));
     }

@@ -127,13 +127,25 @@ void PreflightFeature::show(const LiveMoment& moment) {
 
 void PreflightFeature::showOverrides() {
     const StationBrakes& brakes = m_context.bridge.station().brakes();
-    QStringList names;
+    QStringList none, late;
     for (const RobotDescription& robot : m_context.selection.robots()) {
-        if (brakes.isOverridden(robot.name)) names += QString::fromStdString(robot.title);
+        if (!brakes.isOverridden(robot.name)) continue;
+        (brakes.result(robot.name).showsNoWatchdog() ? none : late) += QString::fromStdString(robot.title);
     }
-    m_badge->setVisible(!names.isEmpty());
-    m_badge->setText(tr("NO WATCHDOG: %1").arg(names.join(QStringLiteral(", "))));
-    m_badge->setToolTip(tr("Failed its brake test and is driven nevertheless: without radio it goes on"));
+    QStringList texts, tips;
+    if (!none.isEmpty()) {
+        texts += tr("NO WATCHDOG: %1").arg(none.join(QStringLiteral(", ")));
+        tips +=
+            tr("Failed its brake test and is driven nevertheless: without radio it goes on. When this "
+               "station hangs or dies, its guard stops it");
+    }
+    if (!late.isEmpty()) {
+        texts += tr("BRAKES LATE: %1").arg(late.join(QStringLiteral(", ")));
+        tips += tr("Failed its brake test and is driven nevertheless: without radio it stands late");
+    }
+    m_badge->setVisible(!texts.isEmpty());
+    m_badge->setText(texts.join(QStringLiteral("  ")));
+    m_badge->setToolTip(tips.join(QLatin1Char('\n')));
 }
 
 void PreflightFeature::add(const QString& stranger) {

@@ -33,6 +33,25 @@ TEST(BrakeSays, TheLogIsEnglishAndTheWindowHasItsOwnLanguage) {
     EXPECT_EQ(told({}), "[brake not tested]");
 }
 
+TEST(BrakeSays, WhatTheWatchdogDoesIsTold) {
+    BrakeResult result;
+    result.verdict = BrakeResult::Verdict::Passed;
+    result.watchdog = BrakeResult::Watchdog::Stops;
+    result.seconds = 0.312;
+    result.metres = 0.021;
+    result.brakesAfter = 0.204;
+    EXPECT_EQ(toString(result),
+              "brake test passed: without commands it braked after 204 ms and stood after 312 ms and 2 cm");
+    EXPECT_EQ(told(result), '[' + toString(result) + ']');
+    result.verdict = BrakeResult::Verdict::Failed;
+    EXPECT_EQ(
+        toString(result),
+        "brake test FAILED: without commands it braked after 204 ms and stood only after 312 ms and 2 cm");
+    EXPECT_EQ(told(result), '[' + toString(result) + ']');
+    result.watchdog = BrakeResult::Watchdog::None;
+    EXPECT_EQ(toString(result), "brake test FAILED: without commands it still moved after 312 ms and 2 cm");
+}
+
 TEST(BrakeSays, EveryCauseIsToldInTheWindowsLanguage) {
     using Cause = BrakeResult::Cause;
     for (int cause = 0; cause <= static_cast<int>(Cause::OdometryEnded); ++cause) {

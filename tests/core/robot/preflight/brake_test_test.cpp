@@ -56,6 +56,22 @@ TEST(BrakeTest, ARobotWithAWatchdogPasses) {
     EXPECT_NEAR(result.seconds, 0.42, 0.08);
     EXPECT_NEAR(result.metres, 0.035, 0.01);
     EXPECT_LT(track.x, 0.2) << "it needs little room";
+    EXPECT_EQ(result.watchdog, BrakeResult::Watchdog::Stops);
+    EXPECT_NEAR(result.brakesAfter, 0.3, 0.05) << "the time of its watchdog, without that of its brakes";
+    EXPECT_FALSE(result.showsNoWatchdog());
+}
+
+TEST(BrakeTest, TheWatchdogOfARobotIsMeasured) {
+    for (const auto watchdog : {100ms, 200ms, 300ms, 600ms, 1'000ms, 1'300ms}) {
+        Track track;
+        track.watchdog = watchdog;
+        const BrakeResult& result = track.run();
+        EXPECT_EQ(result.watchdog, BrakeResult::Watchdog::Stops) << watchdog.count();
+        EXPECT_NEAR(result.brakesAfter, std::chrono::duration<double>(watchdog).count(), 0.05);
+        EXPECT_GT(result.seconds, result.brakesAfter);
+        EXPECT_FALSE(result.showsNoWatchdog());
+        EXPECT_EQ(result.verdict, watchdog <= 300ms ? Verdict::Passed : Verdict::Failed) << watchdog.count();
+    }
 }
 
 TEST(BrakeTest, OneThatGoesOnFailsAndIsStopped) {
@@ -63,6 +79,8 @@ TEST(BrakeTest, OneThatGoesOnFailsAndIsStopped) {
     track.watchdog = 1h;
     EXPECT_EQ(track.run().verdict, Verdict::Failed);
     EXPECT_GT(track.test.result().seconds, 1.4);
+    EXPECT_EQ(track.test.result().watchdog, BrakeResult::Watchdog::None);
+    EXPECT_TRUE(track.test.result().showsNoWatchdog());
     for (int i = 0; i < 20; ++i) track.tick();
     EXPECT_FALSE(track.silent) << "zeros again";
     EXPECT_EQ(track.speed, 0.0);
@@ -73,6 +91,7 @@ TEST(BrakeTest, OneThatStopsLateFails) {
     track.watchdog = 600ms;
     EXPECT_EQ(track.run().verdict, Verdict::Failed);
     EXPECT_NEAR(track.test.result().seconds, 0.7, 0.1);
+    EXPECT_FALSE(track.test.result().showsNoWatchdog()) << "it has one, which is slow";
 }
 
 TEST(BrakeTest, LettingTheKeyGoEndsItWithoutAVerdict) {
@@ -133,6 +152,7 @@ TEST(BrakeTest, WithoutOdometryAfterTheCutNothingIsKnown) {
     }
     EXPECT_EQ(track.test.result().verdict, Verdict::Inconclusive);
     EXPECT_THAT(toString(track.test.result()), HasSubstr("odometry"));
+    EXPECT_EQ(track.test.result().watchdog, BrakeResult::Watchdog::Unknown);
 }
 
 }  // namespace

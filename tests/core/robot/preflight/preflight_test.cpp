@@ -164,6 +164,12 @@ TEST_F(Preflight, Brakes) {
     expect(Kind::BrakeFailed, CheckState::Fail);
     robot().brakeOverridden = true;
     expect(Kind::BrakeOverridden, CheckState::Attention);
+    robot().guard.state = GuardView::State::Ready;
+    expect(Kind::BrakeOverridden, CheckState::Attention);
+    robot().guard = {GuardView::State::Failed, "no such file"};
+    expect(Kind::BrakeOverridden, CheckState::Fail);
+    EXPECT_EQ(find(preflight(facts), Kind::BrakeOverridden)->guard.problem, "no such file");
+    robot().guard = {};
     robot().brake = {};
     expect(Kind::BrakeUntested, CheckState::Attention);
     robot().brake.verdict = Verdict::Inconclusive;

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/robot/control/guard_rules.h"
+#include "transport/dds/node.h"
+#include "transport/link/drive_message.h"
+
+namespace leitstand {
+
+/// What a guard tells its station through the pipe, when it changes and twice a second: whether the robot
+/// hears it.
+namespace guard_word {
+inline constexpr std::string_view Ready = "ready", Waits = "waits";
+}
+
+struct DriveGuardSettings {
+    std::string ownName = "leitstand-guard";  ///< of the node, and of others that guard
+    std::string robot;                        ///< name
+    std::string station;                      ///< identity of the station that is guarded
+    Sender driver = {};                       ///< its process, whose commands are nobody else's
+    DriveMessage message;                     ///< how the robot is driven
+    GuardTiming timing = {};
+};
+
+/// Sends zeros to one robot when the station that drives it hangs or dies (GuardRules), from a process beside
+/// the station: it takes part in the domain by itself, and listens to grants and to others' drive commands.
+class DriveGuard {
+public:
+    /// Errors: the robot takes no such commands.
+    [[nodiscard]] static Result<std::unique_ptr<DriveGuard>> create(Node& node, DriveGuardSettings settings);
+    ~DriveGuard();
+    DriveGuard(const DriveGuard&) = delete;
+    DriveGuard& operator=(const DriveGuard&) = delete;
+
+    /// Guards until the station's end of @p pipe is closed and there is nothing more to do. @p pipe: a socket
+    /// that keeps messages apart; GuardPulse comes through it, guard_word goes back.
+    void serve(int pipe);
+
+private:
+    struct State;
+    explicit DriveGuard(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand
