@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/mission/raw_event.h"
 #include "core/robot/qos.h"
+#include "core/robot/screen_report.h"
 #include "transport/dds/endpoint.h"
 #include "transport/dds/guid.h"
 #include "transport/dds/node_settings.h"
@@ -121,8 +122,11 @@ public:
     void onDiscovery(std::function<void()> changed);
 
     /// What the operator should know about this computer: a system limit that costs samples, with the command
-    /// that lifts it. Empty when all is well.
+    /// that lifts it, and transports that cannot be screened. Empty when all is well.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
+    /// What was kept from the DDS library since the node joined, by reason and sender (docs/wire.md). Any
+    /// thread.
+    [[nodiscard]] std::vector<ScreenDrop> dropped() const;
     [[nodiscard]] Guid guid() const;
 
 private:
