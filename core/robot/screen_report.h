@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace leitstand {
 
@@ -25,5 +28,21 @@ struct ScreenDrop {
 [[nodiscard]] std::string toString(const ScreenDrop& drop);
 /// Likewise, in the window's language.
 [[nodiscard]] std::string worded(const ScreenDrop& drop);
+
+/// What of a profile file goes past the screen.
+enum class Unscreened : std::uint8_t { SharedMemory, Tcp };
+/// Why that matters, in the window's language.
+[[nodiscard]] std::string worded(Unscreened what);
+
+/// Which drops an operator is told now: each when it is first seen, and again whenever there are ten times as
+/// many. Not thread-safe.
+class ScreenTelling {
+public:
+    /// Of @p drops, all so far, those that are due; they count as told.
+    [[nodiscard]] std::vector<ScreenDrop> due(const std::vector<ScreenDrop>& drops);
+
+private:
+    std::map<std::pair<ScreenDrop::Kind, std::string>, std::uint64_t> m_told;
+};
 
 }  // namespace leitstand

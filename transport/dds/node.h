@@ -117,8 +117,8 @@ public:
     /// 0.1 s. Not for callbacks of this node. @p entered is told the new guid() before anything is sent or
     /// heard as it. An error names what could not be made again.
     Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
-    /// @p changed is called on the thread of the small lane after participants, endpoints or mismatches
-    /// changed (several changes may come as one), and once at first. Replaces an earlier one.
+    /// @p changed is called on the thread of the small lane after participants, endpoints, mismatches or what
+    /// is dropped changed (several changes may come as one), and once at first. Replaces an earlier one.
     void onDiscovery(std::function<void()> changed);
 
     /// What the operator should know about this computer: a system limit that costs samples, with the command

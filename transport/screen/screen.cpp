@@ -170,16 +170,30 @@ Screen::Verdict Screen::judge(const Datagram& datagram, const Place& place, Mome
     return judged ? Verdict{} : judgeSpeaker(datagram.speaker, place, now);
 }
 
-bool Screen::passes(std::span<const std::byte> bytes, const Place& place, Moment now) {
-    static thread_local Datagram datagram;
-    const Fault fault = parse(bytes, datagram);
-    const std::lock_guard lock(m_mutex);
-    const Verdict verdict = fault.empty() ? judge(datagram, place, now) : Verdict{false, Why::NoRtps, fault};
+bool Screen::count(const Verdict& verdict, const Place& place, Moment now) {
     if (verdict.passes) {
         ++m_passed;
     } else {
         m_drops.note(verdict.why, place.address, verdict.fault);
+        m_untold = true;
     }
+    if (!m_untold || now - m_told < std::chrono::seconds(1)) return false;
+    m_untold = false;
+    m_told = now;
+    return true;
+}
+
+bool Screen::passes(std::span<const std::byte> bytes, const Place& place, Moment now) {
+    static thread_local Datagram datagram;
+    const Fault fault = parse(bytes, datagram);
+    Verdict verdict{false, Why::NoRtps, fault};
+    bool tell = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (fault.empty()) verdict = judge(datagram, place, now);
+        tell = count(verdict, place, now);
+    }
+    if (tell && m_dropped) m_dropped();
     return verdict.passes;
 }
 

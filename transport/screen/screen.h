@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <mutex>
 
 #include "core/robot/screen_report.h"
@@ -18,7 +19,10 @@ struct ScreenSettings {
 /// What it keeps of the domain is bounded (docs/wire.md); nothing is changed on its way. Any thread.
 class Screen {
 public:
-    explicit Screen(const ScreenSettings& settings) : m_settings(settings) {}
+    /// @p dropped is called when something was dropped, at most once a second, by the thread that asked. It
+    /// must not ask back.
+    explicit Screen(const ScreenSettings& settings, std::function<void()> dropped = {})
+        : m_settings(settings), m_dropped(std::move(dropped)) {}
 
     /// Whether @p bytes that came from @p place may reach the library.
     [[nodiscard]] bool passes(std::span<const std::byte> bytes, const Place& place,
@@ -44,13 +48,18 @@ private:
     [[nodiscard]] Verdict judgeEndpoint(const Submessage& next);
     [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
 
+    /// Counts what was judged; whether somebody has to be told of drops now.
+    [[nodiscard]] bool count(const Verdict& verdict, const Place& place, Moment now);
+
     const ScreenSettings m_settings;
+    const std::function<void()> m_dropped;
     mutable std::mutex m_mutex;  // of all that follows
     Participants m_participants;
     std::unordered_map<Place, Budget, BytesHash> m_strangers;
     DropBook m_drops;
     std::uint64_t m_passed = 0;
-    Moment m_swept{};
+    Moment m_swept{}, m_told{};
+    bool m_untold = false;
 };
 
 }  // namespace leitstand::screen

@@ -20,11 +20,15 @@ Packet everything(bool little) {
     Packet packet(1, little);
     packet.submessage(0x0e, 0, Bytes(12)).submessage(0x09, 0, Bytes(8)).submessage(0x09, 2, {});
     packet.announce().announceEndpoint(OdometryWriter);
-    packet.heartbeat(OdometryWriter, 1, 0).gap(OdometryWriter, 1, 5, 40).acknowledge(OdometryReader, 0x203, 9, 3, 7);
-    packet.data(OdometryWriter, 5, Bytes(12),
-                packet.word().parameter(0x0070, Bytes(16)).parameter(0x0071, Bytes(4)).parameter(1, {}).bytes);
+    packet.heartbeat(OdometryWriter, 1, 0)
+        .gap(OdometryWriter, 1, 5, 40)
+        .acknowledge(OdometryReader, 0x203, 9, 3, 7);
+    packet.data(
+        OdometryWriter, 5, Bytes(12),
+        packet.word().parameter(0x0070, Bytes(16)).parameter(0x0071, Bytes(4)).parameter(1, {}).bytes);
     packet.fragments(OdometryWriter, 6, 2, 2, 100, 350, Bytes(200));
-    packet.submessage(0x12, 0, packet.word().entity(1).entity(2).sequenceNumber(3).u32(1).u32(5).u32(0).u32(1).bytes);
+    packet.submessage(0x12, 0,
+                      packet.word().entity(1).entity(2).sequenceNumber(3).u32(1).u32(5).u32(0).u32(1).bytes);
     packet.submessage(0x13, 0, packet.word().entity(1).entity(2).sequenceNumber(3).u32(1).u32(1).bytes);
     packet.submessage(0x0c, 0, ByteWriter().zeros(8).prefix(prefixOf(2)).bytes).submessage(0x0d, 0, Bytes(8));
     packet.submessage(0x0f, 0, packet.word().u32(1).zeros(24).bytes).submessage(0x01, 0, Bytes(4));
@@ -64,7 +68,7 @@ TEST(Datagram, EveryCutIsRefusedOrHasNothingButWholeSubmessages) {
     ASSERT_EQ(parse(whole, into), "");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));  // its own memory
-        if (parse(cut, into).empty()) EXPECT_LT(into.submessages.size(), 18U) << size;
+        EXPECT_TRUE(!parse(cut, into).empty() || into.submessages.size() < 18U) << size;
     }
 }
 
@@ -74,7 +78,8 @@ TEST(Datagram, StatisticsPassOnlyAtTheEndAndAsLongAsTheLibraryMakesThem) {
     EXPECT_NE(faultOf(Packet().statistics().statistics()), "");
     EXPECT_NE(faultOf(Packet().submessage(0x80, 0, Bytes(60), 56)), "");  // what aborted every process
     EXPECT_NE(faultOf(Packet().submessage(0x80, 0, Bytes(56), 0)), "");
-    for (const std::size_t size : {0U, 4U, 52U, 60U}) EXPECT_NE(faultOf(Packet().submessage(0x80, 0, Bytes(size))), "");
+    for (const std::size_t size : {0U, 4U, 52U, 60U})
+        EXPECT_NE(faultOf(Packet().submessage(0x80, 0, Bytes(size))), "");
     EXPECT_NE(faultOf(Packet(1, false).submessage(0x80, 0, Bytes(56), 0x3800)), "");
 }
 
@@ -110,16 +115,23 @@ TEST(Datagram, NumbersThatAreNoRangeAreRefused) {
 
 TEST(Datagram, PayloadsAndFieldsFitIntoTheirSubmessage) {
     const auto data = [](unsigned flags, unsigned fields, const Bytes& rest) {
-        return Packet().submessage(
-            0x15, flags,
-            ByteWriter().u16(0).u16(fields).entity(0).entity(OdometryWriter).sequenceNumber(1).append(rest).bytes);
+        return Packet().submessage(0x15, flags,
+                                   ByteWriter()
+                                       .u16(0)
+                                       .u16(fields)
+                                       .entity(0)
+                                       .entity(OdometryWriter)
+                                       .sequenceNumber(1)
+                                       .append(rest)
+                                       .bytes);
     };
     EXPECT_EQ(faultOf(data(4, 16, Bytes(4))), "");
     EXPECT_NE(faultOf(data(4, 16, Bytes(3))), "");
     EXPECT_NE(faultOf(data(12, 16, Bytes(8))), "");  // sample and key at once
     EXPECT_NE(faultOf(data(8, 16, {})), "");
     EXPECT_NE(faultOf(data(0, 16, Bytes(8))), "");
-    for (const unsigned fields : {0U, 12U, 20U, 0x7fffU, 0xffffU}) EXPECT_NE(faultOf(data(4, fields, Bytes(8))), "");
+    for (const unsigned fields : {0U, 12U, 20U, 0x7fffU, 0xffffU})
+        EXPECT_NE(faultOf(data(4, fields, Bytes(8))), "");
 }
 
 TEST(Datagram, ParameterListsEndAndHoldWhatTheySay) {
@@ -134,7 +146,8 @@ TEST(Datagram, ParameterListsEndAndHoldWhatTheySay) {
 }
 
 TEST(Datagram, FragmentsAreOfTheirSample) {
-    const auto made = [](std::uint32_t start, unsigned count, unsigned size, std::uint32_t sample, std::size_t there) {
+    const auto made = [](std::uint32_t start, unsigned count, unsigned size, std::uint32_t sample,
+                         std::size_t there) {
         return faultOf(Packet().fragments(OdometryWriter, 1, start, count, size, sample, Bytes(there)));
     };
     EXPECT_EQ(made(1, 1, 100, 350, 100), "");
@@ -154,7 +167,10 @@ TEST(Datagram, FragmentsAreOfTheirSample) {
 
 TEST(Datagram, SecureEnvelopesAreWhole) {
     const auto message = [](const Bytes& body, const Bytes& footer) {
-        return Packet().submessage(0x33, 0, cryptoHeader()).submessage(0x30, 0, body).submessage(0x34, 0, footer);
+        return Packet()
+            .submessage(0x33, 0, cryptoHeader())
+            .submessage(0x30, 0, body)
+            .submessage(0x34, 0, footer);
     };
     EXPECT_EQ(faultOf(message(cryptoBody(40, 40), cryptoFooter(2, 2)).statistics()), "");
     EXPECT_NE(faultOf(message(cryptoBody(44, 40), cryptoFooter(0, 0))), "");
@@ -163,11 +179,14 @@ TEST(Datagram, SecureEnvelopesAreWhole) {
     EXPECT_NE(faultOf(message(cryptoBody(40, 40), Bytes(8))), "");
     EXPECT_NE(faultOf(message(cryptoBody(40, 40), cryptoFooter(0, 0)).heartbeat(OdometryWriter, 1, 1)), "");
     EXPECT_NE(faultOf(Packet().submessage(0x33, 0, Bytes(16))), "");
-    EXPECT_NE(faultOf(Packet().submessage(0x33, 0, cryptoHeader()).submessage(0x30, 0, cryptoBody(4, 4))), "");
+    EXPECT_NE(faultOf(Packet().submessage(0x33, 0, cryptoHeader()).submessage(0x30, 0, cryptoBody(4, 4))),
+              "");
     EXPECT_NE(faultOf(Packet().submessage(0x30, 0, cryptoBody(4, 4))), "");
     EXPECT_NE(faultOf(Packet().submessage(0x32, 0, cryptoFooter(0, 0))), "");
     const Packet part = Packet().submessage(0x0e, 0, Bytes(12)).submessage(0x31, 0, cryptoHeader());
-    EXPECT_EQ(faultOf(Packet(part).submessage(0x30, 0, cryptoBody(4, 4)).submessage(0x32, 0, cryptoFooter(0, 0))), "");
+    EXPECT_EQ(
+        faultOf(Packet(part).submessage(0x30, 0, cryptoBody(4, 4)).submessage(0x32, 0, cryptoFooter(0, 0))),
+        "");
     EXPECT_NE(faultOf(part), "");
     EXPECT_NE(faultOf(Packet(part).submessage(0x31, 0, cryptoHeader())), "");
 }
@@ -175,10 +194,12 @@ TEST(Datagram, SecureEnvelopesAreWhole) {
 TEST(Datagram, AMillionMutationsNeverReadOutside) {
     // Each in memory of its own size: asan sees what goes beyond.
     std::mt19937 random(7);
-    const std::vector<Bytes> seeds = {
-        everything(true).bytes(), everything(false).bytes(),
-        Packet().submessage(0x33, 0, cryptoHeader()).submessage(0x30, 0, cryptoBody(40, 40))
-            .submessage(0x34, 0, cryptoFooter(2, 2)).bytes()};
+    const std::vector<Bytes> seeds = {everything(true).bytes(), everything(false).bytes(),
+                                      Packet()
+                                          .submessage(0x33, 0, cryptoHeader())
+                                          .submessage(0x30, 0, cryptoBody(40, 40))
+                                          .submessage(0x34, 0, cryptoFooter(2, 2))
+                                          .bytes()};
     Datagram into;
     int refused = 0;
     constexpr int Count = 1'000'000;

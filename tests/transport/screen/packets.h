@@ -76,34 +76,67 @@ public:
         m_bytes.insert(m_bytes.end(), out.bytes.begin(), out.bytes.end());
         return *this;
     }
-    Packet& heartbeat(screen::EntityId writer, std::int64_t first, std::int64_t last, std::uint32_t count = 1) {
-        return submessage(0x07, 0,
-                          word().entity(0).entity(writer).sequenceNumber(first).sequenceNumber(last).u32(count).bytes);
+    Packet& heartbeat(screen::EntityId writer, std::int64_t first, std::int64_t last,
+                      std::uint32_t count = 1) {
+        return submessage(
+            0x07, 0,
+            word().entity(0).entity(writer).sequenceNumber(first).sequenceNumber(last).u32(count).bytes);
     }
     Packet& gap(screen::EntityId writer, std::int64_t start, std::int64_t base, std::uint32_t bits = 0) {
         return submessage(0x08, 0,
-                          word().entity(0).entity(writer).sequenceNumber(start).sequenceNumber(base).u32(bits).zeros(
-                              (bits + 31) / 32 * 4).bytes);
+                          word()
+                              .entity(0)
+                              .entity(writer)
+                              .sequenceNumber(start)
+                              .sequenceNumber(base)
+                              .u32(bits)
+                              .zeros((bits + 31) / 32 * 4)
+                              .bytes);
     }
-    Packet& acknowledge(screen::EntityId reader, screen::EntityId writer, std::int64_t base, std::uint32_t count,
-                        std::uint32_t bits = 0) {
+    Packet& acknowledge(screen::EntityId reader, screen::EntityId writer, std::int64_t base,
+                        std::uint32_t count, std::uint32_t bits = 0) {
         return submessage(0x06, 0,
-                          word().entity(reader).entity(writer).sequenceNumber(base).u32(bits).zeros(
-                              (bits + 31) / 32 * 4).u32(count).bytes);
+                          word()
+                              .entity(reader)
+                              .entity(writer)
+                              .sequenceNumber(base)
+                              .u32(bits)
+                              .zeros((bits + 31) / 32 * 4)
+                              .u32(count)
+                              .bytes);
     }
-    Packet& data(screen::EntityId writer, std::int64_t number, const Bytes& payload, const Bytes& inlineQos = {}) {
+    Packet& data(screen::EntityId writer, std::int64_t number, const Bytes& payload,
+                 const Bytes& inlineQos = {}) {
         return submessage(0x15, inlineQos.empty() ? 4 : 6,
-                          word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(number).append(inlineQos)
-                              .append(payload).bytes);
+                          word()
+                              .u16(0)
+                              .u16(16)
+                              .entity(0)
+                              .entity(writer)
+                              .sequenceNumber(number)
+                              .append(inlineQos)
+                              .append(payload)
+                              .bytes);
     }
     Packet& fragments(screen::EntityId writer, std::int64_t number, std::uint32_t start, unsigned count,
                       unsigned size, std::uint32_t sample, const Bytes& payload) {
         return submessage(0x16, 0,
-                          word().u16(0).u16(28).entity(0).entity(writer).sequenceNumber(number).u32(start)
-                              .u16(count).u16(size).u32(sample).append(payload).bytes);
+                          word()
+                              .u16(0)
+                              .u16(28)
+                              .entity(0)
+                              .entity(writer)
+                              .sequenceNumber(number)
+                              .u32(start)
+                              .u16(count)
+                              .u16(size)
+                              .u32(sample)
+                              .append(payload)
+                              .bytes);
     }
-    /// Tells of itself: with @p lease [s], from 10.0.0.@p host.
-    Packet& announce(unsigned lease = 100, int host = 7, std::int64_t number = 1, const std::string& name = "robot") {
+    /// Tells of itself: with @p lease [s], from 10.0.0.@p host; 0: from loopback, where nobody listens.
+    Packet& announce(unsigned lease = 100, int host = 7, std::int64_t number = 1,
+                     const std::string& name = "robot") {
         return data(screen::entity::ParticipantWriter, number, announcement(lease, host, name));
     }
     Packet& announceEndpoint(screen::EntityId endpoint, bool writer = true, std::int64_t number = 1) {
@@ -120,7 +153,8 @@ public:
         out.append(parameters()).parameter(0x0050, ByteWriter().prefix(m_prefix).entity(0x000001c1).bytes);
         out.parameter(0x0002, word().u32(lease).u32(0).bytes).parameter(0x0062, word().text(name).bytes);
         ByteWriter locator = word();
-        locator.u32(1).u32(7410).zeros(12).u8(10).u8(0).u8(0).u8(static_cast<unsigned>(host));
+        locator.u32(1).u32(host == 0 ? 9 : 7410).zeros(12).u8(host == 0 ? 127 : 10).u8(0).u8(0);
+        locator.u8(host == 0 ? 1 : static_cast<unsigned>(host));
         return out.parameter(0x0032, locator.bytes).parameter(1, {}).bytes;
     }
     [[nodiscard]] Bytes parameters() const { return ByteWriter(false).u16(m_little ? 3 : 2).u16(0).bytes; }

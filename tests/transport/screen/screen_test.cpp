@@ -103,7 +103,8 @@ TEST_F(ScreenTest, CountsDoNotJump) {
     EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 0xffffffff)));
     EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10)));
     EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 0x7fffffff)));
-    EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x303, 5, 0x7fffffff)));  // of another writer of ours
+    EXPECT_TRUE(
+        takes(Packet().acknowledge(OdometryReader, 0x303, 5, 0x7fffffff)));  // of another writer of ours
     EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 11)));
     EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 2)));  // old: the library's to ignore
 }
@@ -131,8 +132,8 @@ TEST_F(ScreenTest, SamplesThatAreNeverFinishedTakeBoundedMemory) {
     for (std::int64_t number = 200; number < 800; ++number) {
         m_now += 100ms;
         for (std::uint32_t start = 1; start <= 63; start += 3) {
-            ASSERT_TRUE(takes(Packet().fragments(OdometryWriter, number, start, 3, 21'000, 63 * 21'000,
-                                                 Bytes(63'000))))
+            ASSERT_TRUE(takes(
+                Packet().fragments(OdometryWriter, number, start, 3, 21'000, 63 * 21'000, Bytes(63'000))))
                 << number << " " << start;
         }
     }
@@ -145,8 +146,11 @@ TEST_F(ScreenTest, OthersDoNotSpeakInARobotsName) {
         EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10), from));
         EXPECT_FALSE(takes(Packet().submessage(0x09, 2, {}), from));  // would let it live on
         EXPECT_FALSE(takes(Packet().announce(0), from));              // would end its lease
-        EXPECT_FALSE(takes(Packet().submessage(0x33, 0, Bytes(20)).submessage(0x30, 0, Bytes(8)).submessage(
-                               0x34, 0, Bytes(20)), from));
+        EXPECT_FALSE(takes(Packet()
+                               .submessage(0x33, 0, Bytes(20))
+                               .submessage(0x30, 0, Bytes(8))
+                               .submessage(0x34, 0, Bytes(20)),
+                           from));
     }
     EXPECT_EQ(dropped(Why::Impostor), 12U);
     EXPECT_TRUE(takes(Packet().announce(), placeOf(8)));  // the same once more harms nobody
@@ -157,11 +161,14 @@ TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
     const auto end = [](int speaker, int whose, screen::EntityId writer, screen::EntityId entity) {
         Packet packet(speaker);
         const Bytes guid = ByteWriter().prefix(prefixOf(whose)).entity(entity).bytes;
-        const Bytes qos = packet.word().parameter(0x0070, guid).parameter(0x0071, ByteWriter(false).u32(3).bytes)
-                              .parameter(1, {}).bytes;
-        return packet.submessage(0x15, 2,
-                                 packet.word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos)
-                                     .bytes);
+        const Bytes qos = packet.word()
+                              .parameter(0x0070, guid)
+                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
+                              .parameter(1, {})
+                              .bytes;
+        return packet.submessage(
+            0x15, 2,
+            packet.word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos).bytes);
     };
     const auto participant = [&](int speaker, int whose) {
         return end(speaker, whose, screen::entity::ParticipantWriter, 0x000001c1);
@@ -215,8 +222,7 @@ TEST_F(ScreenTest, AParticipantWithTooManyEndpointsIsRefusedWhole) {
         for (unsigned i = 0; i < 1000; ++i) {
             const bool passes =
                 takes(Packet(200 + one).announceEndpoint(i << 8 | 3, true, i + 1), placeOf(20, 200 + one));
-            if (one < 4) ASSERT_TRUE(passes) << one << " " << i;
-            if (one == 4) ASSERT_EQ(passes, i < 96) << i;
+            ASSERT_EQ(passes, one < 4 || i < 96) << one << " " << i;
         }
     }
     EXPECT_FALSE(takes(Packet(204).announce(), placeOf(20, 204)));
@@ -238,7 +244,8 @@ TEST_F(ScreenTest, StrangersHaveABudgetAndParticipantsHaveNone) {
 }
 
 TEST_F(ScreenTest, ServersAnnounceOthersOnlyWhereThereIsOne) {
-    const auto relayed = Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x"));
+    const auto relayed =
+        Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x"));
     ASSERT_TRUE(takes(Packet(9).announce(), placeOf(40)));
     EXPECT_FALSE(takes(relayed, placeOf(40)));
     EXPECT_EQ(dropped(Why::Impostor), 1U);
@@ -246,8 +253,9 @@ TEST_F(ScreenTest, ServersAnnounceOthersOnlyWhereThereIsOne) {
 
 TEST_F(RelayedScreen, AParticipantThatAServerAnnouncedSpeaksForItself) {
     ASSERT_TRUE(takes(Packet(9).announce(), placeOf(40)));
-    ASSERT_TRUE(takes(Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x")),
-                      placeOf(40)));
+    ASSERT_TRUE(
+        takes(Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x")),
+              placeOf(40)));
     for (int i = 0; i < 1'000; ++i)
         ASSERT_TRUE(takes(Packet(10).data(OdometryWriter, i + 1, Bytes(8)), placeOf(8))) << i;
     EXPECT_FALSE(takes(Packet(10).data(OdometryWriter, Huge, Bytes(8)), placeOf(8)));
@@ -256,9 +264,13 @@ TEST_F(RelayedScreen, AParticipantThatAServerAnnouncedSpeaksForItself) {
 TEST_F(ScreenTest, WhatIsAnnouncedIsReadToItsEnd) {
     const auto announced = [](const Bytes& more) {
         Packet packet(60);
-        const Bytes payload = packet.word().append(packet.parameters())
-            .parameter(0x0050, ByteWriter().prefix(prefixOf(60)).entity(0x000001c1).bytes)
-            .append(more).parameter(1, {}).bytes;
+        const Bytes payload =
+            packet.word()
+                .append(packet.parameters())
+                .parameter(0x0050, ByteWriter().prefix(prefixOf(60)).entity(0x000001c1).bytes)
+                .append(more)
+                .parameter(1, {})
+                .bytes;
         return packet.data(screen::entity::ParticipantWriter, 1, payload);
     };
     const auto place = placeOf(30);
@@ -267,11 +279,16 @@ TEST_F(ScreenTest, WhatIsAnnouncedIsReadToItsEnd) {
     const Bytes hostile[] = {
         ByteWriter().parameter(0x0059, ByteWriter().u32(0xffffffff).text("name").text("value").bytes).bytes,
         ByteWriter().parameter(0x0059, ByteWriter().u32(1).u32(0x7fffffff).text("value").bytes).bytes,
-        ByteWriter().parameter(0x1001, ByteWriter().text("DDS:Auth:PKI-DH:1.0").u32(0xfffffff0).u32(0).bytes).bytes,
+        ByteWriter()
+            .parameter(0x1001, ByteWriter().text("DDS:Auth:PKI-DH:1.0").u32(0xfffffff0).u32(0).bytes)
+            .bytes,
         ByteWriter().parameter(0x0062, ByteWriter().u32(8).zeros(4).bytes).bytes,
-        ByteWriter().parameter(0x0062, ByteWriter().u32(4).u32(0x41414141).bytes).bytes,  // no zero at its end
+        ByteWriter()
+            .parameter(0x0062, ByteWriter().u32(4).u32(0x41414141).bytes)
+            .bytes,  // no zero at its end
         ByteWriter().parameter(0x002c, ByteWriter().u32(0xfffffffc).bytes).bytes,
-        ByteWriter().parameter(0x0002, Bytes(4)).bytes, ByteWriter().parameter(0x0032, Bytes(20)).bytes};
+        ByteWriter().parameter(0x0002, Bytes(4)).bytes,
+        ByteWriter().parameter(0x0032, Bytes(20)).bytes};
     for (const Bytes& one : hostile) EXPECT_FALSE(takes(announced(one), place));
     EXPECT_EQ(dropped(Why::NoRtps), std::size(hostile));
 }
@@ -289,17 +306,26 @@ TEST_F(EncryptedScreen, OnlyDiscoveryAndAuthenticationArePlain) {
     EXPECT_TRUE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
     token.bytes.resize(token.bytes.size() - 4);
     EXPECT_FALSE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
-    EXPECT_TRUE(takes(Packet().submessage(0x33, 0, Bytes(20)).submessage(0x30, 0, Bytes(8))
-                          .submessage(0x34, 0, Bytes(20)).statistics()));
-    EXPECT_TRUE(takes(Packet().submessage(0x33, 0, Bytes(20)).heartbeat(OdometryWriter, 1, 2)
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x33, 0, Bytes(20))
+                          .submessage(0x30, 0, Bytes(8))
+                          .submessage(0x34, 0, Bytes(20))
+                          .statistics()));
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x33, 0, Bytes(20))
+                          .heartbeat(OdometryWriter, 1, 2)
                           .submessage(0x34, 0, Bytes(20))));  // signed
-    EXPECT_TRUE(takes(Packet().submessage(0x0e, 0, Bytes(12)).submessage(0x31, 0, Bytes(20))
-                          .submessage(0x30, 0, Bytes(8)).submessage(0x32, 0, Bytes(20))));
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x0e, 0, Bytes(12))
+                          .submessage(0x31, 0, Bytes(20))
+                          .submessage(0x30, 0, Bytes(8))
+                          .submessage(0x32, 0, Bytes(20))));
 }
 
 TEST_F(ScreenTest, SendersAreToldApartAndInBounds) {
     for (int host = 1; host <= 200; ++host) {
-        for (int i = 0; i < 3; ++i) EXPECT_FALSE(takes(Packet().submessage(0x80, 0, Bytes(60), 56), placeOf(host)));
+        for (int i = 0; i < 3; ++i)
+            EXPECT_FALSE(takes(Packet().submessage(0x80, 0, Bytes(60), 56), placeOf(host)));
     }
     const auto drops = m_screen.drops();
     ASSERT_EQ(drops.size(), 17U);
@@ -316,8 +342,9 @@ TEST_F(ScreenTest, ManyThreadsMayAsk) {
             for (int i = 0; i < 20'000; ++i) {
                 const int number = 300 + (i * 7 + one) % 90;
                 const bool passes = m_screen.passes(
-                    i % 3 == 0 ? Packet(number).announce(1).bytes() : Packet(number).announceEndpoint(
-                        std::uint32_t(i) << 8 | 3).bytes(), placeOf(50 + one, number), m_now + i * 1ms);
+                    i % 3 == 0 ? Packet(number).announce(1).bytes()
+                               : Packet(number).announceEndpoint(std::uint32_t(i) << 8 | 3).bytes(),
+                    placeOf(50 + one, number), m_now + i * 1ms);
                 static_cast<void>(passes);
             }
         });

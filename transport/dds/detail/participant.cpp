@@ -73,7 +73,7 @@ Error gone(const std::string& topic) {
 
 Participant::Participant(const NodeSettings& settings)
     : m_settings(settings),
-      m_screen(screenFor(settings)),
+      m_screen(screenFor(settings, [this] { m_small->wake(); })),
       m_discovery([this] { m_small->wake(); }, settings.security.has_value()),
       m_small(std::make_unique<LaneThread>("dds-small", [this] { tellOfDiscovery(); })),
       m_large(std::make_unique<LaneThread>("dds-large")) {}

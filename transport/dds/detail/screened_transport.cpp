@@ -11,7 +11,7 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 
-#include "core/base/words.h"
+#include "core/robot/screen_report.h"
 
 namespace leitstand::detail {
 namespace {
@@ -84,11 +84,16 @@ bool protectsMessages(const std::filesystem::path& governance) {
 
 }  // namespace
 
-ScreenPtr screenFor(const NodeSettings& settings) {
+ScreenPtr screenFor(const NodeSettings& settings, std::function<void()> dropped) {
     screen::ScreenSettings how;
     how.encrypted = settings.security && protectsMessages(settings.security->governance);
     how.relayed = !settings.discoveryServer.empty();
-    return std::make_shared<screen::Screen>(how);
+    return std::make_shared<screen::Screen>(how, std::move(dropped));
+}
+
+std::shared_ptr<efr::TransportDescriptorInterface> screened(
+    std::shared_ptr<efr::TransportDescriptorInterface> transport, ScreenPtr screen) {
+    return std::make_shared<ScreenedDescriptor>(std::move(transport), std::move(screen));
 }
 
 std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos, ScreenPtr screen) {
@@ -97,17 +102,10 @@ std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos&
     spellOutBuiltin(transport);
     for (auto& one : transport.user_transports) {
         if (std::dynamic_pointer_cast<efr::UDPTransportDescriptor>(one)) {
-            one = std::make_shared<ScreenedDescriptor>(one, screen);
-        } else if (std::dynamic_pointer_cast<efr::SharedMemTransportDescriptor>(one)) {
-            warnings.push_back(
-                translate("leitstand::ScreenWords",
-                          "what comes by shared memory is not screened: a program of this computer can bring "
-                          "this one to a halt (the profile file asks for it)"));
+            one = screened(one, screen);
         } else {
-            warnings.push_back(translate(
-                "leitstand::ScreenWords",
-                "what comes by TCP is not screened: who can connect can bring this program to a halt "
-                "(the profile file asks for it)"));
+            const bool memory = std::dynamic_pointer_cast<efr::SharedMemTransportDescriptor>(one) != nullptr;
+            warnings.push_back(worded(memory ? Unscreened::SharedMemory : Unscreened::Tcp));
         }
     }
     return warnings;
