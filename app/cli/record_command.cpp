@@ -1,5 +1,6 @@
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -140,6 +141,7 @@ int runRecord(const RecordOptions& options) {
     status.log = (*recorder)->status().log;
     line.clear();
     fmt::print("{}", options.json ? recordJson(status) + "\n" : recordTable(status));
+    std::fflush(stdout);  // whatever becomes of the library's threads
     for (const auto& [topic, errors] : status.log.broken) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
                                    topic, errors.count, errors.last));

@@ -96,14 +96,14 @@ void endAtTheLatest() {
 /// Ends the process when the guard is not gone in time.
 void endSurely(Clock::time_point asked) {
     if (endsBy(asked + LateAfter)) return;
-    std::fputs("does not end by itself: a library hangs; what was recorded is closed now\n", stderr);
     // Apart: it may hang as well.
     std::thread([] {
         const std::lock_guard lock(late().mutex);
         for (const auto& [whose, what] : late().all) what();
-        std::_Exit(EXIT_FAILURE);
     }).detach();
-    if (!endsBy(asked + EndAfter)) std::_Exit(EXIT_FAILURE);
+    if (endsBy(asked + EndAfter)) return;
+    std::fputs("does not end by itself: a library hangs; what was recorded is closed\n", stderr);
+    std::_Exit(EXIT_FAILURE);
 }
 
 /// Opens the pipe, or takes out what a handler said too late for the guard before.

@@ -28,19 +28,19 @@ protected:
 class SiegeLong : public Siege {};
 
 TEST_F(Siege, AnOpenDomainWithstands) {
-    begin(Keys::None);
+    ASSERT_NO_FATAL_FAILURE(begin(Keys::None));
     withstand(40'000);
 }
 TEST_F(Siege, ADomainWithKeysWithstands) {
-    begin(Keys::All);
+    ASSERT_NO_FATAL_FAILURE(begin(Keys::All));
     withstand(40'000);
 }
 TEST_F(SiegeLong, AnOpenDomainWithstandsAMillionPackets) {
-    begin(Keys::None);
+    ASSERT_NO_FATAL_FAILURE(begin(Keys::None));
     withstand(1'000'000);
 }
 TEST_F(SiegeLong, ADomainWithKeysWithstandsAMillionPackets) {
-    begin(Keys::All);
+    ASSERT_NO_FATAL_FAILURE(begin(Keys::All));
     withstand(1'000'000);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -41,17 +41,23 @@ private:
                                                 const std::string& enclave) const;
     [[nodiscard]] std::vector<std::string> robotArguments(const std::string& kind) const;
     [[nodiscard]] bool hearsAgain();
-    [[nodiscard]] double rateOf(const std::string& robot, std::chrono::milliseconds during) const;
+    /// What @p robot said from @p from for a second, by the numbers of its writer; 0 while that is unknown.
+    [[nodiscard]] std::uint64_t saidFrom(const std::string& robot, Time from) const;
+    void listen(const std::string& robot);
+    [[nodiscard]] std::string drops() const;
 
     Keys m_keys = Keys::None;
     std::vector<std::unique_ptr<ChildProcess>> m_robots;
     std::unique_ptr<ChildProcess> m_recorder;
-    std::unique_ptr<Station> m_station;
-    std::map<std::string, std::atomic<std::uint64_t>> m_heard;
-    std::map<std::string, double> m_usual;  ///< odometry, samples a second
-    double m_before = 0.0;                  ///< memory of the recorder [MB]
+    std::unique_ptr<Node> m_node;            ///< hears both robots for itself
+    std::map<std::string, Inbox> m_inboxes;  ///< odometry, of the node
+    std::vector<std::unique_ptr<Subscription>> m_listening;
+    mutable std::mutex m_heardMutex;
+    std::map<std::string, std::vector<Time>> m_heard;  ///< odometry, by the station
+    double m_before = 0.0;                             ///< memory of the recorder [MB]
     std::vector<Proof> m_proofs;
     std::unique_ptr<Attacker> m_attacker;
+    std::unique_ptr<Station> m_station;  ///< last: its callbacks use the others
 };
 
 }  // namespace leitstand::test

@@ -142,7 +142,8 @@ public:
     Packet& announceEndpoint(screen::EntityId endpoint, bool writer = true, std::int64_t number = 1) {
         ByteWriter out = word();
         out.append(parameters()).parameter(0x005a, ByteWriter().prefix(m_prefix).entity(endpoint).bytes);
-        out.parameter(0x0005, word().text("rt/kurt3d/odom").bytes).parameter(1, {});
+        out.parameter(0x0005, word().text("rt/somebody/topic" + std::to_string(endpoint)).bytes);
+        out.parameter(0x0007, word().text("std_msgs::msg::dds_::String_").bytes).parameter(1, {});
         return data(writer ? screen::entity::PublicationsWriter : screen::entity::SubscriptionsWriter, number,
                     out.bytes);
     }
@@ -152,6 +153,9 @@ public:
         ByteWriter out = word();
         out.append(parameters()).parameter(0x0050, ByteWriter().prefix(m_prefix).entity(0x000001c1).bytes);
         out.parameter(0x0002, word().u32(lease).u32(0).bytes).parameter(0x0062, word().text(name).bytes);
+        out.parameter(0x0015, word().u8(2).u8(2).u16(0).bytes)
+            .parameter(0x0016, word().u8(1).u8(15).u16(0).bytes);
+        out.parameter(0x0058, word().u32(0x0c3f).bytes);  // has all that the standard wants
         ByteWriter locator = word();
         locator.u32(1).u32(host == 0 ? 9 : 7410).zeros(12).u8(host == 0 ? 127 : 10).u8(0).u8(0);
         locator.u8(host == 0 ? 1 : static_cast<unsigned>(host));
