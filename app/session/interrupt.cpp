@@ -76,7 +76,7 @@ Late& late() {
 }
 
 using Clock = std::chrono::steady_clock;
-constexpr auto LateAfter = std::chrono::milliseconds(3000), EndAfter = std::chrono::milliseconds(4700);
+constexpr auto LateAfter = std::chrono::milliseconds(3000), EndAfter = std::chrono::milliseconds(4200);
 
 /// Whether the guard is gone by @p until.
 bool endsBy(Clock::time_point until) {
@@ -88,7 +88,7 @@ bool endsBy(Clock::time_point until) {
 /// Whatever happens, and wherever: the system ends the process by then.
 void endAtTheLatest() {
     itimerval timer = {};
-    timer.it_value = {.tv_sec = 4, .tv_usec = 900'000};
+    timer.it_value = {.tv_sec = 4, .tv_usec = 500'000};
     std::signal(SIGALRM, SIG_DFL);
     setitimer(ITIMER_REAL, &timer, nullptr);
 }

@@ -201,6 +201,8 @@ void Besieged::expectUnharmed(const std::string& what, std::uint64_t packets) {
 }
 
 void Besieged::endAndExpectWhole() {
+    // What is looked for in the log has to be in it.
+    ASSERT_TRUE(waitUntil([&] { return stationTime() > m_proofs.back().end + 5s; }));
     m_recorder->signal(SIGTERM);
     EXPECT_EQ(m_recorder->wait(), 0) << m_recorder->out();
     const auto bag = must(BagReader::open(m_folder / "recorded"));
