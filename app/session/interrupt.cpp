@@ -26,7 +26,7 @@ struct Taken {
     Action before = {};
 };
 
-constexpr char Gone = 0, Came = 1;  // what the pipe says
+constexpr char GuardGone = 0, Came = 1;  // what the pipe says
 
 // request_stop is not allowed in a signal handler, so the handler writes to a pipe and a thread stops the
 // work. The pipe stays open: a handler may be at work in another thread when a guard goes.
@@ -50,7 +50,7 @@ void say(char what) {
 
 /// What the pipe says next.
 char heard() {
-    char byte = Gone;
+    char byte = GuardGone;
     while (read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
     }
     return byte;
@@ -146,7 +146,7 @@ InterruptGuard::InterruptGuard(End end) {
 InterruptGuard::~InterruptGuard() {
     if (!m_waiter.joinable()) return;
     giveBack();
-    say(Gone);
+    say(GuardGone);
     m_waiter.join();
 }
 
