@@ -6911,6 +6911,57 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ScreenWords</name>
+    <message>
+        <source>somebody sends what is no RTPS: {0} from {1}</source>
+        <translation>jemand sendet, was kein RTPS ist: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>somebody sends numbers that no writer can have reached: {0} from {1}</source>
+        <translation>jemand sendet Nummern, die kein Sender erreicht haben kann: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>somebody speaks in the name of another participant: {0} from {1}</source>
+        <translation>jemand spricht im Namen eines anderen Teilnehmers: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>more participants or endpoints than a computer may have are refused: {0} from {1}</source>
+        <translation>mehr Teilnehmer oder Endpunkte, als ein Rechner haben darf, werden abgewiesen: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>somebody who is no participant sends too much: {0} from {1}</source>
+        <translation>jemand, der kein Teilnehmer ist, sendet zu viel: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>somebody without keys sends what is not encrypted: {0} from {1}</source>
+        <translation>jemand ohne Schlüssel sendet unverschlüsselt: {0} von {1}</translation>
+    </message>
+    <message>
+        <source>one packet</source>
+        <translation>ein Paket</translation>
+    </message>
+    <message>
+        <source>{0} packets</source>
+        <translation>{0} Pakete</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>many addresses</source>
+        <translation>vielen Adressen</translation>
+    </message>
+    <message>
+        <source>what comes by shared memory is not screened: a program of this computer can bring this one to a halt (the profile file asks for it)</source>
+        <translation>was über gemeinsamen Speicher kommt, wird nicht geprüft: Ein Programm dieses Rechners kann dieses hier zum Stehen bringen (die Profildatei verlangt es)</translation>
+    </message>
+    <message>
+        <source>what comes by TCP is not screened: who can connect can bring this program to a halt (the profile file asks for it)</source>
+        <translation>was über TCP kommt, wird nicht geprüft: Wer sich verbinden kann, kann dieses Programm zum Stehen bringen (die Profildatei verlangt es)</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::SightLine</name>
     <message>
         <source>the picture is %1 old</source>

@@ -6911,6 +6911,57 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ScreenWords</name>
+    <message>
+        <source>somebody sends what is no RTPS: {0} from {1}</source>
+        <translation>RTPS ではないものが送られています: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>somebody sends numbers that no writer can have reached: {0} from {1}</source>
+        <translation>どの送信元も達しえない番号が送られています: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>somebody speaks in the name of another participant: {0} from {1}</source>
+        <translation>ほかの参加者の名をかたる送信があります: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>more participants or endpoints than a computer may have are refused: {0} from {1}</source>
+        <translation>1 台の計算機に許される数を超える参加者またはエンドポイントを拒否しています: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>somebody who is no participant sends too much: {0} from {1}</source>
+        <translation>参加者でないものからの送信が多すぎます: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>somebody without keys sends what is not encrypted: {0} from {1}</source>
+        <translation>鍵のないものから暗号化されていない送信があります: {1} から {0}</translation>
+    </message>
+    <message>
+        <source>one packet</source>
+        <translation>1 パケット</translation>
+    </message>
+    <message>
+        <source>{0} packets</source>
+        <translation>{0} パケット</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>many addresses</source>
+        <translation>多数のアドレス</translation>
+    </message>
+    <message>
+        <source>what comes by shared memory is not screened: a program of this computer can bring this one to a halt (the profile file asks for it)</source>
+        <translation>共有メモリ経由のデータは検査されません: この計算機の別のプログラムがこのプログラムを止めることができます（プロファイルファイルの指定による）</translation>
+    </message>
+    <message>
+        <source>what comes by TCP is not screened: who can connect can bring this program to a halt (the profile file asks for it)</source>
+        <translation>TCP 経由のデータは検査されません: 接続できる者はこのプログラムを止めることができます（プロファイルファイルの指定による）</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::SightLine</name>
     <message>
         <source>the picture is %1 old</source>

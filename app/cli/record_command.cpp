@@ -1,5 +1,6 @@
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -49,9 +50,13 @@ std::string recordJson(const RecorderStatus& status) {
                           {"reconnects", link.reconnects},
                           {"megabits_per_second", link.megabitsPerSecond}});
     }
+    nlohmann::ordered_json screened = nlohmann::ordered_json::array();
+    for (const ScreenDrop& drop : status.screened)
+        screened.push_back({{"what", toString(drop)}, {"from", drop.from}, {"packets", drop.packets}});
     return nlohmann::ordered_json{{"events", status.log.events}, {"bytes", status.log.bytes},
                                   {"lost", status.log.lost},     {"robots", robots},
-                                  {"unheard", status.unheard},   {"topics", topics}}
+                                  {"unheard", status.unheard},   {"topics", topics},
+                                  {"screened", screened}}
         .dump(2);
 }
 
@@ -86,7 +91,7 @@ void showStatus(ProgressLine& line, const RecorderStatus& status) {
 
 int runRecord(const RecordOptions& options) {
     ProgressLine line;
-    const InterruptGuard interrupt;
+    const InterruptGuard interrupt(InterruptGuard::End::Surely);
     RecorderSettings settings;
     settings.mission.folder = options.out;
     settings.mission.title = "leitstandctl record";
@@ -136,6 +141,7 @@ int runRecord(const RecordOptions& options) {
     status.log = (*recorder)->status().log;
     line.clear();
     fmt::print("{}", options.json ? recordJson(status) + "\n" : recordTable(status));
+    std::fflush(stdout);  // whatever becomes of the library's threads
     for (const auto& [topic, errors] : status.log.broken) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
                                    topic, errors.count, errors.last));
@@ -143,6 +149,7 @@ int runRecord(const RecordOptions& options) {
     if (!status.unheard.empty()) {
         complain(line, fmt::format("announced, but nothing came of it: {}", fmt::join(status.unheard, ", ")));
     }
+    for (const ScreenDrop& drop : status.screened) complain(line, toString(drop));
     if (!stopped) complain(line, stopped.error().text);
     if (status.log.lost > 0) {
         complain(line, fmt::format("{} events other than pictures are lost: the disk did not keep up",

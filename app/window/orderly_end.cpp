@@ -13,7 +13,7 @@ void closeAll() {
 }  // namespace
 
 OrderlyEnd::OrderlyEnd(QObject* parent)
-    : QObject(parent), m_came(m_interrupt.token(), [this] {
+    : QObject(parent), m_interrupt(InterruptGuard::End::Surely), m_came(m_interrupt.token(), [this] {
           QMetaObject::invokeMethod(this, &closeAll, Qt::QueuedConnection);
       }) {}
 

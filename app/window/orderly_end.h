@@ -10,8 +10,8 @@
 namespace leitstand {
 
 /// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP ends the program as closing its windows does:
-/// what is recorded is closed, what is remembered is written. A second one ends it at once. GUI thread, at
-/// most one at a time.
+/// what is recorded is closed, what is remembered is written; within 5 s, whatever libraries do. A second one
+/// ends it at once. GUI thread, at most one at a time.
 class OrderlyEnd final : public QObject {
     Q_OBJECT
 public:

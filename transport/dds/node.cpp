@@ -58,6 +58,8 @@ Result<std::unique_ptr<Node>> Node::create(const NodeSettings& settings) {
     if (auto joined = participant->join(); !joined) return joined.error();
     auto impl = std::make_unique<Impl>();
     impl->participant = std::move(participant);
+    const auto& unscreened = impl->participant->unscreened();
+    impl->warnings.insert(impl->warnings.end(), unscreened.begin(), unscreened.end());
     return std::unique_ptr<Node>(new Node(std::move(impl)));
 }
 
@@ -98,6 +100,9 @@ void Node::onDiscovery(std::function<void()> changed) {
 }
 const std::vector<std::string>& Node::warnings() const {
     return m_impl->warnings;
+}
+std::vector<ScreenDrop> Node::dropped() const {
+    return m_impl->participant->gate().drops();
 }
 Guid Node::guid() const {
     return m_impl->participant->guid();

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/mission/raw_event.h"
 #include "core/robot/qos.h"
+#include "core/robot/screen_report.h"
 #include "transport/dds/endpoint.h"
 #include "transport/dds/guid.h"
 #include "transport/dds/node_settings.h"
@@ -117,13 +118,16 @@ public:
     /// 0.1 s. Not for callbacks of this node. @p entered is told the new guid() before anything is sent or
     /// heard as it. An error names what could not be made again.
     Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
-    /// @p changed is called on the thread of the small lane after participants, endpoints or mismatches
-    /// changed (several changes may come as one), and once at first. Replaces an earlier one.
+    /// @p changed is called on the thread of the small lane after participants, endpoints, mismatches or what
+    /// is dropped changed (several changes may come as one), and once at first. Replaces an earlier one.
     void onDiscovery(std::function<void()> changed);
 
     /// What the operator should know about this computer: a system limit that costs samples, with the command
-    /// that lifts it. Empty when all is well.
+    /// that lifts it, and transports that cannot be screened. Empty when all is well.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
+    /// What was kept from the DDS library since the node joined, by reason and sender (docs/wire.md). Any
+    /// thread.
+    [[nodiscard]] std::vector<ScreenDrop> dropped() const;
     [[nodiscard]] Guid guid() const;
 
 private:

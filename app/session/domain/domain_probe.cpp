@@ -114,6 +114,7 @@ Result<ProbeReport> probeDomain(const ProbeSettings& settings, const Progress& p
                             participant.name, participant.host));
         }
     }
+    for (const ScreenDrop& drop : (*node)->dropped()) report.warnings.push_back(toString(drop));
     std::vector<SeenTopic> seen;
     for (const ProbedTopic& topic : report.topics) seen.push_back(topic.topic);
     report.robots = guessRobots(seen);

@@ -28,10 +28,11 @@ struct ProbedTopic {
 
 /// What a domain holds.
 struct ProbeReport {
-    std::vector<ProbedTopic> topics;    ///< by name
-    std::vector<RobotGuess> robots;     ///< what they are good for
-    std::vector<std::string> warnings;  ///< about this computer, and participants that were refused
-    double seconds = 0.0;               ///< listened
+    std::vector<ProbedTopic> topics;  ///< by name
+    std::vector<RobotGuess> robots;   ///< what they are good for
+    std::vector<std::string>
+        warnings;          ///< about this computer, refused participants, packets that were dropped
+    double seconds = 0.0;  ///< listened
 };
 
 /// Listens to a domain and tells what is there and what it is good for; says nothing to anybody.

@@ -3,10 +3,12 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/session/interrupt.h"
 #include "app/session/log/bag_history.h"
 #include "app/session/log/mission_robots.h"
 #include "app/session/log/sequencer.h"
@@ -89,7 +91,9 @@ struct LiveMission::State {
     MissionStatePtr snapshot;                      ///< newest state
     std::map<std::string, DecodingErrors> broken;  ///< of the decoder
     std::atomic<bool> ending = false;              ///< the session's end is the next that is said of it
-    std::unique_ptr<Sequencer> sequencer;          ///< last: ends first
+    std::mutex taking;                             ///< held while an event from outside is numbered
+    std::unique_ptr<Sequencer> sequencer;          ///< last but one: ends first
+    std::optional<WhenLate> rescue;                ///< closes the log of a process that hangs
 
     State(LiveMissionSettings chosen, MissionState earlier, std::shared_ptr<AlarmRelay> alarms,
           std::unique_ptr<BagWriter> writer, std::function<void(const Event&)> told)
@@ -214,12 +218,15 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
                                          std::move(bag).value(), std::move(listener.onEvent));
     if (const auto said = state->say(state->session(true), station_topic::Sessions); !said)
         return said.error();
-    return std::unique_ptr<LiveMission>(new LiveMission(std::move(state)));
+    std::unique_ptr<LiveMission> mission(new LiveMission(std::move(state)));
+    mission->m_state->rescue.emplace([raw = mission.get()] { (void)raw->close(); });
+    return mission;
 }
 
 LiveMission::LiveMission(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 
 LiveMission::~LiveMission() {
+    m_state->rescue.reset();
     (void)close();
 }
 
@@ -228,10 +235,13 @@ void LiveMission::addTopic(const std::string& topic, const std::string& type, co
 }
 
 void LiveMission::receive(RawEvent event) {
-    m_state->sequencer->push(std::move(event));
+    const std::lock_guard lock(m_state->taking);
+    if (!m_state->ending) m_state->sequencer->push(std::move(event));
 }
 
 Result<void> LiveMission::say(const Sample& sample, std::string_view topic) {
+    const std::lock_guard lock(m_state->taking);
+    if (m_state->ending) return Error{m_state->settings.folder.string() + ": is closed"};
     return m_state->say(sample, topic);
 }
 
@@ -264,7 +274,10 @@ Result<void> LiveMission::flush() {
 }
 
 Result<void> LiveMission::close() {
-    if (m_state->ending.exchange(true)) return {};
+    {
+        const std::lock_guard lock(m_state->taking);
+        if (m_state->ending.exchange(true)) return {};
+    }
     const auto said = m_state->say(m_state->session(false), station_topic::Sessions);
     m_state->sequencer->drain();  // the end of the session, upon which the last checkpoint is said
     m_state->sequencer->drain();

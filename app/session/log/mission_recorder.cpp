@@ -50,6 +50,7 @@ struct MissionRecorder::State {
     bool discovered = false;
     std::set<std::string> told;
     std::condition_variable_any changed;
+    ScreenTelling screened;  ///< of the thread's
     std::jthread discovery;  ///< last: joined first
 
     void say(const std::string& text) {
@@ -116,6 +117,7 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
             const std::string text = toString(mismatch.complaint);
             sayOnce(text, text);
         }
+        for (const ScreenDrop& drop : screened.due(node->dropped())) say(toString(drop));
     }
 }
 
@@ -170,14 +172,25 @@ MissionRecorder::MissionRecorder(std::unique_ptr<State> state) : m_state(std::mo
 
 MissionRecorder::~MissionRecorder() {
     (void)stop();
+    m_state->hearing.reset();
+    m_state->discovery.request_stop();
+    if (m_state->discovery.joinable()) m_state->discovery.join();
+    m_state->feed->end();
+    m_state->links.clear();
+    m_state->node.reset();
 }
 
 RecorderStatus MissionRecorder::status() const {
-    RecorderStatus status{
-        .log = m_state->mission->status(), .topics = {}, .links = {}, .mismatches = {}, .unheard = {}};
+    RecorderStatus status{.log = m_state->mission->status(),
+                          .topics = {},
+                          .links = {},
+                          .mismatches = {},
+                          .unheard = {},
+                          .screened = {}};
     if (m_state->node) {
         for (const Mismatch& mismatch : m_state->node->mismatches())
             status.mismatches.push_back(toString(mismatch.complaint));
+        status.screened = m_state->node->dropped();
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
     if (m_state->node) status.unheard = unheardIn(m_state->node->hearing());
@@ -186,12 +199,7 @@ RecorderStatus MissionRecorder::status() const {
 }
 
 Result<void> MissionRecorder::stop() {
-    m_state->hearing.reset();
-    m_state->discovery.request_stop();
-    if (m_state->discovery.joinable()) m_state->discovery.join();
-    m_state->feed->end();
-    m_state->links.clear();
-    m_state->node.reset();
+    // The log first: what a library does with its threads must not keep it open.
     return m_state->mission->close();
 }
 

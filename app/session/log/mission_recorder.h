@@ -10,6 +10,7 @@
 #include "app/session/log/mission_feed.h"
 #include "core/base/result.h"
 #include "core/robot/link_status.h"
+#include "core/robot/screen_report.h"
 
 namespace leitstand {
 
@@ -27,6 +28,7 @@ struct RecorderStatus {
     std::vector<std::string> mismatches;  ///< in words
     /// Topics that are announced as steady streams (best effort) for 2 s and more, of which nothing came.
     std::vector<std::string> unheard;
+    std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
 };
 
 /// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.
@@ -43,7 +45,7 @@ public:
     MissionRecorder& operator=(const MissionRecorder&) = delete;
 
     [[nodiscard]] RecorderStatus status() const;
-    /// Ends the session; the mission is self-contained afterwards.
+    /// Ends the session; the mission is self-contained afterwards. The domain is left when the recorder goes.
     Result<void> stop();
 
 private:

@@ -181,6 +181,7 @@ void Station::State::listen() {
     for (const auto& problem : feed->listenToStations(gate)) say(problem);
     node->onDiscovery([this] {
         tellMismatches();
+        tellDrops();
         sharing->look();
     });
 }
@@ -218,6 +219,15 @@ void Station::State::tellMismatches() {
         }
         say(worded(mismatch.complaint));
     }
+}
+
+void Station::State::tellDrops() {
+    std::vector<ScreenDrop> due;
+    {
+        const std::lock_guard lock(mutex);
+        due = screened.due(node->dropped());
+    }
+    for (const ScreenDrop& drop : due) say(worded(drop));
 }
 
 void Station::State::watchStreams() {

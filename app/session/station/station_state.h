@@ -27,6 +27,7 @@
 #include "app/session/station/station_streams.h"
 #include "app/session/victims/victim_watch.h"
 #include "core/io/station_file.h"
+#include "core/robot/screen_report.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {
@@ -58,9 +59,10 @@ struct Station::State {
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<HearingWatch> hearing;
-    std::mutex mutex;                                        ///< of the next two
+    std::mutex mutex;                                        ///< of the next three
     std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
     std::set<std::string> told;                              ///< mismatches; under the mutex
+    ScreenTelling screened;                                  ///< under the mutex
     std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
     HeapKeeper heap;
 
@@ -87,6 +89,7 @@ struct Station::State {
         if (listener.onMessage) listener.onMessage(text);
     }
     void tellMismatches();
+    void tellDrops();
     [[nodiscard]] RobotLine* line(const std::string& robot) const {
         const auto found = lines.find(robot);
         return found == lines.end() ? nullptr : found->second.get();

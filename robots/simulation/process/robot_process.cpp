@@ -10,10 +10,13 @@
 #include <utility>
 #include <variant>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
+#include "core/robot/screen_report.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
@@ -135,6 +138,13 @@ void turn(const Life& life) {
     truth.say(world);
 }
 
+/// Asks the robot to end; the system ends it when a library hangs.
+void end(int /*signal*/) {
+    constexpr unsigned AtMost = 4;  // [s]
+    stopped = 1;
+    alarm(AtMost);
+}
+
 void live(const Life& life, Pace& pace) {
     pace.begin(Pace::Clock::now());
     while (stopped == 0) {
@@ -170,17 +180,21 @@ Result<void> runRobot(const RobotOptions& options) {
                                                    : makeCrawlerHardware(world, number, *robot, fitting);
     const auto agent = agentFor(options, *hardware, *robot);
     if (!agent) return agent.error();
+    ScreenTelling telling;
     const auto node = join(options, robot->name, options.domain, !options.keys.empty());
     if (!node) return node.error();
     for (const std::string& warning : (*node)->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    (*node)->onDiscovery([&telling, raw = node->get()] {
+        for (const ScreenDrop& drop : telling.due(raw->dropped()))
+            std::fprintf(stderr, "%s\n", toString(drop).c_str());
+    });
     const auto truths = join(options, robot->name + " truth", options.domain + 100, false);
     if (!truths) return truths.error();
     const auto wire = RobotWire::create(**node, *robot);
     if (!wire) return wire.error();
     const auto truth = TruthExchange::create(**truths, *arena, options.kind, *robot, number);
     if (!truth) return truth.error();
-    std::signal(SIGINT, [](int) { stopped = 1; });
-    std::signal(SIGTERM, [](int) { stopped = 1; });
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end);
     std::signal(SIGUSR1, [](int) { frozen = frozen == 0 ? 1 : 0; });
     std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
     std::fflush(stdout);

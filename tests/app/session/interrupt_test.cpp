@@ -1,7 +1,11 @@
 #include "app/session/interrupt.h"
 
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +73,58 @@ TEST_F(InterruptGuardTest, WhatWasIgnoredStaysSo) {
             }
             std::raise(SIGHUP);
             std::_Exit(0);
+        },
+        testing::ExitedWithCode(0), "");
+}
+
+// A library that hangs keeps the work from its end; what was recorded is closed all the same.
+TEST_F(InterruptGuardTest, WhatHangsEndsWithinFiveSecondsAllTheSame) {
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_EXIT(
+        {
+            const InterruptGuard guard(InterruptGuard::End::Surely);
+            const WhenLate close([] { std::fputs("closed", stderr); });
+            std::raise(SIGTERM);
+            for (;;) pause();
+        },
+        testing::ExitedWithCode(1), "closed");
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
+}
+
+// Also where what is to be closed hangs, too, and where the end itself does.
+TEST_F(InterruptGuardTest, WhatHangsWhileItIsClosedEndsToo) {
+    EXPECT_EXIT(
+        {
+            const InterruptGuard guard(InterruptGuard::End::Surely);
+            const WhenLate close([] {
+                for (;;) pause();
+            });
+            std::raise(SIGTERM);
+            for (;;) pause();
+        },
+        testing::ExitedWithCode(1), "");
+    EXPECT_EXIT(
+        {
+            {
+                const InterruptGuard guard(InterruptGuard::End::Surely);
+                std::raise(SIGTERM);
+                while (!guard.token().stop_requested()) usleep(1000);
+            }
+            for (;;) pause();
+        },
+        testing::KilledBySignal(SIGALRM), "");
+}
+
+TEST_F(InterruptGuardTest, WhatEndsInTimeIsLeftAlone) {
+    EXPECT_EXIT(
+        {
+            {
+                const InterruptGuard guard(InterruptGuard::End::Surely);
+                const WhenLate close([] { std::_Exit(7); });
+                std::raise(SIGTERM);
+                while (!guard.token().stop_requested()) usleep(1000);
+            }
+            std::exit(0);
         },
         testing::ExitedWithCode(0), "");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 
 #include "tests/support/child_process.h"
@@ -17,6 +18,10 @@ public:
     [[nodiscard]] double residentMegabytes() const;  ///< 0 when it has ended
     [[nodiscard]] double processorSeconds() const;   ///< used so far; infinite when it has ended
     [[nodiscard]] std::string out() const { return m_process.out(); }
+    [[nodiscard]] pid_t id() const { return m_process.id(); }
+    /// Asks it to end; waitForEnd() tells its exit code.
+    void terminate() const { m_process.signal(SIGTERM); }
+    [[nodiscard]] int waitForEnd() { return m_process.wait(); }
 
 private:
     std::filesystem::path m_folder;

@@ -242,9 +242,10 @@ std::vector<Mismatch> Discovery::mismatches() const {
     for (const auto& [ownGuid, ours] : m_local) {
         const auto theirKind = ours.kind == LocalEndpoint::Kind::Reader ? RemoteEndpoint::Kind::Writer
                                                                         : RemoteEndpoint::Kind::Reader;
+        const std::string topic = rosTopicOf(ours.ddsTopic);  // once: others may have thousands of endpoints
         for (const auto& [guid, known] : m_endpoints) {
             const RemoteEndpoint& theirs = known.endpoint;
-            const bool sameTopic = theirs.kind == theirKind && theirs.topic == rosTopicOf(ours.ddsTopic);
+            const bool sameTopic = theirs.kind == theirKind && theirs.topic == topic;
             if (!sameTopic || ours.matched.contains(guid)) continue;
             auto why = whyNoMatch(ours, theirs, known.terms);
             if (why.empty() && m_secure && Clock::now() - known.since > SecureMatchTime)

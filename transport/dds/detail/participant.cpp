@@ -14,6 +14,7 @@
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/participant_qos.h"
 #include "transport/dds/detail/raw_type.h"
+#include "transport/dds/detail/screened_transport.h"
 #include "transport/dds/names.h"
 
 namespace leitstand::detail {
@@ -72,6 +73,7 @@ Error gone(const std::string& topic) {
 
 Participant::Participant(const NodeSettings& settings)
     : m_settings(settings),
+      m_screen(screenFor(settings, [this] { m_small->wake(); })),
       m_discovery([this] { m_small->wake(); }, settings.security.has_value()),
       m_small(std::make_unique<LaneThread>("dds-small", [this] { tellOfDiscovery(); })),
       m_large(std::make_unique<LaneThread>("dds-large")) {}
@@ -87,10 +89,12 @@ Result<void> Participant::join() {
 }
 
 Result<void> Participant::enter() {
-    const auto qos = participantQos(m_settings);
-    if (!qos) return qos.error();
+    auto made = participantQos(m_settings);
+    if (!made) return made.error();
+    efd::DomainParticipantQos qos = std::move(made).value();
+    m_unscreened = putBefore(qos, m_screen);
     m_factory = efd::DomainParticipantFactory::get_shared_instance();
-    m_participant = m_factory->create_participant(static_cast<efd::DomainId_t>(m_settings.domain), *qos,
+    m_participant = m_factory->create_participant(static_cast<efd::DomainId_t>(m_settings.domain), qos,
                                                   &m_discovery, efd::StatusMask::none());
     if (m_participant == nullptr) {
         const char* hint =

@@ -16,6 +16,7 @@
 #include "transport/dds/detail/lane_thread.h"
 #include "transport/dds/detail/reader.h"
 #include "transport/dds/detail/writer.h"
+#include "transport/screen/screen.h"
 
 namespace leitstand::detail {
 
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] Discovery& discovery() { return m_discovery; }
     [[nodiscard]] Guid guid() const;
     [[nodiscard]] DomainHearing hearing() const;
+    [[nodiscard]] const screen::Screen& gate() const { return *m_screen; }
+    [[nodiscard]] const std::vector<std::string>& unscreened() const { return m_unscreened; }
     void onDiscovery(std::function<void()> changed);
 
     // For readers and writers; what is created is null between leaving and joining anew
@@ -65,6 +68,8 @@ private:
     void tellOfDiscovery();
 
     const NodeSettings m_settings;
+    const std::shared_ptr<screen::Screen> m_screen;
+    std::vector<std::string> m_unscreened;  // set by enter()
     std::shared_ptr<eprosima::fastdds::dds::DomainParticipantFactory> m_factory;
     std::mutex m_rejoining;      // held by rejoin() and leave()
     mutable std::mutex m_mutex;  // of what follows; taken after a reader's m_use, never the other way round

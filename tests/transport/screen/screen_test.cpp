@@ -1,0 +1,357 @@
+#include "transport/screen/screen.h"
+
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "tests/transport/screen/packets.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using screen::Screen, screen::Moment;
+using Why = ScreenDrop::Kind;
+
+constexpr std::int64_t Huge = std::int64_t(1) << 62;
+
+/// A screen with a clock of its own, and the robot 1 on 10.0.0.7 that it has let in long ago.
+class ScreenTest : public testing::Test {
+protected:
+    explicit ScreenTest(const screen::ScreenSettings& settings = {}) : m_screen(settings) {
+        EXPECT_TRUE(takes(Packet().announce()));
+        EXPECT_TRUE(takes(Packet().announceEndpoint(OdometryWriter)));
+        EXPECT_TRUE(takes(Packet().announceEndpoint(OdometryReader, false)));
+        m_now += 60s;
+        EXPECT_TRUE(takes(Packet().heartbeat(screen::entity::PublicationsWriter, 1, 1)));
+    }
+    bool takes(const Packet& packet, const screen::Place& from = placeOf(7)) {
+        return m_screen.passes(packet.bytes(), from, m_now);
+    }
+    [[nodiscard]] std::uint64_t dropped(Why why) const {
+        std::uint64_t packets = 0;
+        for (const ScreenDrop& drop : m_screen.drops()) packets += drop.kind == why ? drop.packets : 0;
+        return packets;
+    }
+
+    Screen m_screen;
+    Moment m_now = Moment(1h);
+};
+class RelayedScreen : public ScreenTest {
+protected:
+    RelayedScreen() : ScreenTest({.relayed = true}) {}
+};
+class EncryptedScreen : public testing::Test {
+protected:
+    bool takes(const Packet& packet) { return m_screen.passes(packet.bytes(), placeOf(7)); }
+    Screen m_screen{screen::ScreenSettings{.encrypted = true}};
+};
+
+TEST_F(ScreenTest, TheFirstHeartbeatMayBeAnywhereAndNoneJumpsFromThere) {
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'000, 1'000'000'100, 77)));
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'050, 1'000'000'150, 78)));
+    for (int i = 0; i < 12; ++i) {
+        EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, Huge, 100)));
+        EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, Huge, Huge, 100)));
+    }
+    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 1'500'000'000, 79)));
+    EXPECT_EQ(dropped(Why::Numbers), 25U);
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'060, 1'000'000'160, 79)));
+}
+
+TEST_F(ScreenTest, NoFirstNumberIsOneThatNoWriterReaches) {
+    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, Huge)));
+    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, Huge, Huge)));
+    EXPECT_FALSE(takes(Packet().data(OdometryWriter, Huge, Bytes(8))));
+    EXPECT_FALSE(takes(Packet().gap(OdometryWriter, Huge, Huge + 1)));
+    EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, Huge, 1)));
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5)));
+}
+
+TEST_F(ScreenTest, SmallJumpsDoNotAddUp) {
+    std::int64_t number = 1;
+    ASSERT_TRUE(takes(Packet().data(OdometryWriter, number, Bytes(8))));
+    int passed = 0;
+    for (int i = 0; i < 1000; ++i) {
+        if (takes(Packet().data(OdometryWriter, number += 10'000, Bytes(8)))) ++passed;
+    }
+    EXPECT_LE(passed, 7);
+    EXPECT_GE(passed, 5);
+}
+
+TEST_F(ScreenTest, AGapInTheRadioOfAMinuteAtAKilohertzIsNoJump) {
+    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 100'000, 10)));
+    m_now += 60s;
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 159'000, 160'000, 700)));
+    EXPECT_TRUE(takes(Packet().data(OdometryWriter, 160'001, Bytes(8))));
+}
+
+TEST_F(ScreenTest, GapsAreBoundedOneByOneAndTogether) {
+    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 200'000, 1)));
+    EXPECT_TRUE(takes(Packet().gap(OdometryWriter, 1, 100'000, 8)));
+    EXPECT_FALSE(takes(Packet().gap(OdometryWriter, 1, 200'000)));
+    int passed = 0;
+    for (int i = 0; i < 1000; ++i) passed += takes(Packet().gap(OdometryWriter, 1, 100'000)) ? 1 : 0;
+    EXPECT_LE(passed, 10);
+    m_now += 1s;
+    EXPECT_TRUE(takes(Packet().gap(OdometryWriter, 1, 100'000)));
+}
+
+TEST_F(ScreenTest, CountsDoNotJump) {
+    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 3'000'000)));
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 3'000'100)));
+    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 0xffffffff)));
+    EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10)));
+    EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 0x7fffffff)));
+    EXPECT_TRUE(
+        takes(Packet().acknowledge(OdometryReader, 0x303, 5, 0x7fffffff)));  // of another writer of ours
+    EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 11)));
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 2)));  // old: the library's to ignore
+}
+
+TEST_F(ScreenTest, FragmentsOfOneSampleFitEachOther) {
+    const auto fragment = [](std::uint32_t start, unsigned size, std::uint32_t sample) {
+        return Packet().fragments(OdometryWriter, 9, start, 1, size, sample, Bytes(size));
+    };
+    EXPECT_TRUE(takes(fragment(1, 100, 1000)));
+    EXPECT_TRUE(takes(fragment(2, 100, 1000)));
+    EXPECT_FALSE(takes(fragment(3, 200, 1000)));
+    EXPECT_FALSE(takes(fragment(3, 100, 2000)));
+    EXPECT_TRUE(takes(fragment(3, 100, 1000)));
+    EXPECT_FALSE(takes(Packet().fragments(OdometryWriter, 10, 1, 1, 1000, 4'000'000'000, Bytes(1000))));
+}
+
+TEST_F(ScreenTest, SamplesThatAreNeverFinishedTakeBoundedMemory) {
+    constexpr std::uint32_t Large = 16U << 20;
+    int passed = 0;
+    for (std::int64_t i = 1; i <= 100; ++i)
+        passed += takes(Packet().fragments(OdometryWriter, i, 1, 1, 1000, Large, Bytes(1000))) ? 1 : 0;
+    EXPECT_EQ(passed, 4);
+    // Those that are finished cost nothing: 40 MB/s for a minute.
+    m_now += 60s;
+    for (std::int64_t number = 200; number < 800; ++number) {
+        m_now += 100ms;
+        for (std::uint32_t start = 1; start <= 63; start += 3) {
+            ASSERT_TRUE(takes(
+                Packet().fragments(OdometryWriter, number, start, 3, 21'000, 63 * 21'000, Bytes(63'000))))
+                << number << " " << start;
+        }
+    }
+}
+
+TEST_F(ScreenTest, OthersDoNotSpeakInARobotsName) {
+    for (const auto& from : {placeOf(8), placeOf(7, 40'001)}) {
+        EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 1'000), from));
+        EXPECT_FALSE(takes(Packet().data(OdometryWriter, 1, Bytes(8)), from));
+        EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10), from));
+        EXPECT_FALSE(takes(Packet().submessage(0x09, 2, {}), from));  // would let it live on
+        EXPECT_FALSE(takes(Packet().announce(0), from));              // would end its lease
+        EXPECT_FALSE(takes(Packet()
+                               .submessage(0x33, 0, Bytes(20))
+                               .submessage(0x30, 0, Bytes(8))
+                               .submessage(0x34, 0, Bytes(20)),
+                           from));
+    }
+    EXPECT_EQ(dropped(Why::Impostor), 12U);
+    EXPECT_TRUE(takes(Packet().announce(), placeOf(8)));  // the same once more harms nobody
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 1'000)));
+}
+
+TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
+    const auto end = [](int speaker, int whose, screen::EntityId writer, screen::EntityId entity) {
+        Packet packet(speaker);
+        const Bytes guid = ByteWriter().prefix(prefixOf(whose)).entity(entity).bytes;
+        const Bytes qos = packet.word()
+                              .parameter(0x0070, guid)
+                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
+                              .parameter(1, {})
+                              .bytes;
+        return packet.submessage(
+            0x15, 2,
+            packet.word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos).bytes);
+    };
+    const auto participant = [&](int speaker, int whose) {
+        return end(speaker, whose, screen::entity::ParticipantWriter, 0x000001c1);
+    };
+    ASSERT_TRUE(takes(Packet(2).announce(), placeOf(8)));
+    EXPECT_FALSE(takes(participant(1, 1), placeOf(8)));
+    EXPECT_FALSE(takes(participant(2, 1), placeOf(8)));
+    EXPECT_FALSE(takes(end(2, 1, screen::entity::PublicationsWriter, OdometryWriter), placeOf(8)));
+    EXPECT_TRUE(takes(end(1, 1, screen::entity::PublicationsWriter, OdometryWriter)));
+    EXPECT_TRUE(takes(participant(1, 1)));
+    EXPECT_TRUE(takes(Packet().announce(), placeOf(9)));  // it may come again from elsewhere
+}
+
+TEST_F(ScreenTest, ARobotWithTwoInterfacesIsHeardOnBoth) {
+    ASSERT_TRUE(takes(Packet(2).announce(100, 9), placeOf(8)));
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 1, Bytes(8)), placeOf(9)));  // says that it is there too
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 2, Bytes(8)), placeOf(8, 50'000)));
+    m_now += 60s;
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 3, Bytes(8)), placeOf(9)));
+    EXPECT_FALSE(takes(Packet(2).data(OdometryWriter, 3, Bytes(8)), placeOf(10)));
+}
+
+TEST_F(ScreenTest, ARobotThatOnlyAnnouncedItselfMaySpeakFromAnotherPortLate) {
+    ASSERT_TRUE(takes(Packet(2).announce(100, 8), placeOf(8)));
+    for (int i = 0; i < 60; ++i) {
+        m_now += 1s;
+        ASSERT_TRUE(takes(Packet(2).announce(100, 8), placeOf(8)));
+    }
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 3, Bytes(8)), placeOf(8, 50'000)));
+    EXPECT_FALSE(takes(Packet(2).data(OdometryWriter, 3, Bytes(8)), placeOf(8, 50'001)));
+}
+
+TEST_F(ScreenTest, ARobotThatWasSilentMayComeBackFromElsewhere) {
+    ASSERT_TRUE(takes(Packet().data(OdometryWriter, 1, Bytes(8))));
+    m_now += 4s;
+    EXPECT_TRUE(takes(Packet().data(OdometryWriter, 2, Bytes(8)), placeOf(12)));
+}
+
+TEST_F(ScreenTest, WhatAHostMayHaveIsEnoughAndBounded) {
+    for (int i = 100; i < 164; ++i) ASSERT_TRUE(takes(Packet(i).announce(), placeOf(20, i))) << i;
+    EXPECT_FALSE(takes(Packet(164).announce(), placeOf(20, 164)));
+    EXPECT_TRUE(takes(Packet(164).announce(), placeOf(21, 164)));  // another host
+    EXPECT_EQ(dropped(Why::TooMany), 1U);
+    m_now += 102s;
+    EXPECT_TRUE(takes(Packet(165).announce(), placeOf(20, 165)));  // the others' leases are over
+}
+
+TEST_F(ScreenTest, AParticipantWithTooManyEndpointsIsRefusedWhole) {
+    for (int one = 0; one < 5; ++one) {
+        ASSERT_TRUE(takes(Packet(200 + one).announce(), placeOf(20, 200 + one)));
+        for (unsigned i = 0; i < 1000; ++i) {
+            const bool passes =
+                takes(Packet(200 + one).announceEndpoint(i << 8 | 3, true, i + 1), placeOf(20, 200 + one));
+            ASSERT_EQ(passes, one < 4 || i < 96) << one << " " << i;
+        }
+    }
+    EXPECT_FALSE(takes(Packet(204).announce(), placeOf(20, 204)));
+    EXPECT_FALSE(takes(Packet(204).data(OdometryWriter, 1, Bytes(8)), placeOf(20, 204)));
+    EXPECT_TRUE(takes(Packet(203).data(OdometryWriter, 1, Bytes(8)), placeOf(20, 203)));
+    m_now += 102s;  // the library forgets it, and so do we
+    EXPECT_TRUE(takes(Packet(204).announce(), placeOf(20, 204)));
+}
+
+TEST_F(ScreenTest, StrangersHaveABudgetAndParticipantsHaveNone) {
+    int passed = 0;
+    for (int i = 0; i < 2'000; ++i)
+        passed += takes(Packet(50).data(OdometryWriter, i + 1, Bytes(8)), placeOf(30)) ? 1 : 0;
+    EXPECT_EQ(passed, 400);
+    EXPECT_EQ(dropped(Why::Flood), 1'600U);
+    for (int i = 0; i < 2'000; ++i) ASSERT_TRUE(takes(Packet().data(OdometryWriter, i + 1, Bytes(8))));
+    EXPECT_TRUE(takes(Packet(50).announce(), placeOf(30)));
+    EXPECT_TRUE(takes(Packet(50).data(OdometryWriter, 9, Bytes(8)), placeOf(30)));
+}
+
+TEST_F(ScreenTest, ServersAnnounceOthersOnlyWhereThereIsOne) {
+    const auto relayed =
+        Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x"));
+    ASSERT_TRUE(takes(Packet(9).announce(), placeOf(40)));
+    EXPECT_FALSE(takes(relayed, placeOf(40)));
+    EXPECT_EQ(dropped(Why::Impostor), 1U);
+}
+
+TEST_F(RelayedScreen, AParticipantThatAServerAnnouncedSpeaksForItself) {
+    ASSERT_TRUE(takes(Packet(9).announce(), placeOf(40)));
+    ASSERT_TRUE(
+        takes(Packet(9).data(screen::entity::ParticipantWriter, 1, Packet(10).announcement(20, 8, "x")),
+              placeOf(40)));
+    for (int i = 0; i < 1'000; ++i)
+        ASSERT_TRUE(takes(Packet(10).data(OdometryWriter, i + 1, Bytes(8)), placeOf(8))) << i;
+    EXPECT_FALSE(takes(Packet(10).data(OdometryWriter, Huge, Bytes(8)), placeOf(8)));
+}
+
+TEST_F(ScreenTest, WhatIsAnnouncedIsReadToItsEnd) {
+    const auto announced = [](const Bytes& more) {
+        Packet packet(60);
+        const Bytes payload =
+            packet.word()
+                .append(packet.parameters())
+                .parameter(0x0050, ByteWriter().prefix(prefixOf(60)).entity(0x000001c1).bytes)
+                .append(more)
+                .parameter(1, {})
+                .bytes;
+        return packet.data(screen::entity::ParticipantWriter, 1, payload);
+    };
+    const auto place = placeOf(30);
+    const auto property = ByteWriter().u32(1).text("name").text("value").bytes;
+    EXPECT_TRUE(takes(announced(ByteWriter().parameter(0x0059, property).bytes), place));
+    const Bytes hostile[] = {
+        ByteWriter().parameter(0x0059, ByteWriter().u32(0xffffffff).text("name").text("value").bytes).bytes,
+        ByteWriter().parameter(0x0059, ByteWriter().u32(1).u32(0x7fffffff).text("value").bytes).bytes,
+        ByteWriter()
+            .parameter(0x1001, ByteWriter().text("DDS:Auth:PKI-DH:1.0").u32(0xfffffff0).u32(0).bytes)
+            .bytes,
+        ByteWriter().parameter(0x0062, ByteWriter().u32(8).zeros(4).bytes).bytes,
+        ByteWriter()
+            .parameter(0x0062, ByteWriter().u32(4).u32(0x41414141).bytes)
+            .bytes,  // no zero at its end
+        ByteWriter().parameter(0x002c, ByteWriter().u32(0xfffffffc).bytes).bytes,
+        ByteWriter().parameter(0x0002, Bytes(4)).bytes,
+        ByteWriter().parameter(0x0032, Bytes(20)).bytes};
+    for (const Bytes& one : hostile) EXPECT_FALSE(takes(announced(one), place));
+    EXPECT_EQ(dropped(Why::NoRtps), std::size(hostile));
+}
+
+TEST_F(EncryptedScreen, OnlyDiscoveryAndAuthenticationArePlain) {
+    EXPECT_TRUE(takes(Packet().announce()));
+    EXPECT_FALSE(takes(Packet().announceEndpoint(OdometryWriter)));
+    EXPECT_FALSE(takes(Packet().data(OdometryWriter, 1, Bytes(8))));
+    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 2)));
+    EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10)));
+    EXPECT_FALSE(takes(Packet().gap(OdometryWriter, 1, 2)));
+    ByteWriter token(true);
+    token.append(ByteWriter(false).u16(1).u16(0).bytes).zeros(2 * 24 + 3 * 16).text("dds.sec.auth").u32(1);
+    token.text("DDS:Auth:PKI-DH:1.0+Req").u32(0).u32(1).text("c.id").u32(4).zeros(4);
+    EXPECT_TRUE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
+    token.bytes.resize(token.bytes.size() - 4);
+    EXPECT_FALSE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x33, 0, Bytes(20))
+                          .submessage(0x30, 0, Bytes(8))
+                          .submessage(0x34, 0, Bytes(20))
+                          .statistics()));
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x33, 0, Bytes(20))
+                          .heartbeat(OdometryWriter, 1, 2)
+                          .submessage(0x34, 0, Bytes(20))));  // signed
+    EXPECT_TRUE(takes(Packet()
+                          .submessage(0x0e, 0, Bytes(12))
+                          .submessage(0x31, 0, Bytes(20))
+                          .submessage(0x30, 0, Bytes(8))
+                          .submessage(0x32, 0, Bytes(20))));
+}
+
+TEST_F(ScreenTest, SendersAreToldApartAndInBounds) {
+    for (int host = 1; host <= 200; ++host) {
+        for (int i = 0; i < 3; ++i)
+            EXPECT_FALSE(takes(Packet().submessage(0x80, 0, Bytes(60), 56), placeOf(host)));
+    }
+    const auto drops = m_screen.drops();
+    ASSERT_EQ(drops.size(), 17U);
+    EXPECT_EQ(toString(drops[0]), "somebody sends what is no RTPS: 3 packets from 10.0.0.1");
+    EXPECT_EQ(toString(drops[16]), "somebody sends what is no RTPS: 552 packets from many addresses");
+    EXPECT_EQ(toString(ScreenDrop{Why::NoRtps, "10.0.0.7", 1'234'567}),
+              "somebody sends what is no RTPS: 1,234,567 packets from 10.0.0.7");
+}
+
+TEST_F(ScreenTest, ManyThreadsMayAsk) {
+    std::vector<std::jthread> threads;
+    for (int one = 0; one < 4; ++one) {
+        threads.emplace_back([this, one] {
+            for (int i = 0; i < 20'000; ++i) {
+                const int number = 300 + (i * 7 + one) % 90;
+                const bool passes = m_screen.passes(
+                    i % 3 == 0 ? Packet(number).announce(1).bytes()
+                               : Packet(number).announceEndpoint(std::uint32_t(i) << 8 | 3).bytes(),
+                    placeOf(50 + one, number), m_now + i * 1ms);
+                static_cast<void>(passes);
+            }
+        });
+    }
+    threads.clear();
+    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 1)));
+}
+
+}  // namespace
+}  // namespace leitstand::test

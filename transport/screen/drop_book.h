@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/robot/screen_report.h"
+#include "transport/screen/datagram.h"
+#include "transport/screen/place.h"
+
+namespace leitstand::screen {
+
+/// Counts what was dropped by reason and address. Of each reason the first sixteen addresses are told apart,
+/// the rest is counted together: who floods us may name a new one each time.
+class DropBook {
+public:
+    void note(ScreenDrop::Kind why, const Address& from, Fault fault);
+    [[nodiscard]] std::vector<ScreenDrop> drops() const;
+    [[nodiscard]] Fault lastFault() const { return m_lastFault; }
+
+private:
+    std::map<ScreenDrop::Kind, std::map<Address, std::uint64_t>> m_counts;
+    std::map<ScreenDrop::Kind, std::uint64_t> m_others;
+    Fault m_lastFault;
+};
+
+}  // namespace leitstand::screen

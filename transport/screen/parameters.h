@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "transport/screen/cursor.h"
+#include "transport/screen/datagram.h"
+#include "transport/screen/place.h"
+
+namespace leitstand::screen {
+
+/// Parameters by their number on the wire (RTPS 2.3, table 9.12 and 9.14) that the screen reads itself.
+namespace pid {
+constexpr std::uint16_t Sentinel = 0x0001, LeaseDuration = 0x0002, KeyHash = 0x0070, StatusInfo = 0x0071,
+                        UnicastLocator = 0x0031, MetatrafficUnicastLocator = 0x0032, ParticipantGuid = 0x0050,
+                        EndpointGuid = 0x005a;
+}  // namespace pid
+
+struct Parameter {
+    std::uint16_t id = 0;
+    std::span<const std::byte> value;
+    bool littleEndian = false;
+};
+
+/// Whether @p parameter is as long as its kind says, and every count, text and sequence in it fits.
+[[nodiscard]] Fault checkParameter(const Parameter& parameter);
+
+/// Calls @p take with each parameter of a list, which it checks first, up to the list's end, which has to be
+/// there; ends with the first fault.
+template <class Take>
+[[nodiscard]] Fault eachParameter(Cursor& in, bool littleEndian, Take take) {
+    for (;;) {
+        Parameter parameter;
+        parameter.littleEndian = littleEndian;
+        parameter.id = in.u16();
+        const std::size_t size = in.u16();
+        if (!in.ok()) return "a parameter list without end";
+        if (parameter.id == pid::Sentinel) return {};
+        if (size % 4 != 0) return "a parameter that is no multiple of four bytes";
+        parameter.value = in.take(size);
+        if (!in.ok()) return "a parameter longer than its list";
+        if (const Fault fault = checkParameter(parameter); !fault.empty()) return fault;
+        take(parameter);
+    }
+}
+
+using Seconds = std::chrono::duration<double>;
+
+/// What a participant announces of itself, as far as the screen cares.
+struct Announcement {
+    Prefix participant{};
+    bool ends = false;               ///< it leaves
+    Seconds lease{100.0};            ///< the standard's default
+    std::vector<Address> addresses;  ///< where it says that it is; at most sixteen
+};
+/// What a participant announces of a writer or reader.
+struct EndpointAnnouncement {
+    GuidBytes endpoint{};
+    bool ends = false;
+};
+
+/// Reads a sample of the writers that announce participants; faults as of checkParameter().
+[[nodiscard]] Fault read(const Submessage& data, Announcement& into);
+[[nodiscard]] Fault read(const Submessage& data, EndpointAnnouncement& into);
+
+/// Checks a sample of the writer by which participants prove who they are (DDS-Security 1.1, section 7.4.3).
+[[nodiscard]] Fault checkAuthentication(std::span<const std::byte> sample);
+/// Checks a sample of the writer by which participants tell that they live; @p participant is who it says.
+[[nodiscard]] Fault checkLiveliness(std::span<const std::byte> sample, Prefix& participant);
+
+}  // namespace leitstand::screen

@@ -1,0 +1,135 @@
+#include "transport/screen/participants.h"
+
+#include <algorithm>
+
+namespace leitstand::screen {
+namespace {
+
+bool contains(const std::vector<Address>& addresses, const Address& address) {
+    return std::find(addresses.begin(), addresses.end(), address) != addresses.end();
+}
+
+}  // namespace
+
+WriterWindow* Remote::windowOf(EntityId writer) {
+    if (const auto known = writers.find(writer); known != writers.end()) return &known->second;
+    if (writers.size() >= endpoints.size() + limits::UnannouncedWindows) return nullptr;
+    return &writers[writer];
+}
+
+Remote::ReaderWindows* Remote::windowsOf(EntityId reader, EntityId ours) {
+    const std::uint64_t both = std::uint64_t(reader) << 32 | ours;
+    if (const auto known = readers.find(both); known != readers.end()) return &known->second;
+    if (readers.size() >= 2 * endpoints.size() + limits::UnannouncedWindows) return nullptr;
+    return &readers[both];
+}
+
+Remote* Participants::find(const Prefix& prefix) {
+    const auto found = m_remotes.find(prefix);
+    return found == m_remotes.end() ? nullptr : &found->second;
+}
+
+Remote* Participants::admit(const Announcement& said, const Address& host, Moment now) {
+    const auto full = [&] {
+        const auto use = m_hosts.find(host);
+        return m_remotes.size() >= limits::Participants ||
+               (use != m_hosts.end() && use->second.participants >= limits::ParticipantsOfHost);
+    };
+    if (full()) forgetSilent(now);
+    if (full()) return nullptr;
+    Remote& remote = m_remotes[said.participant];
+    remote.host = host;
+    remote.first = remote.heard = now;
+    ++m_hosts[host].participants;
+    return &remote;
+}
+
+void Participants::forget(Remotes::iterator one) {
+    Remote& remote = one->second;
+    for (const Remote::Bound& bound : remote.places) {
+        if (const auto place = m_places.find(bound.place); --place->second == 0) m_places.erase(place);
+    }
+    const auto use = m_hosts.find(remote.host);
+    for (const auto& [endpoint, bytes] : remote.endpoints) use->second.bytes -= bytes;
+    use->second.endpoints -= remote.endpoints.size();
+    m_endpoints -= remote.endpoints.size();
+    if (--use->second.participants == 0) m_hosts.erase(use);
+    m_remotes.erase(one);
+}
+
+void Participants::remove(const Prefix& prefix) {
+    if (const auto found = m_remotes.find(prefix); found != m_remotes.end()) forget(found);
+}
+
+void Participants::forgetSilent(Moment now) {
+    constexpr Seconds Late{1.0};  // the library looks at its clock later than we at ours
+    for (auto one = m_remotes.begin(); one != m_remotes.end();) {
+        const auto next = std::next(one);
+        if (Seconds(now - one->second.heard) > one->second.lease + Late) forget(one);
+        one = next;
+    }
+}
+
+void Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {
+    if (remote.places.size() >= limits::PlacesOfParticipant) {
+        const auto oldest = std::min_element(remote.places.begin(), remote.places.end(),
+                                             [](const auto& a, const auto& b) { return a.heard < b.heard; });
+        if (const auto known = m_places.find(oldest->place); --known->second == 0) m_places.erase(known);
+        remote.places.erase(oldest);
+    }
+    remote.places.push_back({place, now, speaks});
+    ++m_places[place];
+}
+
+bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now) {
+    auto& places = remote.places;
+    const auto known = std::find_if(places.begin(), places.end(),
+                                    [&](const Remote::Bound& bound) { return bound.place == place; });
+    if (known != places.end()) {
+        known->heard = remote.heard = now;
+        known->speaks = known->speaks || speaks;
+        return true;
+    }
+    const auto all = [&](auto holds) { return std::all_of(places.begin(), places.end(), holds); };
+    const bool silent = all([&](const Remote::Bound& bound) { return now - bound.heard > limits::Silence; });
+    const bool mute = all([](const Remote::Bound& bound) { return !bound.speaks; });
+    const bool sameHost = std::any_of(places.begin(), places.end(), [&](const Remote::Bound& bound) {
+        return bound.place.address == place.address;
+    });
+    const bool itsOwn =
+        silent || sameHost || isLoopback(place.address) || contains(remote.announced, place.address);
+    if (!itsOwn || !(silent || mute || now - remote.first < limits::Introduction)) return false;
+    bind(remote, place, speaks, now);
+    remote.heard = now;
+    return true;
+}
+
+bool Participants::addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes) {
+    Use& use = m_hosts[remote.host];
+    const auto [place, isNew] = remote.endpoints.try_emplace(endpoint, 0);
+    if (bytes > place->second) {
+        use.bytes += bytes - place->second;
+        place->second = bytes;
+    }
+    use.endpoints += isNew ? 1 : 0;
+    m_endpoints += isNew ? 1 : 0;
+    const bool fits = use.endpoints <= limits::EndpointsOfHost && m_endpoints <= limits::Endpoints &&
+                      use.bytes <= limits::AnnouncedBytesOfHost;
+    if (!fits) {
+        removeEndpoint(remote, endpoint);
+        remote.refused = true;
+    }
+    return fits;
+}
+
+void Participants::removeEndpoint(Remote& remote, EntityId endpoint) {
+    const auto known = remote.endpoints.find(endpoint);
+    if (known == remote.endpoints.end()) return;
+    Use& use = m_hosts[remote.host];
+    use.bytes -= known->second;
+    --use.endpoints;
+    --m_endpoints;
+    remote.endpoints.erase(known);
+}
+
+}  // namespace leitstand::screen

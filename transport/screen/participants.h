@@ -1,0 +1,77 @@
+#pragma once
+
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "transport/screen/parameters.h"
+#include "transport/screen/place.h"
+#include "transport/screen/windows.h"
+
+namespace leitstand::screen {
+
+/// A participant that was let in.
+struct Remote {
+    struct Bound {
+        Place place;
+        Moment heard;
+        bool speaks = false;  ///< and does not only announce itself
+    };
+    Address host{};  ///< whose places it takes
+    Moment first, heard;
+    Seconds lease{0.0};
+    bool refused = false;            ///< it went beyond what a host may have: nothing of it passes
+    std::vector<Address> announced;  ///< where it says that it is
+    std::uint64_t announcement = 0;  ///< hash of what it announced last
+    std::vector<Bound> places;       ///< where it sends from
+    std::unordered_map<EntityId, std::size_t> endpoints;  ///< with the bytes of their announcements
+    std::unordered_map<EntityId, WriterWindow> writers;
+    struct ReaderWindows {
+        CountWindow acknowledgements, fragments;
+    };
+    std::unordered_map<std::uint64_t, ReaderWindows> readers;  ///< by reader and our writer
+    Budget unfinished{limits::UnfinishedSamples};
+
+    /// The window of a writer of its, or of a reader that hears a writer of ours. Null for those that it
+    /// never announced, when there are many: the library hears none of them.
+    [[nodiscard]] WriterWindow* windowOf(EntityId writer);
+    [[nodiscard]] ReaderWindows* windowsOf(EntityId reader, EntityId ours);
+};
+
+/// Who is in the domain, as far as the screen let them in: bounded for each host and in total.
+class Participants {
+public:
+    [[nodiscard]] Remote* find(const Prefix& prefix);
+    /// Lets a participant in that says @p said; null when its host has too many, or all hosts together.
+    Remote* admit(const Announcement& said, const Address& host, Moment now);
+    void remove(const Prefix& prefix);
+    /// Lets go of those that were silent for their lease, as the library does.
+    void forgetSilent(Moment now);
+
+    /// Whether @p remote may send from @p place: one where it was heard before, or a new one that is its own
+    /// by all that can be told (see docs/wire.md). Notes that it was heard there.
+    [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
+    /// Whether a participant sends from @p place.
+    [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
+
+    /// Notes an endpoint; false when its host has too many: then the participant is refused.
+    [[nodiscard]] bool addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes);
+    void removeEndpoint(Remote& remote, EntityId endpoint);
+
+    [[nodiscard]] std::size_t size() const { return m_remotes.size(); }
+
+private:
+    using Remotes = std::unordered_map<Prefix, Remote, BytesHash>;
+    struct Use {
+        std::size_t participants = 0, endpoints = 0, bytes = 0;
+    };
+    void forget(Remotes::iterator one);
+    void bind(Remote& remote, const Place& place, bool speaks, Moment now);
+
+    Remotes m_remotes;
+    std::unordered_map<Address, Use, BytesHash> m_hosts;
+    std::unordered_map<Place, int, BytesHash> m_places;  // how many participants send from there
+    std::size_t m_endpoints = 0;
+};
+
+}  // namespace leitstand::screen

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+
+#include "core/robot/screen_report.h"
+#include "transport/screen/drop_book.h"
+#include "transport/screen/participants.h"
+
+namespace leitstand::screen {
+
+/// How a node takes part, as far as the screen cares.
+struct ScreenSettings {
+    bool encrypted = false;  ///< messages are protected as a whole: plain ones are of discovery only
+    bool relayed = false;    ///< a discovery server announces others
+};
+
+/// Stands between the network and the DDS library: sees each datagram before it and says whether it passes.
+/// What it keeps of the domain is bounded (docs/wire.md); nothing is changed on its way. Any thread.
+class Screen {
+public:
+    /// @p dropped is called when something was dropped, at most once a second, by the thread that asked. It
+    /// must not ask back.
+    explicit Screen(const ScreenSettings& settings, std::function<void()> dropped = {})
+        : m_settings(settings), m_dropped(std::move(dropped)) {}
+
+    /// Whether @p bytes that came from @p place may reach the library.
+    [[nodiscard]] bool passes(std::span<const std::byte> bytes, const Place& place,
+                              Moment now = Clock::now());
+
+    /// What was dropped so far, by reason and sender.
+    [[nodiscard]] std::vector<ScreenDrop> drops() const;
+    [[nodiscard]] std::uint64_t passed() const;
+    /// Why the last datagram was dropped, in a developer's words.
+    [[nodiscard]] Fault lastFault() const;
+
+private:
+    struct Verdict {
+        bool passes = true;
+        ScreenDrop::Kind why = ScreenDrop::Kind::NoRtps;
+        Fault fault = {};
+    };
+    [[nodiscard]] Verdict judge(const Datagram& datagram, const Place& place, Moment now);
+    [[nodiscard]] Verdict judgeSpeaker(const Prefix& speaker, const Place& place, Moment now);
+    [[nodiscard]] Verdict judgeOne(const Submessage& next, const Place& place, Moment now);
+    [[nodiscard]] Verdict judgeAnnouncement(const Submessage& next, const Place& place, Moment now);
+    [[nodiscard]] Verdict judgeKnown(const Submessage& next, Remote& remote, Moment now);
+    [[nodiscard]] Verdict judgeEndpoint(const Submessage& next);
+    [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
+
+    /// Counts what was judged; whether somebody has to be told of drops now.
+    [[nodiscard]] bool count(const Verdict& verdict, const Place& place, Moment now);
+
+    const ScreenSettings m_settings;
+    const std::function<void()> m_dropped;
+    mutable std::mutex m_mutex;  // of all that follows
+    Participants m_participants;
+    std::unordered_map<Place, Budget, BytesHash> m_strangers;
+    DropBook m_drops;
+    std::uint64_t m_passed = 0;
+    Moment m_swept{}, m_told{};
+    bool m_untold = false;
+};
+
+}  // namespace leitstand::screen

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "transport/screen/datagram.h"
+#include "transport/screen/limits.h"
+
+namespace leitstand::screen {
+
+/// How far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
+class CountWindow {
+public:
+    [[nodiscard]] bool admits(std::uint32_t count, Moment now);
+
+private:
+    bool m_known = false;
+    std::uint32_t m_highest = 0;
+    Budget m_budget{limits::Counts};
+};
+
+/// How far the numbers of a writer advance. The first may be any.
+class WriterWindow {
+public:
+    [[nodiscard]] Fault admit(const Submessage& next, Budget& unfinished, Moment now);
+
+private:
+    struct Sample {
+        std::int64_t number = 0;
+        std::uint32_t size = 0;
+        std::uint16_t fragmentSize = 0;
+    };
+    [[nodiscard]] bool admitNumber(std::int64_t number, Moment now);
+    [[nodiscard]] Fault admitFragment(const Submessage& next, Budget& unfinished, Moment now);
+
+    bool m_known = false;
+    std::int64_t m_highest = 0;
+    Budget m_numbers{limits::Numbers}, m_gaps{limits::Gaps};
+    CountWindow m_heartbeats, m_fragmentHeartbeats;
+    std::vector<Sample> m_samples;  // in fragments: the last that began, in a ring
+    std::size_t m_nextSample = 0;
+};
+
+}  // namespace leitstand::screen
