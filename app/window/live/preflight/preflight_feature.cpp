@@ -32,7 +32,7 @@ PreflightFeature::PreflightFeature(const LiveContext& context)
       m_desk(context.bridge.station()),
       m_dialog(new QDialog(&context.window)),
       m_page(new PreflightPage(m_dialog)),
-      m_badge(addCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
+      m_badge(makeCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
     QAction& opens = context.commands.add({.id = QStringLiteral("preflight.open"),
                                            .menu = CommandMenu::Mission,
                                            .text = tr("&Preflight..."),
@@ -127,13 +127,16 @@ void PreflightFeature::show(const LiveMoment& moment) {
 
 void PreflightFeature::showOverrides() {
     const StationBrakes& brakes = m_context.bridge.station().brakes();
-    QStringList names;
+    QStringList letters, names;
     for (const RobotDescription& robot : m_context.selection.robots()) {
-        if (brakes.isOverridden(robot.name)) names += QString::fromStdString(robot.title);
+        if (!brakes.isOverridden(robot.name)) continue;
+        letters += QString::fromStdString(robot.letter);
+        names += QString::fromStdString(robot.title);
     }
+    m_badge->setText(tr("NO WATCHDOG: %1").arg(letters.join(QLatin1Char(' '))));
+    m_badge->setToolTip(tr("Failed the brake test and driven nevertheless, goes on without radio: %1")
+                            .arg(names.join(QStringLiteral(", "))));
     m_badge->setVisible(!names.isEmpty());
-    m_badge->setText(tr("NO WATCHDOG: %1").arg(names.join(QStringLiteral(", "))));
-    m_badge->setToolTip(tr("Failed its brake test and is driven nevertheless: without radio it goes on"));
 }
 
 void PreflightFeature::add(const QString& stranger) {
