@@ -25,6 +25,7 @@
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
 #include "tests/widgets/panes/shown.h"
+#include "widgets/preflight/preflight_page.h"
 #include "widgets/robots/robot_chip_button.h"
 #include "widgets/theme.h"
 
@@ -286,6 +287,21 @@ TEST_P(TopBar, EveryLayoutFitsIntoTheSmallestWindow) {
                      .arg(GetParam())
                      .arg(QLatin1String(language), QLatin1String(layout)));
         }
+    }
+}
+
+TEST_P(TopBar, ThePreflightPageLeavesStopAndRobotsInSight) {
+    for (const int width : {Smallest, 1280}) {
+        resizeTo(width);
+        window().commands().trigger("preflight.open");
+        const auto* const page = window().findChild<PreflightPage*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return page->isVisible(); }));
+        const QRect dialog = page->window()->frameGeometry();
+        EXPECT_FALSE(dialog.intersects(placeOf(stop()).translated(window().mapToGlobal(QPoint())))) << width;
+        for (const RobotChipButton* robot : window().findChildren<RobotChipButton*>())
+            EXPECT_FALSE(dialog.intersects(placeOf(*robot).translated(window().mapToGlobal(QPoint()))))
+                << width;
+        page->window()->close();
     }
 }
 

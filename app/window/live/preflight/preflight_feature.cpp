@@ -16,6 +16,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/corner_badge.h"
 #include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/preflight/preflight_page.h"
 
@@ -96,6 +97,12 @@ void PreflightFeature::openWhenSomethingFails() {
 
 void PreflightFeature::open() {
     refresh();
+    if (!m_dialog->isVisible()) {
+        // Over the panes, and over nothing of the bar: it opens by itself, and STOP stays in sight.
+        const PaneDocks& panes = m_context.panes;
+        m_dialog->resize(m_dialog->size().boundedTo(panes.size()));
+        m_dialog->move(panes.mapToGlobal(QPoint((panes.width() - m_dialog->width()) / 2, 0)));
+    }
     m_dialog->show();
     m_dialog->raise();
     m_dialog->activateWindow();
