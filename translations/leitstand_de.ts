@@ -1055,10 +1055,6 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>läuft</translation>
     </message>
     <message>
-        <source>stopped</source>
-        <translation>gestoppt</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>Zeit</translation>
     </message>
@@ -1077,6 +1073,10 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>Mission time %1 of %2, %3</source>
         <translation>Missionszeit %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -1811,10 +1811,6 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>STOP %1 · %2</translation>
     </message>
     <message>
-        <source>standing · hold %1 for one second to release</source>
-        <translation>steht · zum Freigeben %1 eine Sekunde halten</translation>
-    </message>
-    <message>
         <source>takes no drive commands</source>
         <translation>nimmt keine Fahrbefehle an</translation>
     </message>
@@ -1969,6 +1965,10 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>%1 · %2 m/s</source>
         <translation>%1 · %2 m/s</translation>
+    </message>
+    <message>
+        <source>standing · hold the button of robot %1 for 1 s to release</source>
+        <translation>steht · zur Freigabe Knopf von Roboter %1 1 s gedrückt halten</translation>
     </message>
 </context>
 <context>
@@ -3590,10 +3590,6 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::LayoutFeature</name>
     <message>
-        <source>Layout</source>
-        <translation>Layout</translation>
-    </message>
-    <message>
         <source>S&amp;wap camera and map</source>
         <translation>Kamera und Karte ta&amp;uschen</translation>
     </message>
@@ -3676,6 +3672,21 @@ Apache License 2.0</translation>
     <message>
         <source>layout %1 binds keys that are none, or that mean something else: %2</source>
         <translation>Layout %1 belegt Tasten, die es nicht gibt oder die etwas anderes bedeuten: %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LayoutSwitch</name>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>Layout %1</source>
+        <translation>Layout %1</translation>
+    </message>
+    <message>
+        <source>Layout %1; a click shows the others</source>
+        <translation>Layout %1; ein Klick zeigt die anderen</translation>
     </message>
 </context>
 <context>
@@ -4324,6 +4335,13 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::MenuCorner</name>
+    <message>
+        <source>Newest message</source>
+        <translation>Neueste Meldung</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::MergeWords</name>
     <message>
         <source>There is no other find of this kind to merge it with</source>
@@ -4735,6 +4753,21 @@ F1 listet alle Tasten</translation>
     <message>
         <source>remote</source>
         <translation>Handsender</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MoreRobotsButton</name>
+    <message>
+        <source>Robots to the left</source>
+        <translation>Roboter weiter links</translation>
+    </message>
+    <message>
+        <source>Robots to the right</source>
+        <translation>Roboter weiter rechts</translation>
+    </message>
+    <message>
+        <source>Robots out of sight: %1</source>
+        <translation>Roboter außer Sicht: %1</translation>
     </message>
 </context>
 <context>
@@ -5956,16 +5989,16 @@ F1 listet alle Tasten</translation>
 <context>
     <name>leitstand::ReleaseHandle</name>
     <message>
-        <source>Hold for one second to let %1 move again.</source>
-        <translation>Eine Sekunde halten, damit %1 wieder fahren darf.</translation>
-    </message>
-    <message>
         <source>Release %1</source>
         <translation>%1 freigeben</translation>
     </message>
     <message>
         <source>%1 · hold to release</source>
         <translation>%1 · halten: freigeben</translation>
+    </message>
+    <message>
+        <source>Hold this button for one second to let %1 move again.</source>
+        <translation>Diesen Knopf eine Sekunde gedrückt halten, damit %1 wieder fahren darf.</translation>
     </message>
 </context>
 <context>
@@ -6171,6 +6204,15 @@ F1 listet alle Tasten</translation>
         <source>battery %1, %2</source>
         <translation>Akku %1, %2</translation>
     </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <comment>for the robot</comment>
+        <translation>wartet</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotChipButton</name>
@@ -6208,6 +6250,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>%1 is not in the map yet · %2 places it</source>
         <translation>%1 ist noch nicht in der Karte · %2 setzt ihn hinein</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotRow</name>
+    <message>
+        <source>%1 · STOP: %2</source>
+        <comment>a robot, all of its state, its stop</comment>
+        <translation>%1 · STOP: %2</translation>
     </message>
 </context>
 <context>
@@ -7369,6 +7419,46 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>Only who has the grant to drive can release it.</source>
         <translation>Freigeben kann nur, wer das Fahrrecht hat.</translation>
     </message>
+    <message>
+        <source>? %1</source>
+        <comment>a stop, not answered for 4.2 s</comment>
+        <translation>? %1</translation>
+    </message>
+    <message>
+        <source>&gt; 1 h</source>
+        <translation>&gt; 1 h</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <comment>by zeros</comment>
+        <translation>Nullen</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <comment>where there is little room</comment>
+        <translation>sendet</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>fährt</translation>
+    </message>
+    <message>
+        <source>moves?</source>
+        <translation>fährt?</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <comment>is on its way</comment>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StreamList</name>
@@ -8529,13 +8619,6 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
         <translation>Was um den Roboter ist, vorn ist oben.
 Gelb: Wände. Punkte: Hindernisse, blasser, je länger sie zurückliegen.
 Gestrichelt: wohin er fährt. Rad, + und − zoomen; ein Doppelklick setzt zurück.</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::WindowFrame</name>
-    <message>
-        <source>Newest message</source>
-        <translation>Neueste Meldung</translation>
     </message>
 </context>
 <context>

@@ -1055,10 +1055,6 @@ The blue line is the horizon.</source>
         <translation>計時中</translation>
     </message>
     <message>
-        <source>stopped</source>
-        <translation>停止中</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>経過</translation>
     </message>
@@ -1077,6 +1073,10 @@ The blue line is the horizon.</source>
     <message>
         <source>Mission time %1 of %2, %3</source>
         <translation>ミッション時間 %1 / %2、%3</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>停止中</translation>
     </message>
 </context>
 <context>
@@ -1811,10 +1811,6 @@ The blue line is the horizon.</source>
         <translation>停止 %1 · %2</translation>
     </message>
     <message>
-        <source>standing · hold %1 for one second to release</source>
-        <translation>静止 · %1 を 1 秒押し続けて解除</translation>
-    </message>
-    <message>
         <source>takes no drive commands</source>
         <translation>走行指令を受け付けない</translation>
     </message>
@@ -1969,6 +1965,10 @@ The blue line is the horizon.</source>
     <message>
         <source>%1 · %2 m/s</source>
         <translation>%1 · %2 m/s</translation>
+    </message>
+    <message>
+        <source>standing · hold the button of robot %1 for 1 s to release</source>
+        <translation>静止 · ロボット %1 のボタンを 1 秒押し続けて解除</translation>
     </message>
 </context>
 <context>
@@ -3590,10 +3590,6 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::LayoutFeature</name>
     <message>
-        <source>Layout</source>
-        <translation>レイアウト</translation>
-    </message>
-    <message>
         <source>S&amp;wap camera and map</source>
         <translation>カメラと地図を入れ替え(&amp;W)</translation>
     </message>
@@ -3676,6 +3672,21 @@ Apache License 2.0</translation>
     <message>
         <source>layout %1 binds keys that are none, or that mean something else: %2</source>
         <translation>レイアウト %1 のキー割り当てのうち、存在しないキーまたは他で使われているキー: %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LayoutSwitch</name>
+    <message>
+        <source>Layout</source>
+        <translation>レイアウト</translation>
+    </message>
+    <message>
+        <source>Layout %1</source>
+        <translation>レイアウト %1</translation>
+    </message>
+    <message>
+        <source>Layout %1; a click shows the others</source>
+        <translation>レイアウト %1。クリックで他を表示</translation>
     </message>
 </context>
 <context>
@@ -4324,6 +4335,13 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::MenuCorner</name>
+    <message>
+        <source>Newest message</source>
+        <translation>最新メッセージ</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::MergeWords</name>
     <message>
         <source>There is no other find of this kind to merge it with</source>
@@ -4735,6 +4753,21 @@ F1 でキー一覧</translation>
     <message>
         <source>remote</source>
         <translation>無線</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MoreRobotsButton</name>
+    <message>
+        <source>Robots to the left</source>
+        <translation>左側のロボット</translation>
+    </message>
+    <message>
+        <source>Robots to the right</source>
+        <translation>右側のロボット</translation>
+    </message>
+    <message>
+        <source>Robots out of sight: %1</source>
+        <translation>表示外のロボット: %1</translation>
     </message>
 </context>
 <context>
@@ -5956,16 +5989,16 @@ F1 でキー一覧</translation>
 <context>
     <name>leitstand::ReleaseHandle</name>
     <message>
-        <source>Hold for one second to let %1 move again.</source>
-        <translation>1 秒押し続けると %1 を再び動かせる。</translation>
-    </message>
-    <message>
         <source>Release %1</source>
         <translation>%1 を解除</translation>
     </message>
     <message>
         <source>%1 · hold to release</source>
         <translation>%1 · 押し続けて解除</translation>
+    </message>
+    <message>
+        <source>Hold this button for one second to let %1 move again.</source>
+        <translation>このボタンを 1 秒押し続けると %1 を再び動かせる。</translation>
     </message>
 </context>
 <context>
@@ -6171,6 +6204,15 @@ F1 でキー一覧</translation>
         <source>battery %1, %2</source>
         <translation>バッテリー %1、%2</translation>
     </message>
+    <message>
+        <source>lost</source>
+        <translation>途絶</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <comment>for the robot</comment>
+        <translation>待機</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotChipButton</name>
@@ -6208,6 +6250,14 @@ F1 でキー一覧</translation>
     <message>
         <source>%1 is not in the map yet · %2 places it</source>
         <translation>%1 はまだ地図にない · %2 で配置</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::RobotRow</name>
+    <message>
+        <source>%1 · STOP: %2</source>
+        <comment>a robot, all of its state, its stop</comment>
+        <translation>%1 · STOP: %2</translation>
     </message>
 </context>
 <context>
@@ -7369,6 +7419,46 @@ A function of this program, no certified emergency stop.</source>
         <source>Only who has the grant to drive can release it.</source>
         <translation>解除できるのは操縦権の保持者のみ。</translation>
     </message>
+    <message>
+        <source>? %1</source>
+        <comment>a stop, not answered for 4.2 s</comment>
+        <translation>? %1</translation>
+    </message>
+    <message>
+        <source>&gt; 1 h</source>
+        <translation>&gt; 1 h</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <comment>by zeros</comment>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <comment>where there is little room</comment>
+        <translation>送信</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>動作中</translation>
+    </message>
+    <message>
+        <source>moves?</source>
+        <translation>動作?</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <comment>is on its way</comment>
+        <translation>解除中</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StreamList</name>
@@ -8529,13 +8619,6 @@ Dashed: where it goes. The wheel, + and − zoom; a double click resets.</source
         <translation>ロボットの周囲、前方が上。
 黄: 壁。点: 障害物、見てから時間が経つほど薄い。
 破線: 進路。ホイール、+、− でズーム。ダブルクリックでリセット。</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::WindowFrame</name>
-    <message>
-        <source>Newest message</source>
-        <translation>最新メッセージ</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "widgets/drive/release_handle.h"
+#include "widgets/robots/release_handle.h"
 
 namespace leitstand::test {
 namespace {

@@ -27,7 +27,7 @@ public:
     void setReadOnly(bool on);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 160}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 90}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {188, 90}; }
 
 signals:
     void acknowledged(const leitstand::AlarmId& id);  ///< this one

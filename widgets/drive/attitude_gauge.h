@@ -16,7 +16,7 @@ public:
     void show(const AttitudeFigures& attitude);
     using QWidget::show;
     [[nodiscard]] QSize sizeHint() const override { return {152, 190}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {140, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {134, 150}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

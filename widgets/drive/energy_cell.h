@@ -15,7 +15,7 @@ public:
     void show(const DriveState& state);
     using QWidget::show;
     [[nodiscard]] QSize sizeHint() const override { return {156, 190}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {140, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {136, 150}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -16,7 +16,7 @@ public:
     void show(const GasFigures& gas);
     using QWidget::show;
     [[nodiscard]] QSize sizeHint() const override { return {176, 190}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {132, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {126, 150}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -18,7 +18,7 @@ public:
     void show(const DriveState& state);
     using QWidget::show;
     [[nodiscard]] QSize sizeHint() const override { return {272, 190}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {234, 150}; }
 
 signals:
     void grantAsked();

@@ -1,5 +1,8 @@
 #include "widgets/mission/clock_face.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QPainter>
 
 #include "widgets/pane_paint.h"
@@ -7,31 +10,31 @@
 namespace leitstand {
 namespace {
 
-constexpr int CaptionSize = 12, ValueSize = 20, Gap = 6, Margin = 6, Height = 32;  ///< [px]
+constexpr int CaptionSize = 12, ValueSize = 20, LeastValue = 14;  ///< of fonts [px]
+constexpr int Gap = 6, Margin = 6, Height = 26;                   ///< [px]
 
 }  // namespace
 
 ClockFace::ClockFace(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to driving
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     setAccessibleName(tr("Mission clock"));
 }
 
 void ClockFace::show(const ClockText& text) {
     if (text == m_text) return;
-    const bool grows = text.value.size() != m_text.value.size() || text.caption != m_text.caption;
     m_text = text;
     setToolTip(text.details);
     setAccessibleDescription(text.details);
-    if (grows) updateGeometry();
     update();
 }
 
 QSize ClockFace::sizeHint() const {
-    const QFontMetrics caption(sized(font(), CaptionSize)), value(sized(font(), ValueSize, true));
-    return {
-        2 * Margin + caption.horizontalAdvance(m_text.caption) + Gap + value.horizontalAdvance(m_text.value),
-        Height};
+    const QFontMetricsF caption(sized(font(), CaptionSize)), value(sized(font(), ValueSize, true));
+    double widest = 0.0;
+    for (const QString& one : clockCaptions()) widest = std::max(widest, caption.horizontalAdvance(one));
+    const double all = widest + Gap + value.horizontalAdvance(QStringLiteral("88:88"));
+    return {2 * Margin + static_cast<int>(std::ceil(all)), Height};
 }
 
 void ClockFace::paintEvent(QPaintEvent* /*event*/) {
@@ -44,7 +47,10 @@ void ClockFace::paintEvent(QPaintEvent* /*event*/) {
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     }
     const QRect inner = rect().adjusted(Margin, 0, -Margin, 0);
-    const QFont small = sized(font(), CaptionSize), large = sized(font(), ValueSize, true);
+    const QFont small = sized(font(), CaptionSize);
+    const int caption = QFontMetrics(small).horizontalAdvance(m_text.caption);
+    // An hour and more are written smaller.
+    const QFont large = fitted(font(), m_text.value, inner.width() - caption - Gap, ValueSize, LeastValue);
     const QFontMetrics metrics(large);
     // Both stand on one line.
     const int base = (height() + metrics.ascent() - metrics.descent()) / 2;
@@ -52,7 +58,7 @@ void ClockFace::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(small);
     painter.setPen(calm ? colours.muted : toneColour(m_text.tone, colours));
     painter.drawText(inner.left(), base, m_text.caption);
-    const int after = inner.left() + QFontMetrics(small).horizontalAdvance(m_text.caption) + Gap;
+    const int after = inner.left() + caption + Gap;
     painter.setFont(large);
     painter.setPen(calm ? colours.text : toneColour(m_text.tone, colours));
     painter.drawText(after, base, m_text.value);

@@ -7,6 +7,7 @@
 namespace leitstand {
 
 /// The mission's clock in the top bar: what it counts, small, and the time, large. A click is for its menu.
+/// Its size never depends on what it shows.
 class ClockFace final : public QAbstractButton {
     Q_OBJECT
 public:

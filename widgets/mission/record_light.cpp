@@ -1,5 +1,8 @@
 #include "widgets/mission/record_light.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QPainter>
 
 #include "widgets/pane_paint.h"
@@ -7,27 +10,29 @@
 namespace leitstand {
 namespace {
 
-constexpr int TextSize = 12, Dot = 9, Gap = 5, Height = 32;  ///< [px]
+constexpr int TextSize = 12, LeastText = 10;              ///< of fonts [px]
+constexpr int Dot = 9, Gap = 5, Margin = 6, Height = 16;  ///< [px]
 
 }  // namespace
 
 RecordLight::RecordLight(QWidget* parent) : QWidget(parent) {
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     setAccessibleName(tr("Recording"));
 }
 
 void RecordLight::show(const RecordText& text) {
     if (text == m_text) return;
-    const bool grows = text.value != m_text.value;
     m_text = text;
     setToolTip(text.details);
     setAccessibleDescription(text.value + QStringLiteral("\n") + text.details);
-    if (grows) updateGeometry();
     update();
 }
 
 QSize RecordLight::sizeHint() const {
-    return {Dot + Gap + QFontMetrics(sized(font(), TextSize)).horizontalAdvance(m_text.value), Height};
+    const QFontMetricsF metrics(sized(font(), LeastText));
+    double widest = 0.0;
+    for (const QString& value : recordValues()) widest = std::max(widest, metrics.horizontalAdvance(value));
+    return {Margin + Dot + Gap + 1 + static_cast<int>(std::ceil(widest)), Height};
 }
 
 void RecordLight::paintEvent(QPaintEvent* /*event*/) {
@@ -37,10 +42,11 @@ void RecordLight::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ink);
-    painter.drawEllipse(QRectF(0.0, (height() - Dot) / 2.0, Dot, Dot));
+    painter.drawEllipse(QRectF(Margin, (height() - Dot) / 2.0, Dot, Dot));
     painter.setPen(ink);
-    painter.setFont(sized(font(), TextSize));
-    painter.drawText(rect().adjusted(Dot + Gap, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, m_text.value);
+    const QRect room = rect().adjusted(Margin + Dot + Gap, 0, 0, 0);
+    painter.setFont(fitted(font(), m_text.value, room.width(), TextSize, LeastText, false));
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, m_text.value);
 }
 
 }  // namespace leitstand

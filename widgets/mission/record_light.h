@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Whether the mission is recorded: a dot and a word, in the top bar.
+/// Whether the mission is recorded: a dot and a word, in the top bar. Its size never depends on them.
 class RecordLight final : public QWidget {
     Q_OBJECT
 public:

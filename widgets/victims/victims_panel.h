@@ -32,7 +32,7 @@ public:
     bool choose(const FindKey& find);  ///< false: it is not in the list
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 180}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 90}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {198, 90}; }
 
 signals:
     void chosenChanged();

@@ -1,13 +1,13 @@
 #pragma once
 
 class QLabel;
-class QMainWindow;
 class QString;
+class QWidget;
 
 namespace leitstand {
 
-/// A word at the right end of @p window's menu bar for a state that must be in sight all the time, hidden at
-/// first; several stand side by side. @p name: its object name.
-[[nodiscard]] QLabel* addCornerBadge(QMainWindow& window, const QString& name);
+/// A word for a state that must be in sight all the time, hidden at first; WindowFrame::addBadge() gives it
+/// its place. @p name: its object name.
+[[nodiscard]] QLabel* makeCornerBadge(QWidget& parent, const QString& name);
 
 }  // namespace leitstand

@@ -13,6 +13,7 @@
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/key_columns.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/layouts/layout_switch.h"
 #include "app/window/live/link/link_feature.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_context.h"
@@ -92,7 +93,12 @@ LiveWindow::~LiveWindow() {
 
 void LiveWindow::build() {
     m_frame = new WindowFrame(*this);
-    m_frame->build({m_robots->bar(), m_layouts->bar(), m_mission->bar()}, {m_robots->stop()}, *m_panes);
+    m_frame->build({{m_robots->bar(), GivesWay::LittleByLittle},
+                    {m_layouts->bar(), GivesWay::AtOnce},
+                    {m_mission->bar()}},
+                   {{m_robots->stop()}}, *m_panes);
+    m_frame->addBadge(m_preflight->badge());
+    m_frame->addBadge(m_link->badge(), /*keepsPlace=*/true);
     m_panes->setFocus();  // and not STOP, which Space would press
 }
 

@@ -1,11 +1,11 @@
 #include "app/window/live/window_frame.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QVBoxLayout>
+
+#include "app/window/live/menu_corner.h"
 
 namespace leitstand {
 namespace {
@@ -14,26 +14,18 @@ constexpr int Recent = 8;  ///< messages that are kept: one that another one cov
 
 }  // namespace
 
-WindowFrame::WindowFrame(QMainWindow& window)
-    : QObject(&window), m_window(window), m_word(new QLabel(&window)) {
-    m_word->setObjectName(QStringLiteral("word"));
-    m_word->setAccessibleName(tr("Newest message"));
-    m_word->setProperty("muted", true);
-    m_word->setContentsMargins(8, 7, 12, 0);
-    m_word->setTextFormat(Qt::PlainText);  // robots and files are quoted in it
-    window.menuBar()->setCornerWidget(m_word);
-}
+WindowFrame::WindowFrame(QMainWindow& window) : QObject(&window), m_window(window) {}
 
-void WindowFrame::build(const std::vector<QWidget*>& left, const std::vector<QWidget*>& right, QWidget& panes,
+void WindowFrame::build(const std::vector<Part>& left, const std::vector<Part>& right, QWidget& panes,
                         QWidget* below) {
     auto* top = new QWidget(&m_window);
+    top->setObjectName(QStringLiteral("topBar"));
     top->setAttribute(Qt::WA_StyledBackground);
-    auto* bar = new QHBoxLayout(top);
+    auto* bar = new FoldingRow(top);
     bar->setContentsMargins(8, 6, 8, 6);
-    bar->setSpacing(12);
-    for (QWidget* one : left) bar->addWidget(one);
-    bar->addStretch(1);
-    for (QWidget* one : right) bar->addWidget(one);
+    bar->setSpacing(10);
+    for (const Part& part : left) bar->add(*part.widget, part.gives);
+    for (const Part& part : right) bar->add(*part.widget, part.gives, true);
     auto* whole = new QWidget(&m_window);
     auto* rows = new QVBoxLayout(whole);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -44,19 +36,26 @@ void WindowFrame::build(const std::vector<QWidget*>& left, const std::vector<QWi
     m_window.setCentralWidget(whole);
     for (QMenu* menu : m_window.menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
         menu->menuAction()->setVisible(!menu->isEmpty());
+    m_corner = new MenuCorner(*m_window.menuBar());
+    showMessage();
+}
+
+void WindowFrame::addBadge(QLabel& badge, bool keepsPlace) {
+    m_corner->addBadge(badge, keepsPlace);
 }
 
 void WindowFrame::tell(const QString& text) {
-    // The menus need the other half.
-    m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, m_window.width() / 2));
     m_recent.prepend(text);
     if (m_recent.size() > Recent) m_recent.removeLast();
-    m_word->setToolTip(QStringLiteral("<p>%1</p>")
-                           .arg(m_recent.join(QLatin1Char('\n'))
-                                    .toHtmlEscaped()
-                                    .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
-    m_window.menuBar()->setCornerWidget(m_word);  // lays it out anew
-    m_word->show();
+    showMessage();
+}
+
+void WindowFrame::showMessage() {
+    if (m_corner == nullptr || m_recent.isEmpty()) return;
+    m_corner->setMessage(m_recent.first(), QStringLiteral("<p>%1</p>")
+                                               .arg(m_recent.join(QLatin1Char('\n'))
+                                                        .toHtmlEscaped()
+                                                        .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
 }
 
 QString WindowFrame::newest() const {

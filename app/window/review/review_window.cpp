@@ -17,6 +17,7 @@
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/key_columns.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/live/layouts/layout_switch.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/messages/messages_feature.h"
@@ -132,8 +133,10 @@ void ReviewWindow::build() {
     name->setToolTip(QString::fromStdString(m_bridge.player().folder().string()));
     name->setProperty("muted", true);
     name->setMinimumWidth(std::min(LeastName, name->sizeHint().width()));
-    m_frame->build({m_robots->bar(), m_layouts->bar(), m_review->clock()}, {name}, *m_panes,
-                   m_timeline->widget());
+    m_frame->build({{m_robots->bar(), GivesWay::LittleByLittle},
+                    {m_layouts->bar(), GivesWay::AtOnce},
+                    {m_review->clock()}},
+                   {{name, GivesWay::LittleByLittle}}, *m_panes, m_timeline->widget());
     m_timeline->bar().setFocus();
 }
 

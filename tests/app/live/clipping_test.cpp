@@ -43,7 +43,7 @@ protected:
             if (chip->chip().link != LinkState::Connected) continue;
             QString shown;
             for (const PaintedText& one : paintedTexts(*chip)) shown += one.text + QLatin1Char(' ');
-            auto figures = figure.globalMatch(chip->chip().texts.value(1));
+            auto figures = figure.globalMatch(chip->chip().figures.value(0));
             while (figures.hasNext()) {
                 const QString one = figures.next().captured();
                 if (one != QStringLiteral("0") && !shown.contains(one)) return shown.toStdString();

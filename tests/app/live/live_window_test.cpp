@@ -19,15 +19,15 @@
 #include "tests/support/places.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
-#include "widgets/drive/release_handle.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/scene/map_colours.h"
+#include "widgets/robots/release_handle.h"
 #include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {
 
-/// A robot goes after its handle was held for a second.
+/// A robot goes after its button was held for a second.
 constexpr int TooShort = 500, LongEnough = 1'300;  ///< [ms]
 
 class LiveWindowTest : public LivePage {
@@ -49,7 +49,7 @@ protected:
         QTest::keyPress(m_window.get(), Qt::Key_W);
         ASSERT_TRUE(soon([&] { return speed() > 0.1; }));
     }
-    /// Holds the pointer down on the handle beside STOP.
+    /// Holds the pointer down on the lower half of its button.
     void hold(int milliseconds) {
         ReleaseHandle* const beside = handle();
         ASSERT_NE(beside, nullptr);

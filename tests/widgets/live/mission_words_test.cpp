@@ -41,7 +41,7 @@ TEST(ClockWords, IsCalmUntilTheLastTwoMinutes) {
 }
 
 TEST(ClockWords, AClockThatStandsSaysSo) {
-    EXPECT_EQ(at(minutes(3), minutes(20), false).caption, "stopped");
+    EXPECT_EQ(at(minutes(3), minutes(20), false).caption, "paused");
 }
 
 TEST(RecordWords, AreCalmWhileAllIsWritten) {

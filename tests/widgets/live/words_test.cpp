@@ -81,7 +81,7 @@ TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
     setMode(robot, "victim_approach", true, "heat 1.20 m ahead; läuft");
     EXPECT_EQ(labelOf(robot).reason.toStdString(), "Wärme 1,20 m voraus; läuft");
     EXPECT_EQ(labelOf(robot).text.toStdString(), "OPFERANFAHRT");
-    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said, at(0)).texts.front().toStdString(),
+    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said, at(0)).modes.front().toStdString(),
                 HasSubstr("Opferanfahrt"));
     QCoreApplication::removeTranslator(&german);
 }
@@ -358,32 +358,30 @@ TEST_F(LiveWords, LinksSayTheWorstReason) {
 
 TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBatteryOfARobotThatTalks) {
     const RobotChip chip = robotChipOf(robot.face, robot.view, robot.said, at(0));
-    EXPECT_EQ(chip.texts.first().toStdString(),
-              "Kurt3D\u200222 ms · 0\u202f% loss · 71\u202f% · teleoperation");
-    EXPECT_TRUE(chip.texts.contains("22 ms · 71\u202f% · teleop")) << "that nothing is lost is no news";
-    EXPECT_EQ(chip.texts.last().toStdString(), "71\u202f% · teleop");
-    for (qsizetype i = 1; i < chip.texts.size(); ++i)
-        EXPECT_LT(chip.texts[i].size(), chip.texts[i - 1].size());
+    EXPECT_EQ(chip.figures.first().toStdString(), "22 ms · 0\u202f% loss · 71\u202f%");
+    EXPECT_TRUE(chip.figures.contains("22 ms · 71\u202f%")) << "that nothing is lost is no news";
+    EXPECT_EQ(chip.figures.last().toStdString(), "71\u202f%");
+    for (qsizetype i = 1; i < chip.figures.size(); ++i)
+        EXPECT_LT(chip.figures[i].size(), chip.figures[i - 1].size());
+    EXPECT_EQ(chip.modes, QStringList({"teleoperation", "teleop"}));
     robot.view.link.streams[0].lossRatio = 0.04;
     const RobotChip lossy = robotChipOf(robot.face, robot.view, robot.said, at(0));
-    EXPECT_TRUE(lossy.texts.contains("22 ms · 4\u202f% loss · 71\u202f% · teleop"))
-        << "words go before figures";
-    EXPECT_FALSE(lossy.texts.contains("22 ms · 71\u202f% · teleoperation"));
+    EXPECT_EQ(lossy.figures.first().toStdString(), "22 ms · 4\u202f% loss · 71\u202f%");
     robot.view.link.state = LinkState::Lost;
     robot.view.link.silence = 4.2;
     const RobotChip lost = robotChipOf(robot.face, robot.view, robot.said, at(0));
     EXPECT_EQ(lost.tone, Tone::Attention);
-    EXPECT_THAT(lost.texts.first().toStdString(), HasSubstr("71\u202f% · link lost"));
-    EXPECT_EQ(lost.texts.last().toStdString(), "link lost") << "what it said last is old";
+    EXPECT_EQ(lost.figures, QStringList({"4.2 s · 71\u202f%", "4.2 s"})) << "what it said last is old";
+    EXPECT_EQ(lost.modes, QStringList({"link lost", "lost"}));
     EXPECT_THAT(lost.details.toStdString(), HasSubstr("silent for 4.2 s"));
 }
 
 TEST_F(LiveWords, ABatteryThatIsNotToldAnyMoreIsADashInTheBarAndGreyInTheStrip) {
     const RobotChip fresh = robotChipOf(robot.face, robot.view, robot.said, at(9.0));
-    EXPECT_THAT(fresh.texts.first().toStdString(), HasSubstr("71\u202f%"));
+    EXPECT_THAT(fresh.figures.first().toStdString(), HasSubstr("71\u202f%"));
     EXPECT_THAT(fresh.details.toStdString(), HasSubstr("battery 71\u202f%"));
     const RobotChip old = robotChipOf(robot.face, robot.view, robot.said, at(12.0));
-    for (const QString& text : old.texts) {
+    for (const QString& text : old.figures) {
         EXPECT_THAT(text.toStdString(), Not(HasSubstr("71")));
         EXPECT_THAT(text.toStdString(), HasSubstr("–\u202f%"));
     }

@@ -9,8 +9,8 @@
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/energy_cell.h"
 #include "widgets/drive/mode_cell.h"
-#include "widgets/drive/stop_button.h"
 #include "widgets/models/live/stop_line.h"
+#include "widgets/robots/robot_chip_button.h"
 
 namespace leitstand::test {
 namespace {
@@ -95,15 +95,15 @@ TEST_P(DriveCells, HowLongAStopIsNotAnsweredIsToldInANarrowBar) {
     SampleRobot robot = sampleRobot();
     setStop(robot, false, false);
     robot.view.stop.unanswered = std::chrono::milliseconds(2'900);
-    StopButton stop;
-    stop.show({stopLineOf(robot.face, robot.view)});
-    static_cast<void>(pictureOf(stop, stop.sizeHint(), {}));
-    EXPECT_THAT(textsOf(stop), Contains("sent · no answer for 2.9 s"));
-    const int least = stop.minimumSizeHint().width();
-    static_cast<void>(pictureOf(stop, {least + 80, stop.height()}, "stop_narrow"));
-    EXPECT_THAT(textsOf(stop), Contains("no answer for 2.9 s"));
-    static_cast<void>(pictureOf(stop, {least + 40, stop.height()}, {}));
-    EXPECT_THAT(textsOf(stop), Contains(HasSubstr("2.9 s"))) << "words are cut before the number";
+    RobotChipButton button({});
+    button.show(robotChipOf(robot.face, robot.view, robot.said, at(0)), stopLineOf(robot.face, robot.view));
+    static_cast<void>(pictureOf(button, {250, robot_bar::Height}, {}));
+    EXPECT_THAT(textsOf(button), Contains("sent · no answer for 2.9 s"));
+    static_cast<void>(pictureOf(button, {160, robot_bar::Height}, "stop_narrow"));
+    EXPECT_THAT(textsOf(button), Contains("no answer for 2.9 s"));
+    static_cast<void>(pictureOf(button, button.minimumSizeHint(), {}));
+    EXPECT_THAT(textsOf(button), Contains("? 2.9 s")) << "words go before the number, and nothing is cut";
+    EXPECT_EQ(textFaults(button).join("; ").toStdString(), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, DriveCells, testing::Values(Theme::Dark, Theme::Light),

@@ -68,7 +68,7 @@ public:
         all->setSpacing(0);
         auto* top = new QHBoxLayout;
         top->setContentsMargins(12, 6, 12, 6);
-        top->addWidget(&bar);
+        top->addWidget(&bar, 1);
         top->addStretch(1);
         top->addWidget(&stop);
         all->addLayout(top);
@@ -88,8 +88,7 @@ public:
 
         bar.show({robotChipOf(kurt.face, kurt.view, kurt.said, at(0)),
                   robotChipOf(crawler.face, crawler.view, crawler.said, at(0))},
-                 kurt.face.name);
-        stop.show({stopLineOf(kurt.face, kurt.view), stopLineOf(crawler.face, crawler.view)});
+                 {stopLineOf(kurt.face, kurt.view), stopLineOf(crawler.face, crawler.view)}, kurt.face.name);
         camera.setCamera(kurt.face, QStringLiteral("Left camera"));
         camera.setPicture(cameraPicture());
         camera.setAge({.arrival = 0.064, .content = 0.064}, QStringLiteral("full speed"));

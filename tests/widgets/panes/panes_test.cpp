@@ -14,8 +14,8 @@
 #include "widgets/camera/camera_pane.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/mode_cell.h"
-#include "widgets/drive/release_handle.h"
 #include "widgets/drive/stop_button.h"
+#include "widgets/robots/release_handle.h"
 #include "widgets/robots/robot_bar.h"
 #include "widgets/robots/robot_chip_button.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
@@ -292,32 +292,32 @@ TEST_P(Panes, TheGrantIsAskedForAnsweredAndGivenUp) {
 
 TEST_P(Panes, StopActsOnPressAndKeepsItsPlace) {
     StopButton stop;
-    stop.QWidget::show();
+    stop.show();
     QSignalSpy stopped(&stop, &StopButton::stopRequested);
-    auto* button = stop.findChild<QAbstractButton*>("stop");
-    ASSERT_NE(button, nullptr);
-    QTest::mousePress(button, Qt::LeftButton);
+    QTest::mousePress(&stop, Qt::LeftButton);
     EXPECT_EQ(stopped.size(), 1) << "not only when it is let go";
-    QTest::mouseRelease(button, Qt::LeftButton);
+    QTest::mouseRelease(&stop, Qt::LeftButton);
     EXPECT_EQ(stopped.size(), 1);
-    EXPECT_EQ(stop.minimumHeight(), stop.maximumHeight());
-    setStop(robot, true, true);
-    stop.show({stopLineOf(robot.face, robot.view), stopLineOf({"c", "C", "Crawler", 1}, robot.view)});
-    EXPECT_LE(stop.sizeHint().height(), stop.minimumHeight()) << "the window does not move when it comes";
+    EXPECT_EQ(stop.minimumSizeHint(), stop.sizeHint());
     EXPECT_GT(countOf(pictureOf(stop, stop.sizeHint(), {}), colours().stop, 2), 1500);
     EXPECT_EQ(textFaults(stop).join("; ").toStdString(), "");
-    EXPECT_THAT(wordsOf(stop), Contains("standing · hold to release"));
+    EXPECT_THAT(wordsOf(stop), Contains("Esc"));
 }
 
 TEST(ReleaseHandles, TakeAFullSecond) {
     SampleRobot robot = sampleRobot();
-    StopButton stop;
-    stop.QWidget::show();
+    RobotBar bar;
+    bar.QWidget::show();
+    const auto show = [&] {
+        bar.show({robotChipOf(robot.face, robot.view, robot.said, at(0))},
+                 {stopLineOf(robot.face, robot.view)}, robot.face.name);
+    };
     setStop(robot, true, true);
-    stop.show({stopLineOf(robot.face, robot.view)});
-    stop.resize(stop.sizeHint());
-    QSignalSpy released(&stop, &StopButton::releaseRequested);
-    auto* handle = stop.findChild<ReleaseHandle*>();
+    show();
+    bar.resize(240, bar.height());
+    EXPECT_THAT(wordsOf(bar), Contains("standing · hold to release"));
+    QSignalSpy released(&bar, &RobotBar::releaseRequested);
+    auto* handle = bar.findChild<ReleaseHandle*>();
     ASSERT_NE(handle, nullptr);
     ASSERT_TRUE(handle->isVisible());
     QTest::mouseClick(handle, Qt::LeftButton);
@@ -341,7 +341,7 @@ TEST(ReleaseHandles, TakeAFullSecond) {
     QTest::keyRelease(handle, Qt::Key_Space);
     EXPECT_EQ(released.size(), 2) << "clicks released nothing";
     robot.view.grant.mine = false;
-    stop.show({stopLineOf(robot.face, robot.view)});
+    show();
     QTest::mousePress(handle, Qt::LeftButton);
     EXPECT_FALSE(handle->isHeld()) << "only the holder releases";
 }
@@ -351,7 +351,7 @@ TEST_P(Panes, ARobotIsChosenByClickAndByKey) {
     const SampleRobot other = sampleRobot("C", "Crawler", 1);
     const std::vector<RobotChip> chips = {robotChipOf(robot.face, robot.view, robot.said, at(0)),
                                           robotChipOf(other.face, other.view, other.said, at(0))};
-    bar.show(chips, robot.face.name);
+    bar.show(chips, {}, robot.face.name);
     bar.QWidget::show();
     QSignalSpy selected(&bar, &RobotBar::robotSelected);
     const auto buttons = bar.findChildren<RobotChipButton*>();
@@ -360,11 +360,11 @@ TEST_P(Panes, ARobotIsChosenByClickAndByKey) {
     QTest::mouseClick(buttons[1], Qt::LeftButton);
     ASSERT_EQ(selected.size(), 1);
     EXPECT_EQ(selected[0][0].toString(), other.face.name);
-    bar.show(chips, other.face.name);
+    bar.show(chips, {}, other.face.name);
     EXPECT_FALSE(buttons[0]->isChecked());
     EXPECT_EQ(buttons[0]->shortcut(), QKeySequence("1"));
-    for (const int width : {bar.minimumSizeHint().width(), 420, bar.sizeHint().width()}) {
-        bar.resize(width, 30);
+    for (const int width : {bar.minimumSizeHint().width(), bar.sizeHint().width(), bar.maximumWidth()}) {
+        bar.resize(width, bar.height());
         EXPECT_EQ(textFaults(bar).join("; ").toStdString(), "") << width;
         EXPECT_THAT(wordsOf(bar), Contains(HasSubstr("71\u202f%"))) << width;
     }
@@ -377,10 +377,13 @@ TEST_P(Panes, EverythingHasANameForScreenReaders) {
     EXPECT_THAT(scan.accessibleDescription().toStdString(), HasSubstr("0.91 m"));
     DriveStrip strip;
     strip.show(driveStateOf(robot));
-    StopButton stop;
+    RobotBar bar;
     setStop(robot, true, true);
-    stop.show({stopLineOf(robot.face, robot.view)});
-    for (QWidget* top : {static_cast<QWidget*>(&strip), static_cast<QWidget*>(&stop)}) {
+    bar.show({robotChipOf(robot.face, robot.view, robot.said, at(0))}, {stopLineOf(robot.face, robot.view)},
+             robot.face.name);
+    const StopButton stop;
+    EXPECT_FALSE(stop.accessibleName().isEmpty() || stop.toolTip().isEmpty());
+    for (QWidget* top : {static_cast<QWidget*>(&strip), static_cast<QWidget*>(&bar)}) {
         for (QWidget* child : top->findChildren<QWidget*>()) {
             if (child->focusPolicy() == Qt::NoFocus || child->isHidden()) continue;
             EXPECT_FALSE(child->accessibleName().isEmpty()) << child->metaObject()->className();

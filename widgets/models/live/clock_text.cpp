@@ -27,7 +27,7 @@ QString clockDigits(std::chrono::nanoseconds time) {
 ClockText clockText(const MissionClock& clock) {
     ClockText text;
     const QString gone = clockDigits(clock.elapsed);
-    const QString state = clock.running ? ClockTexts::tr("running") : ClockTexts::tr("stopped");
+    const QString state = clock.running ? ClockTexts::tr("running") : ClockTexts::tr("paused");
     if (!clock.left) {
         text.caption = ClockTexts::tr("time");
         text.value = gone;
@@ -41,8 +41,12 @@ ClockText clockText(const MissionClock& clock) {
         text.details = ClockTexts::tr("Mission time %1 of %2, %3").arg(gone, clockDigits(clock.limit), state);
         if (*clock.left <= LastMinutes) text.tone = over ? Tone::Act : Tone::Attention;
     }
-    if (!clock.running) text.caption = ClockTexts::tr("stopped");
+    if (!clock.running) text.caption = ClockTexts::tr("paused");
     return text;
+}
+
+QStringList clockCaptions() {
+    return {ClockTexts::tr("time"), ClockTexts::tr("left"), ClockTexts::tr("over"), ClockTexts::tr("paused")};
 }
 
 }  // namespace leitstand

@@ -33,7 +33,8 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
     if (stop.stage != StopStage::None) {
         if (!stop.details.isEmpty()) return {stop.text + QStringLiteral(" · ") + stop.details, stop.tone};
         if (stop.stage == StopStage::Standing && stop.releasable)
-            return {DriveTexts::tr("standing · hold %1 for one second to release").arg(stop.face.letter),
+            return {DriveTexts::tr("standing · hold the button of robot %1 for 1 s to release")
+                        .arg(stop.face.letter),
                     Tone::Normal};
         return {stop.text, stop.tone};
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "widgets/models/tone.h"
 
@@ -26,5 +27,8 @@ struct RecordText {
 
 /// Calm while all is written; attention when the disk lasts less than 10 minutes, act when something is lost.
 [[nodiscard]] RecordText recordText(const RecordState& state);
+
+/// Each RecordText::value that there is, figures as wide as they get.
+[[nodiscard]] QStringList recordValues();
 
 }  // namespace leitstand

@@ -49,6 +49,11 @@ QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>&
     return name + label.text.sliced(large.size()).toLower();
 }
 
+/// What a robot does that nothing is heard of, where there is little room.
+QString briefWithoutWord(LinkState link) {
+    return link == LinkState::Lost ? ChipTexts::tr("lost") : ChipTexts::tr("waits", "for the robot");
+}
+
 }  // namespace
 
 RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said, Time now) {
@@ -61,24 +66,23 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
     const std::string known = said.mode ? said.mode->sample.mode : std::string();
     const QString mode = inALine(label, said.mode, modeName(known)),
                   brief = inALine(label, said.mode, modeBrief(known)), battery = batteryOf(said, now);
-    const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
-    QString trip = talks ? roundTripText(robot.link) : QString();
-    QString loss = talks ? lossShareText(robot.link) : QString();
     const QString reason = worstReasonText(robot.link);
-    if (chip.link == LinkState::Lost) trip = secondsText(robot.link.silence);
-    if (chip.link == LinkState::Degraded && !reason.isEmpty()) trip = reason, loss = QString();
-    const QString lost = loss.startsWith(percentText(0.0)) ? QString() : loss;  // none is no news
-    chip.texts = QStringList{
-        joined({face.title + QChar(0x2002) + joined({trip, loss, battery, mode})}),
-        joined({trip, loss, battery, mode}),
-        joined({trip, lost, battery, mode}),
-        joined({trip, lost, battery, brief}),
-        joined({trip, battery, brief}),
-        joined({battery, brief}),
-    };
-    // The battery of a robot that says nothing is an old one: a bar that is full goes without.
-    if (!talks) chip.texts += mode;
-    chip.texts.removeDuplicates();
+    const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
+    if (talks) {
+        QString trip = roundTripText(robot.link), loss = lossShareText(robot.link);
+        if (chip.link == LinkState::Degraded && !reason.isEmpty()) trip = reason, loss = QString();
+        const QString lost = loss.startsWith(percentText(0.0)) ? QString() : loss;  // none is no news
+        chip.figures = {joined({trip, loss, battery}), joined({trip, lost, battery}), joined({trip, battery}),
+                        battery};
+    } else if (chip.link == LinkState::Lost) {
+        // The battery of a robot that says nothing is an old one: it goes before how long that is.
+        const QString silence = secondsText(robot.link.silence);
+        chip.figures = {joined({silence, battery}), silence};
+    }
+    chip.figures.removeAll(QString());
+    chip.figures.removeDuplicates();
+    chip.modes = {mode, talks ? brief : briefWithoutWord(chip.link)};
+    chip.modes.removeDuplicates();
     chip.details = ChipTexts::tr("%1 (%2): %3 · link %4")
                        .arg(face.title, face.letter, joined({mode, label.reason, batteryDetails(said, now)}),
                             joined({linkStateText(chip.link), reason, roundTripText(robot.link),

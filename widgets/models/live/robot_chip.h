@@ -16,10 +16,11 @@ struct RobotChip {
     LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
     ModeKind mode = ModeKind::Stopped;
     Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark tells of what is less
-    /// What is told of it, the longest first; each leaves out something more: the name, that nothing is
-    /// lost, words of the mode, and only then the link's figures. Mode and battery are in all.
-    QStringList texts;
-    QString details;  ///< every word of it, for tooltips and screen readers
+    /// Its link and battery, the longest first; each leaves out something more: that nothing is lost, what is
+    /// lost, how slow it is. The battery is in all, and where nothing is heard for how long.
+    QStringList figures;
+    QStringList modes;  ///< what it does, the longest first: "teleoperation", "teleop"
+    QString details;    ///< every word of it, for tooltips and screen readers
 
     friend bool operator==(const RobotChip&, const RobotChip&) = default;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "core/robot/robot_view.h"
 #include "widgets/models/live/robot_face.h"
@@ -22,6 +23,7 @@ struct StopLine {
     RobotFace face;
     StopStage stage = StopStage::None;
     QString text;     ///< "acknowledged · moves"
+    QString brief;    ///< the same where there is little room: "moves", "? 4.2 s"
     QString details;  ///< whose stop it is, why a release was refused; may be empty
     Tone tone = Tone::Normal;
     bool releasable = false;  ///< this station may let it go now
@@ -30,5 +32,8 @@ struct StopLine {
 };
 
 [[nodiscard]] StopLine stopLineOf(const RobotFace& face, const RobotView& robot);
+
+/// Each StopLine::brief that there is, figures as wide as they get: who has room for all never cuts one.
+[[nodiscard]] QStringList stopBriefs();
 
 }  // namespace leitstand

@@ -7,15 +7,14 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QMenu>
-#include <QToolButton>
 
 #include "app/window/commands/command_table.h"
 #include "app/window/live/drive_input.h"
+#include "app/window/live/layouts/layout_switch.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
@@ -68,15 +67,8 @@ LayoutFeature::LayoutFeature(const ViewContext& context, LayoutBook book, MapFea
       m_book(std::move(book)),
       m_map(map),
       m_sights(map.sight()),
-      m_bar(new QWidget(&context.window)),
-      m_row(new QHBoxLayout(m_bar)),
+      m_bar(new LayoutSwitch(&context.window)),
       m_choices(new QActionGroup(this)) {
-    m_bar->setAccessibleName(tr("Layout"));
-    m_bar->setObjectName(QStringLiteral("layoutBar"));
-    m_bar->setAttribute(Qt::WA_StyledBackground);
-    m_bar->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    m_row->setContentsMargins(0, 0, 1, 0);  // the bar ends the last segment
-    m_row->setSpacing(0);
     fill();
     addCommands();
     addPanes();
@@ -123,7 +115,7 @@ void LayoutFeature::addPanes() {
 
 void LayoutFeature::fill() {
     for (QAction* choice : m_choices->actions()) choice->setVisible(false);
-    qDeleteAll(m_bar->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly));
+    m_bar->clear();
     std::vector<std::string> errors;
     int place = 0;
     for (const WindowLayout& layout : m_book.all(errors)) {
@@ -159,12 +151,7 @@ void LayoutFeature::addChoice(const WindowLayout& layout, int place) {
     }
     choice->setText(title);
     choice->setVisible(true);
-    auto* button = new QToolButton(m_bar);
-    button->setDefaultAction(choice);
-    button->setObjectName(QStringLiteral("switch_") + QString::fromStdString(layout.name));
-    button->setProperty("segment", true);
-    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to driving
-    m_row->addWidget(button);
+    m_bar->add(*choice, QStringLiteral("switch_") + QString::fromStdString(layout.name));
 }
 
 bool LayoutFeature::use(const QString& name) {

@@ -12,11 +12,10 @@
 
 class QAction;
 class QActionGroup;
-class QHBoxLayout;
-class QWidget;
 
 namespace leitstand {
 
+class LayoutSwitch;
 class MapFeature;
 
 /// How the live window is arranged: layouts by key, menu and the switch in the top bar, the operator's own
@@ -27,7 +26,7 @@ public:
     LayoutFeature(const ViewContext& context, LayoutBook book, MapFeature& map);
 
     /// The switch for the top bar.
-    [[nodiscard]] QWidget* bar() const { return m_bar; }
+    [[nodiscard]] LayoutSwitch* bar() const { return m_bar; }
     [[nodiscard]] const WindowLayout& current() const { return m_used; }
     /// False, and told, when there is none of that name.
     bool use(const QString& name);
@@ -60,8 +59,7 @@ private:
     LayoutBook m_book;
     MapFeature& m_map;
     LayoutSights m_sights;
-    QWidget* m_bar;
-    QHBoxLayout* m_row;
+    LayoutSwitch* m_bar;
     QActionGroup* m_choices;
     QAction* m_forget = nullptr;
     WindowLayout m_used;

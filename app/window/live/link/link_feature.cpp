@@ -34,7 +34,7 @@ LinkFeature::LinkFeature(const LiveContext& context)
                                     .keys = QKeySequence(Qt::Key_T),
                                     .checkable = true})),
       m_pane(new LinkPane(*m_thin, &context.window)),
-      m_badge(addCornerBadge(context.window, QStringLiteral("thinBadge"))) {
+      m_badge(makeCornerBadge(context.window, QStringLiteral("thinBadge"))) {
     m_badge->setText(tr("THIN LINK (T)"));
     m_badge->setToolTip(tr("Robots are asked for less: other cameras come rarely or not at all"));
     context.panes.add(QStringLiteral("link"), tr("Link"), *m_pane);

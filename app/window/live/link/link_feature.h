@@ -20,6 +20,8 @@ class LinkFeature final : public QObject {
 public:
     explicit LinkFeature(const LiveContext& context);
 
+    [[nodiscard]] QLabel& badge() const { return *m_badge; }  ///< for the corner: the link is thin
+
 signals:
     void told(const QString& text);  ///< for the operator
 

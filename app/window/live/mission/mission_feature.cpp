@@ -3,7 +3,6 @@
 #include <chrono>
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
@@ -11,6 +10,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include "app/session/score/score_board.h"
 #include "app/session/station/station.h"
@@ -39,11 +39,11 @@ MissionFeature::MissionFeature(const LiveContext& context, const QString& folder
       m_bar(new QWidget(&context.window)),
       m_light(new RecordLight(m_bar)),
       m_face(new ClockFace(m_bar)) {
-    auto* row = new QHBoxLayout(m_bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(10);
-    row->addWidget(m_light);
-    row->addWidget(m_face);
+    auto* lines = new QVBoxLayout(m_bar);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(0);
+    lines->addWidget(m_light);
+    lines->addWidget(m_face);
     addCommands();
     connect(m_face, &ClockFace::clicked, this, [this] {
         auto* menu = new QMenu(m_face);

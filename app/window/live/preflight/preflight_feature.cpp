@@ -16,6 +16,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/corner_badge.h"
 #include "app/window/live/live_bridge.h"
+#include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
 #include "widgets/preflight/preflight_page.h"
 
@@ -32,7 +33,7 @@ PreflightFeature::PreflightFeature(const LiveContext& context)
       m_desk(context.bridge.station()),
       m_dialog(new QDialog(&context.window)),
       m_page(new PreflightPage(m_dialog)),
-      m_badge(addCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
+      m_badge(makeCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
     QAction& opens = context.commands.add({.id = QStringLiteral("preflight.open"),
                                            .menu = CommandMenu::Mission,
                                            .text = tr("&Preflight..."),
@@ -96,6 +97,12 @@ void PreflightFeature::openWhenSomethingFails() {
 
 void PreflightFeature::open() {
     refresh();
+    if (!m_dialog->isVisible()) {
+        // Over the panes, and over nothing of the bar: it opens by itself, and STOP stays in sight.
+        const PaneDocks& panes = m_context.panes;
+        m_dialog->resize(m_dialog->size().boundedTo(panes.size()));
+        m_dialog->move(panes.mapToGlobal(QPoint((panes.width() - m_dialog->width()) / 2, 0)));
+    }
     m_dialog->show();
     m_dialog->raise();
     m_dialog->activateWindow();
@@ -127,25 +134,27 @@ void PreflightFeature::show(const LiveMoment& moment) {
 
 void PreflightFeature::showOverrides() {
     const StationBrakes& brakes = m_context.bridge.station().brakes();
-    QStringList none, late;
+    QStringList none, late, noneNames, lateNames;
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!brakes.isOverridden(robot.name)) continue;
-        (brakes.result(robot.name).showsNoWatchdog() ? none : late) += QString::fromStdString(robot.title);
+        const bool noWatchdog = brakes.result(robot.name).showsNoWatchdog();
+        (noWatchdog ? none : late) += QString::fromStdString(robot.letter);
+        (noWatchdog ? noneNames : lateNames) += QString::fromStdString(robot.title);
     }
     QStringList texts, tips;
-    if (!none.isEmpty()) {
-        texts += tr("NO WATCHDOG: %1").arg(none.join(QStringLiteral(", ")));
-        tips +=
-            tr("Failed its brake test and is driven nevertheless: without radio it goes on. When this "
-               "station hangs or dies, its guard stops it");
-    }
-    if (!late.isEmpty()) {
-        texts += tr("BRAKES LATE: %1").arg(late.join(QStringLiteral(", ")));
-        tips += tr("Failed its brake test and is driven nevertheless: without radio it stands late");
-    }
-    m_badge->setVisible(!texts.isEmpty());
+    const auto tell = [&](const QString& text, const QStringList& names, const QString& tip) {
+        if (names.isEmpty()) return;
+        texts += text;
+        tips += names.join(QStringLiteral(", ")) + QStringLiteral(": ") + tip;
+    };
+    tell(tr("NO WATCHDOG: %1").arg(none.join(QLatin1Char(' '))), noneNames,
+         tr("Failed its brake test and is driven nevertheless: without radio it goes on. When this "
+            "station hangs or dies, its guard stops it"));
+    tell(tr("BRAKES LATE: %1").arg(late.join(QLatin1Char(' '))), lateNames,
+         tr("Failed its brake test and is driven nevertheless: without radio it stands late"));
     m_badge->setText(texts.join(QStringLiteral("  ")));
     m_badge->setToolTip(tips.join(QLatin1Char('\n')));
+    m_badge->setVisible(!texts.isEmpty());
 }
 
 void PreflightFeature::add(const QString& stranger) {

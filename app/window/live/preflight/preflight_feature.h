@@ -23,6 +23,8 @@ class PreflightFeature final : public QObject {
 public:
     explicit PreflightFeature(const LiveContext& context);
 
+    [[nodiscard]] QLabel& badge() const { return *m_badge; }  ///< for the corner: robots without a watchdog
+
     /// Opens the page in a while, if something fails then and nobody drives.
     void openWhenSomethingFails();
     void setGamepad(const QString& name);      ///< empty: there is none

@@ -33,7 +33,7 @@ RobotsFeature::RobotsFeature(const ViewContext& context)
 void RobotsFeature::addStop(Station& station) {
     m_stop = new StopButton(&m_context.window);
     connect(m_stop, &StopButton::stopRequested, this, [&station] { station.stopAll(); });
-    connect(m_stop, &StopButton::releaseRequested, this, [this, &station](const QString& robot) {
+    connect(m_bar, &RobotBar::releaseRequested, this, [this, &station](const QString& robot) {
         if (const auto let = station.release(robot.toStdString()); !let)
             emit told(QString::fromStdString(let.error().text));
     });
@@ -103,10 +103,9 @@ void RobotsFeature::show(const LiveMoment& moment) {
         const RobotFace face = m_context.selection.faceOfRobot(robot);
         const RobotView& view = moment.view(robot.name);
         chips.push_back(robotChipOf(face, view, moment.said(robot.name), moment.now));
-        stops.push_back(stopLineOf(face, view));
+        if (m_stop != nullptr) stops.push_back(stopLineOf(face, view));
     }
-    m_bar->show(chips, m_context.selection.name());
-    if (m_stop != nullptr) m_stop->show(stops);
+    m_bar->show(chips, stops, m_context.selection.name());
 }
 
 }  // namespace leitstand

@@ -20,7 +20,7 @@ public:
     explicit RobotsFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget* bar() const;   ///< for the top bar
-    [[nodiscard]] QWidget* stop() const;  ///< for its corner; null: there is nothing to be stopped
+    [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there is nothing to be stopped
 
 signals:
     void told(const QString& text);

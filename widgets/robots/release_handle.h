@@ -9,7 +9,8 @@
 namespace leitstand {
 
 /// How far the stop of one robot came; held for a second, by pointer or by Space or Return, it asks to let
-/// the robot go. Letting go, losing the focus and leaving it with the pointer break it off.
+/// the robot go. Letting go, losing the focus and leaving it with the pointer break it off. While nothing can
+/// be released, clicks go to what is below it.
 class ReleaseHandle final : public QWidget {
     Q_OBJECT
 public:
@@ -18,8 +19,8 @@ public:
     void show(const StopLine& line);
     using QWidget::show;
     [[nodiscard]] bool isHeld() const { return m_hold.isHeld(); }
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
+    /// In @p font: the width at which the shortest words of each state are whole, in the window's language.
+    [[nodiscard]] static int foldedWidth(const QFont& font);
 
 signals:
     void held(const QString& robot);  ///< for a full second
@@ -38,8 +39,7 @@ protected:
 private:
     void begin();
     void end();
-    [[nodiscard]] QString text() const;
-    [[nodiscard]] QString essential() const;  ///< of it, where there is little room: "no answer for 2.9 s"
+    [[nodiscard]] QStringList texts() const;  ///< what it may show, the longest first
 
     StopLine m_line;
     HoldToAct m_hold;

@@ -1,16 +1,23 @@
-#include "widgets/drive/release_handle.h"
+#include "widgets/robots/release_handle.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimerEvent>
 
 #include "widgets/pane_paint.h"
+#include "widgets/robots/robot_bar_sizes.h"
+#include "widgets/robots/robot_signs.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int Tick = 30;    ///< [ms]
-constexpr int Height = 20;  ///< [px]
+using robot_bar::Side, robot_bar::Sign, robot_bar::TextSize;
+constexpr int Tick = 30;                           ///< [ms]
+constexpr double SignLeft = 4.0, AfterSign = 3.0;  ///< [px]
+constexpr double TextLeft = SignLeft + Sign + AfterSign;
 
 bool holdsBy(const QKeyEvent& event) {
     return event.key() == Qt::Key_Space || event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
@@ -19,44 +26,41 @@ bool holdsBy(const QKeyEvent& event) {
 }  // namespace
 
 ReleaseHandle::ReleaseHandle(QWidget* parent) : QWidget(parent) {
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::TabFocus);  // or it could be given no place in the order of Tab
 }
 
 void ReleaseHandle::show(const StopLine& line) {
     if (m_line == line) return;
-    const bool wider = m_line.text != line.text;
     m_line = line;
     setFocusPolicy(line.releasable ? Qt::TabFocus : Qt::NoFocus);
     setCursor(line.releasable ? Qt::PointingHandCursor : Qt::ArrowCursor);
     if (!line.releasable) end();
-    const QString hint =
-        line.releasable ? tr("Hold for one second to let %1 move again.").arg(line.face.title) : QString();
-    setToolTip(line.details.isEmpty() ? hint : line.details + QLatin1Char('\n') + hint);
+    QStringList hints = {line.text, line.details};
+    if (line.releasable)
+        hints += tr("Hold this button for one second to let %1 move again.").arg(line.face.title);
+    hints.removeAll(QString());
+    setToolTip(
+        QStringLiteral("%1 (%2): %3").arg(line.face.title, line.face.letter, hints.join(QLatin1Char('\n'))));
     setAccessibleName(tr("Release %1").arg(line.face.title));
     setAccessibleDescription(line.text + QLatin1Char(' ') + line.details);
     setVisible(line.stage != StopStage::None);
-    if (wider) updateGeometry();
     update();
 }
 
-QString ReleaseHandle::text() const {
-    return m_line.releasable ? tr("%1 · hold to release").arg(m_line.text) : m_line.text;
+int ReleaseHandle::foldedWidth(const QFont& font) {
+    const QFontMetricsF metrics(sized(font, TextSize));
+    double widest = 0.0;
+    for (const QString& brief : stopBriefs()) widest = std::max(widest, metrics.horizontalAdvance(brief));
+    return static_cast<int>(std::ceil(TextLeft + widest + Side));
 }
 
-QString ReleaseHandle::essential() const {
-    return m_line.text.section(QStringLiteral(" · "), -1);
-}
-
-QSize ReleaseHandle::sizeHint() const {
-    const QFontMetrics metrics(sized(font(), 12, true));
-    return {metrics.horizontalAdvance(m_line.face.letter + text()) + 34, Height};
-}
-
-QSize ReleaseHandle::minimumSizeHint() const {
-    const QFontMetrics metrics(sized(font(), 12, true));
-    return {
-        metrics.horizontalAdvance(m_line.face.letter + m_line.text.section(QStringLiteral(" · "), 0, 0)) + 34,
-        Height};
+QStringList ReleaseHandle::texts() const {
+    QStringList texts;
+    if (m_line.releasable) texts += tr("%1 · hold to release").arg(m_line.text);
+    texts += m_line.text;
+    texts += m_line.text.section(QStringLiteral(" · "), -1);  // "no answer for 2.9 s"
+    texts += m_line.brief;
+    return texts;
 }
 
 void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {
@@ -65,7 +69,11 @@ void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(m_line.releasable ? colours.field : colours.strip);
+    // What has to be acted on is a surface, to be seen from afar.
+    const bool loud = m_line.tone == Tone::Act;
+    const QColor ink = loud ? colours.window : toneColour(m_line.tone, colours);
+    const QColor paper = loud ? colours.act : m_line.releasable ? colours.hover : colours.strip;
+    painter.setBrush(paper);
     painter.drawRoundedRect(box, 4, 4);
     if (const double share = m_hold.progress(SteadyTime::clock::now()); share > 0.0) {
         painter.setBrush(colours.chosen);
@@ -74,19 +82,16 @@ void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(hasFocus() ? colours.select : m_line.releasable ? colours.muted : colours.line);
     painter.drawRoundedRect(box, 4, 4);
-    painter.setFont(sized(font(), 12, true));
-    const int letter = painter.fontMetrics().horizontalAdvance(m_line.face.letter);
-    painter.setPen(colours.text);
-    painter.drawText(rect().adjusted(8, 0, -8, 0), Qt::AlignLeft | Qt::AlignVCenter, m_line.face.letter);
-    painter.setFont(sized(font(), 12));
-    painter.setPen(toneColour(m_line.tone, colours));
-    const QRect room = rect().adjusted(16 + letter, 0, -8, 0);
-    const QFontMetrics metrics = painter.fontMetrics();
-    QString shown = metrics.elidedText(essential(), Qt::ElideMiddle, room.width());
-    for (const QString& one : {m_line.text, text()}) {
-        if (metrics.horizontalAdvance(one) <= room.width()) shown = one;
-    }
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, shown);
+    paintStopSign(painter, QRectF(SignLeft, 0.5 * (height() - Sign), Sign, Sign), m_line, ink, paper);
+    painter.setFont(sized(font(), TextSize));
+    painter.setPen(ink);
+    const QRectF room = QRectF(rect()).adjusted(TextLeft, 0, -Side, 0);
+    const QFontMetricsF metrics(painter.font());
+    const QStringList all = texts();
+    const auto fits = [&](const QString& text) { return metrics.horizontalAdvance(text) <= room.width(); };
+    const auto found = std::find_if(all.begin(), all.end(), fits);
+    painter.drawText(room.adjusted(0, 0, 1, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     found == all.end() ? m_line.brief : *found);
 }
 
 void ReleaseHandle::begin() {
@@ -111,14 +116,17 @@ void ReleaseHandle::timerEvent(QTimerEvent* event) {
 }
 
 void ReleaseHandle::mousePressEvent(QMouseEvent* event) {
+    event->setAccepted(m_line.releasable);
     if (event->button() == Qt::LeftButton) begin();
 }
 
-void ReleaseHandle::mouseReleaseEvent(QMouseEvent* /*event*/) {
+void ReleaseHandle::mouseReleaseEvent(QMouseEvent* event) {
+    event->setAccepted(m_line.releasable);
     end();
 }
 
 void ReleaseHandle::mouseMoveEvent(QMouseEvent* event) {
+    event->setAccepted(m_line.releasable);
     if (m_hold.isHeld() && !rect().contains(event->position().toPoint())) end();
 }
 
