@@ -8,7 +8,7 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-using eprosima::fastrtps::Duration_t;
+using Duration_t = fastdds::Duration;
 
 constexpr int MostKept = 5000;  // samples of a keep_all history
 // A reliable Fast DDS reader that may keep one sample only is stuck after a loss: the newer sample waits for
@@ -38,7 +38,7 @@ void apply(const Qos& qos, EndpointQos& to) {
 template <class EndpointQos>
 void makeSound(EndpointQos& qos) {
     qos.endpoint().history_memory_policy =
-        eprosima::fastrtps::rtps::MemoryManagementPolicy_t::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+        fastdds::rtps::MemoryManagementPolicy_t::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.data_sharing().off();
 }
 
@@ -46,7 +46,7 @@ void makeSound(EndpointQos& qos) {
 
 void keepSound(efd::DataReaderQos& qos) {
     makeSound(qos);
-    qos.type_consistency().representation.m_value = {efd::XCDR_DATA_REPRESENTATION};
+    fastdds::representationOf(qos).m_value = {efd::XCDR_DATA_REPRESENTATION};
 }
 
 void keepSound(efd::DataWriterQos& qos) {
@@ -68,7 +68,7 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
     efd::DataWriterQos made;
     apply(qos, made);
     if (qos.lifespan > 0.0) made.lifespan().duration = Duration_t(static_cast<long double>(qos.lifespan));
-    made.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.1);
+    fastdds::setHeartbeat(made, Duration_t(0.1));
     if (flow == Flow::Immediate) {
         made.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
     } else {
