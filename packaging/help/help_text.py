@@ -69,6 +69,9 @@ def entry_of(line, rest):
     padded = line[TEXT_COLUMN - 2 : TEXT_COLUMN] == "  " or (line[TEXT_COLUMN - 1 : TEXT_COLUMN] == " " and not rest)
     if padded:
         head, text = line[:TEXT_COLUMN].strip(), line[TEXT_COLUMN:].strip()
+    elif not rest and "  " in head:  # a program that prints its help itself, in narrower columns
+        head, _, text = head.partition("  ")
+        text = text.strip()
     names, _, value = head.partition(" ")
     names = names.split(",")
     if ":" in names[0]:  # "--domain:INT", of an option without a name of its value
@@ -88,7 +91,7 @@ def parse(words, text):
         line = lines[index]
         index += 1
         title = re.fullmatch(r"(\S[^:]*):", line)
-        if not command.usage:
+        if not command.usage and section is None and line != "Options:":
             if line.lower().startswith("usage:"):
                 command.usage = line.partition(":")[2].strip()
             else:
@@ -111,6 +114,7 @@ def parse(words, text):
             command.footer = "\n".join(lines[index - 1 :])
             break
     command.about = " ".join(" ".join(above).split())
+    command.usage = command.usage or f"{words[0]} [OPTIONS]"
     return command
 
 
