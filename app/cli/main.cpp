@@ -1,10 +1,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "core/version/version.h"
 
 int main(int argc, char** argv) {
     CLI::App app("Leitstand's work without a window: registers scans, measures, converts.", "leitstandctl");
-    app.set_version_flag("--version", LEITSTAND_VERSION);
+    app.set_version_flag("--version", leitstand::versionOf("leitstandctl"));
     app.require_subcommand(1);
     int exitCode = 0;
     leitstand::cli::addRegister(app, exitCode);

@@ -21,6 +21,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
+#include "core/version/version.h"
 
 namespace leitstand::cli {
 namespace {
@@ -95,7 +96,7 @@ int runRecord(const RecordOptions& options) {
     RecorderSettings settings;
     settings.mission.folder = options.out;
     settings.mission.title = "leitstandctl record";
-    settings.mission.version = LEITSTAND_VERSION;
+    settings.mission.version = version();
     settings.domain = options.domain;
     for (const std::string& file : options.robots) {
         const auto found = findRobotFile(file);

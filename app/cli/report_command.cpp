@@ -21,6 +21,7 @@
 #include "app/report/pdf_report.h"
 #include "app/session/interrupt.h"
 #include "app/session/report/report_writer.h"
+#include "core/version/version.h"
 
 namespace leitstand::cli {
 namespace {
@@ -72,7 +73,7 @@ int runReport(const ReportArguments& arguments) {
     const OffscreenFonts fonts;
     useLanguage(QString::fromStdString(arguments.language));
     ReportOptions options;
-    options.version = LEITSTAND_VERSION;
+    options.version = version();
     options.created = statedTime();
     if (arguments.pdf) options.pdf = &pdfOf;
     const auto show = [&](double fraction) { line.show("report", fraction); };

@@ -14,6 +14,7 @@
 #include "app/window/review/review_application.h"
 #include "app/window/scans_window.h"
 #include "app/window/screenshot.h"
+#include "core/version/version.h"
 
 namespace leitstand {
 namespace {
@@ -86,8 +87,10 @@ int runStation(int argc, char** argv) {
         return 1;
     }
     QApplication application(argc, argv);
+    QGuiApplication::setDesktopFileName(
+        QStringLiteral("org.leitstand.leitstand"));  // its icon, under Wayland
     QApplication::setApplicationName(QStringLiteral("leitstand"));
-    QApplication::setApplicationVersion(QStringLiteral(LEITSTAND_VERSION));
+    QApplication::setApplicationVersion(QString::fromLatin1(version()));
     useLanguage(languageOf(options));
     std::optional<OrderlyEnd> end;
     if (!picture) end.emplace();

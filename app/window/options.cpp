@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/version/version.h"
+
 namespace leitstand {
 namespace {
 
@@ -30,7 +32,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     std::string size;
     CLI::App app("Leitstand, the operator station for rescue robots: registers 3D scans and shows them.",
                  "leitstand");
-    app.set_version_flag("--version", "leitstand " LEITSTAND_VERSION);
+    app.set_version_flag("--version", versionOf("leitstand"));
     app.add_option("SCANS", options.scans,
                    "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
     app.add_flag("--register-again", options.registerAgain,

@@ -18,9 +18,9 @@ struct Rule {
 const std::vector<Rule>& rules() {
     static const std::vector<std::string_view> coreLibraries = {"Eigen", "tbb",    "fmt",
                                                                 "pcl",   "opencv", "zbar"};
-    static const std::vector<std::string_view> core = {"core/base",         "core/scan",    "core/search",
-                                                       "core/registration", "core/mapping", "core/perception",
-                                                       "core/robot",        "core/mission", "core/settings"};
+    static const std::vector<std::string_view> core = {
+        "core/base",       "core/scan",  "core/search",  "core/registration", "core/mapping",
+        "core/perception", "core/robot", "core/mission", "core/settings",     "core/version"};
     static const auto with = [](std::vector<std::string_view> list, std::vector<std::string_view> more) {
         list.insert(list.end(), more.begin(), more.end());
         return list;
@@ -94,31 +94,19 @@ bool isProject(std::string_view header) {
 /// The library a header belongs to; empty for the standard library, the C library and the compiler.
 std::string_view libraryOf(std::string_view header) {
     static const std::vector<std::pair<std::string_view, std::string_view>> prefixes = {
-        {"Eigen/", "Eigen"},
-        {"tbb/", "tbb"},
-        {"oneapi/", "tbb"},
-        {"fmt/", "fmt"},
-        {"pcl/", "pcl"},
-        {"opencv2/", "opencv"},
-        {"zbar", "zbar"},
-        {"vtk", "vtk"},
-        {"EGL/", "EGL"},
-        {"CLI/", "CLI"},
-        {"nlohmann/", "nlohmann"},
-        {"gdal", "gdal"},
-        {"ogr_", "gdal"},
-        {"cpl_", "gdal"},
-        {"octomap/", "octomap"},
-        {"sqlite3", "sqlite3"},
-        {"yaml-cpp/", "yaml-cpp"},
-        {"fastdds/", "fastdds"},
-        {"fastrtps/", "fastdds"},
-        {"openssl/", "openssl"},
-        {"embree3/", "embree"},
-        {"SDL2/", "SDL"},
-        {"Qt", "Qt"},
-        {"boost/", "boost"},
-        {"rclcpp/", "ROS"},
+        {"Eigen/", "Eigen"},       {"tbb/", "tbb"},
+        {"oneapi/", "tbb"},        {"fmt/", "fmt"},
+        {"pcl/", "pcl"},           {"opencv2/", "opencv"},
+        {"zbar", "zbar"},          {"vtk", "vtk"},
+        {"EGL/", "EGL"},           {"CLI/", "CLI"},
+        {"nlohmann/", "nlohmann"}, {"gdal", "gdal"},
+        {"ogr_", "gdal"},          {"cpl_", "gdal"},
+        {"octomap/", "octomap"},   {"sqlite3", "sqlite3"},
+        {"yaml-cpp/", "yaml-cpp"}, {"fastdds/", "fastdds"},
+        {"fastrtps/", "fastdds"},  {"openssl/", "openssl"},
+        {"embree3/", "embree"},    {"embree4/", "embree"},
+        {"SDL2/", "SDL"},          {"Qt", "Qt"},
+        {"boost/", "boost"},       {"rclcpp/", "ROS"},
     };
     for (const auto& [prefix, library] : prefixes) {
         if (header.starts_with(prefix)) return library;

@@ -33,6 +33,7 @@
 #include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/picture_size.h"
 #include "core/mission/mission_state.h"
+#include "core/version/version.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
@@ -163,7 +164,7 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
     if (options.demo && options.interfaces.empty()) settings.domain.interfaces = {"lo"};
     settings.domain.keys = options.keys;
     settings.mission.title = QSysInfo::machineHostName().toStdString();
-    settings.mission.version = LEITSTAND_VERSION;
+    settings.mission.version = version();
     settings.mission.folder = !options.mission.empty() ? fs::path(options.mission)
                               : picture                ? passing / "mission"
                               : options.resume         ? newestMission()

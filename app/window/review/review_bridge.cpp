@@ -11,6 +11,7 @@
 #include "app/session/review/reviewed_robot.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_report.h"
+#include "core/version/version.h"
 
 namespace leitstand {
 namespace {
@@ -60,7 +61,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
     bridge->m_report = std::make_unique<ReviewReport>(bridge->m_player->folder());
     bridge->m_pen = std::make_unique<ReviewPen>(
         bridge->m_player->folder(), bridge->robots(),
-        std::string(ReviewStation) + "-" + QSysInfo::machineHostName().toStdString(), LEITSTAND_VERSION);
+        std::string(ReviewStation) + "-" + QSysInfo::machineHostName().toStdString(), version());
     bridge->m_pictures = std::make_unique<PictureFeed>(
         bridge->robots(), PictureFeed::Listener{[raw](const ShownPicturePtr& one) {
                                                     raw->hop([raw, one] {

@@ -5,9 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
 #include "robots/simulation/arena/mesh.h"
+#include "robots/simulation/scene/embree.h"
 #include "robots/simulation/scene/scene.h"
 
 namespace leitstand::simulation {

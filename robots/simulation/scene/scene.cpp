@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
+#include "robots/simulation/scene/embree.h"
 #include "robots/simulation/scene/embree_mesh.h"
 
 namespace leitstand::simulation {
@@ -26,13 +25,6 @@ struct ReleaseScene {
 bool castable(const Ray& ray) {
     return ray.origin.allFinite() && ray.direction.allFinite() && ray.direction.squaredNorm() > 0.0F &&
            ray.far > ray.near;
-}
-
-RTCIntersectContext contextOf(RTCIntersectContextFlags flags) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = flags;
-    return context;
 }
 
 }  // namespace
@@ -125,8 +117,7 @@ Hit Scene::cast(const Ray& ray, RayKind kind, int without) const {
     query.ray.mask = mask::of(kind, without);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context = contextOf(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-    rtcIntersect1(m_state->scene.get(), &context, &query);
+    intersect(m_state->scene.get(), query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     const std::size_t mesh = query.hit.instID[0];
     Hit hit = m_state->meshes[mesh]->hitOf(query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v,
@@ -139,7 +130,6 @@ Hit Scene::cast(const Ray& ray, RayKind kind, int without) const {
 void Scene::cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, int without) const {
     assert(hits.size() >= rays.size());
     const unsigned allowed = mask::of(kind, without);
-    RTCIntersectContext context = contextOf(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
     for (std::size_t first = 0; first < rays.size(); first += PacketSize) {
         const std::span<const Ray> packet = rays.subspan(first, std::min(PacketSize, rays.size() - first));
         RTCRayHit8 query = {};
@@ -159,7 +149,7 @@ void Scene::cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, i
             query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
             query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
         }
-        rtcIntersect8(valid.data(), m_state->scene.get(), &context, &query);
+        intersect(m_state->scene.get(), valid.data(), query);
         for (std::size_t i = 0; i < packet.size(); ++i) {
             Hit& hit = hits[first + i];
             hit = {};

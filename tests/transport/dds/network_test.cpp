@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <fastdds/rtps/attributes/ServerAttributes.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
@@ -11,6 +9,7 @@
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"
+#include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::test {
 namespace {
@@ -65,11 +64,10 @@ TEST(InitialPeers, AreBesideMulticast) {
 class DiscoveryServer {
 public:
     DiscoveryServer(int domain, std::uint32_t port) {
-        namespace rtps = eprosima::fastrtps::rtps;
+        namespace rtps = detail::fastdds::rtps;
         efd::DomainParticipantQos qos;
         auto& builtin = qos.wire_protocol().builtin;
-        builtin.discovery_config.discoveryProtocol = rtps::DiscoveryProtocol_t::SERVER;
-        eprosima::fastdds::rtps::get_server_client_default_guidPrefix(0, qos.wire_protocol().prefix);
+        detail::fastdds::becomeServer(qos);
         rtps::Locator_t locator;
         locator.kind = LOCATOR_KIND_UDPv4;
         locator.port = port;
@@ -145,9 +143,9 @@ protected:
     [[nodiscard]] std::vector<std::string> profiles(const std::string& content) const {
         writeText(m_folder / "profiles.xml",
                   R"(<?xml version="1.0" encoding="UTF-8"?>
-<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles">)" +
-                      content + "</profiles>");
-        return {"FASTRTPS_DEFAULT_PROFILES_FILE=" + (m_folder / "profiles.xml").string()};
+<profiles xmlns=")" + std::string(detail::fastdds::ProfilesNamespace) +
+                      "\">" + content + "</profiles>");
+        return {std::string(detail::fastdds::ProfilesVariable) + "=" + (m_folder / "profiles.xml").string()};
     }
     TestDomain m_domain;
     TemporaryFolder m_folder;
@@ -179,10 +177,10 @@ TEST_F(XmlProfiles, ATopicsQosIsTheUsersByItsRosName) {
 
 TEST_F(XmlProfiles, AFileThatIsMissingIsAnError) {
     ChildProcess robot(program("dds_peer"), talk(m_domain, {}),
-                       {"FASTRTPS_DEFAULT_PROFILES_FILE=/nowhere/profiles.xml"});
+                       {std::string(detail::fastdds::ProfilesVariable) + "=/nowhere/profiles.xml"});
     EXPECT_EQ(robot.wait(), 1);
-    EXPECT_THAT(robot.out(),
-                testing::HasSubstr("FASTRTPS_DEFAULT_PROFILES_FILE=/nowhere/profiles.xml: cannot be"));
+    EXPECT_THAT(robot.out(), testing::HasSubstr(std::string(detail::fastdds::ProfilesVariable) +
+                                                "=/nowhere/profiles.xml: cannot be"));
 }
 
 }  // namespace

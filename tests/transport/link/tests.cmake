@@ -5,5 +5,5 @@ leitstand_warnings(control_peer)
 leitstand_tsan(control_peer)
 set_target_properties(control_peer PROPERTIES ENABLE_EXPORTS ON)  # libraries shall find the shifted clock
 target_link_libraries(control_peer PRIVATE leitstand_test_support leitstand_transport fmt::fmt)
-leitstand_test(link_tests FOLDER transport/link LABEL dds LIBS leitstand_transport fastrtps fastcdr fmt::fmt)
+leitstand_test(link_tests FOLDER transport/link LABEL dds LIBS leitstand_transport leitstand_fastdds fastcdr fmt::fmt)
 add_dependencies(link_tests control_peer)

@@ -2,56 +2,50 @@
 
 #include <cstring>
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fmt/format.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
+
+#include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::test {
 namespace efd = eprosima::fastdds::dds;
+namespace fastdds = detail::fastdds;
 namespace {
 
 /// A std_msgs/msg/String, as bytes.
-class TextType final : public efd::TopicDataType {
+class TextType final : public fastdds::NamedType {
 public:
-    TextType() {
-        setName("std_msgs::msg::dds_::String_");
-        m_typeSize = 64;
-        m_isGetKeyDefined = false;
-        auto_fill_type_object(false);
-        auto_fill_type_information(false);
-    }
-    bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
-        const auto& text = *static_cast<std::string*>(data);
+    TextType() : NamedType("std_msgs::msg::dds_::String_", 64) {}
+
+private:
+    bool toPayload(const void* sample, fastdds::rtps::SerializedPayload_t& payload) const override {
+        const auto& text = *static_cast<const std::string*>(sample);
         const auto size = static_cast<std::uint32_t>(text.size() + 1);
-        if (payload->max_size < size + 8) return false;
+        if (payload.max_size < size + 8) return false;
         const unsigned char header[] = {0, 1, 0, 0};
-        std::memcpy(payload->data, header, 4);
-        std::memcpy(payload->data + 4, &size, 4);
-        std::memcpy(payload->data + 8, text.c_str(), size);
-        payload->length = size + 8;
-        payload->encapsulation = CDR_LE;
+        std::memcpy(payload.data, header, 4);
+        std::memcpy(payload.data + 4, &size, 4);
+        std::memcpy(payload.data + 8, text.c_str(), size);
+        payload.length = size + 8;
+        payload.encapsulation = CDR_LE;
         return true;
     }
-    bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
-        static_cast<std::string*>(data)->assign(reinterpret_cast<char*>(payload->data), payload->length);
+    bool fromPayload(const fastdds::rtps::SerializedPayload_t& payload, void* sample) const override {
+        static_cast<std::string*>(sample)->assign(reinterpret_cast<char*>(payload.data), payload.length);
         return true;
     }
-    std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-        const auto size = static_cast<std::uint32_t>(static_cast<std::string*>(data)->size() + 9);
-        return [size] { return size; };
+    std::uint32_t bytesOf(const void* sample) const override {
+        return static_cast<std::uint32_t>(static_cast<const std::string*>(sample)->size() + 9);
     }
-    void* createData() override { return new std::string; }
-    void deleteData(void* data) override { delete static_cast<std::string*>(data); }
-    bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
+    void* make() const override { return new std::string; }
+    void drop(void* sample) const override { delete static_cast<std::string*>(sample); }
 };
 
 void add(efd::DomainParticipantQos& qos, std::string_view name, std::string_view value) {
-    eprosima::fastrtps::rtps::Property property;
+    fastdds::rtps::Property property;
     property.name() = fmt::format("dds.sec.{}", name);
     property.value() = value;
     qos.properties().properties().push_back(property);
@@ -80,9 +74,7 @@ efd::Topic* topicOf(efd::DomainParticipant* participant, const std::string& name
 
 Participant::Participant(int domain, const std::optional<SecurityFiles>& files) {
     // Samples go over the wire, also between participants of one process.
-    eprosima::fastrtps::LibrarySettingsAttributes library;
-    library.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(library);
+    fastdds::turnOffShortcuts();
     efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;  // its constructor trips GCC 12's warnings
     qos.name("stock");
     qos.transport().use_builtin_transports = false;
@@ -104,7 +96,7 @@ Writer::Writer(const Participant& participant, const std::string& topic) {
     efd::Topic* described = topicOf(participant.get(), topic);
     efd::Publisher* publisher = participant.get()->create_publisher(efd::PUBLISHER_QOS_DEFAULT);
     efd::DataWriterQos qos;
-    qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    qos.endpoint().history_memory_policy = fastdds::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.data_sharing().off();
     qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
     m_writer = publisher->create_datawriter(described, qos);
@@ -118,14 +110,14 @@ int Writer::matched() const {
 
 bool Writer::write(const std::string& bytes) {
     std::string text = bytes;
-    return m_writer->write(&text);
+    return fastdds::write(*m_writer, &text);
 }
 
 Reader::Reader(const Participant& participant, const std::string& topic) {
     efd::Topic* described = topicOf(participant.get(), topic);
     efd::Subscriber* subscriber = participant.get()->create_subscriber(efd::SUBSCRIBER_QOS_DEFAULT);
     efd::DataReaderQos qos;
-    qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    qos.endpoint().history_memory_policy = fastdds::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.data_sharing().off();
     qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
     m_reader = subscriber->create_datareader(described, qos, this);
@@ -144,7 +136,7 @@ int Reader::matched() const {
 void Reader::on_data_available(efd::DataReader* reader) {
     std::string text;
     efd::SampleInfo info;
-    while (reader->take_next_sample(&text, &info) == ReturnCode_t::RETCODE_OK) {
+    while (fastdds::succeeded(reader->take_next_sample(&text, &info))) {
         if (info.valid_data) ++m_samples;
     }
 }

@@ -3,12 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
-#include <fastdds/rtps/builtin/data/ReaderProxyData.h>
-#include <fastdds/rtps/builtin/data/WriterProxyData.h>
-#include <fastrtps/utils/IPLocator.h>
-#include <fastdds/dds/core/policy/ParameterTypes.hpp>
-
 #include "transport/dds/detail/convert.h"
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/names.h"
@@ -17,7 +11,7 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto SecureMatchTime = std::chrono::seconds(2);  // keys are exchanged before endpoints match
@@ -29,8 +23,8 @@ std::string addressOf(const rtps::RemoteLocatorList& locators) {
     return {};
 }
 
-std::string hostOf(const rtps::ParticipantProxyData& data) {
-    for (const auto& property : data.m_properties) {
+std::string hostOf(const fastdds::ParticipantData& data) {
+    for (const auto& property : fastdds::propertiesOf(data)) {
         if (property.first() != efd::parameter_policy_physical_data_host) continue;
         // "name:number of the machine"
         if (const std::string host = property.second(); !host.empty()) return host.substr(0, host.find(':'));
@@ -39,9 +33,8 @@ std::string hostOf(const rtps::ParticipantProxyData& data) {
     return address.empty() ? addressOf(data.default_locators) : address;
 }
 
-template <class Policies>
-bool speaksXcdr1(const Policies& policies) {
-    const auto& listed = policies.representation.m_value;  // nothing listed means XCDR1
+bool speaksXcdr1(const fastdds::EndpointData& data) {
+    const auto& listed = data.representation.m_value;  // nothing listed means XCDR1
     return listed.empty() ||
            std::find(listed.begin(), listed.end(), efd::XCDR_DATA_REPRESENTATION) != listed.end();
 }
@@ -55,48 +48,50 @@ Guid participantOf(const rtps::GUID_t& endpoint) {
 Discovery::Discovery(std::function<void()> changed, bool secure)
     : m_changed(std::move(changed)), m_secure(secure) {}
 
-void Discovery::on_participant_discovery(Participant*, rtps::ParticipantDiscoveryInfo&& info) {
-    using Info = rtps::ParticipantDiscoveryInfo;
-    const Guid guid = guidOf(info.info.m_guid);
-    {
-        const std::scoped_lock lock(m_mutex);
-        if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-            m_participants.erase(guid);
-            std::erase_if(m_endpoints,
-                          [&](const auto& known) { return known.second.endpoint.participant == guid; });
-        } else {
-            RemoteParticipant& participant = known(guid);
-            participant.name = info.info.m_participantName.to_string();
-            participant.host = hostOf(info.info);
-        }
-    }
-    m_changed();
-}
-
-void Discovery::onParticipantAuthentication(Participant*, rtps::ParticipantAuthenticationInfo&& info) {
-    const Guid guid = guidOf(info.guid);
+void Discovery::participantSeen(const fastdds::ParticipantData& data) {
+    const Guid guid = guidOf(fastdds::guidOf(data));
     {
         const std::scoped_lock lock(m_mutex);
         RemoteParticipant& participant = known(guid);
-        participant.refused = info.status == rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT;
+        participant.name = fastdds::nameOf(data);
+        participant.host = hostOf(data);
     }
     m_changed();
 }
 
-template <class ProxyData>
-void Discovery::note(const ProxyData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms) {
+void Discovery::participantGone(const rtps::GUID_t& gone) {
+    const Guid guid = guidOf(gone);
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_participants.erase(guid);
+        std::erase_if(m_endpoints,
+                      [&](const auto& known) { return known.second.endpoint.participant == guid; });
+    }
+    m_changed();
+}
+
+void Discovery::participantJudged(const rtps::GUID_t& judged, bool refused) {
+    const Guid guid = guidOf(judged);
+    {
+        const std::scoped_lock lock(m_mutex);
+        RemoteParticipant& participant = known(guid);
+        participant.refused = refused;
+    }
+    m_changed();
+}
+
+void Discovery::note(const fastdds::EndpointData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms) {
     RemoteEndpoint endpoint;
     endpoint.kind = kind;
-    endpoint.guid = guidOf(data.guid());
-    endpoint.participant = participantOf(data.guid());
-    const std::string topic = data.topicName().to_string();
-    endpoint.ros = topic.starts_with("rt/");
-    endpoint.topic = rosTopicOf(topic);
-    endpoint.type = rosTypeOf(data.typeName().to_string());
-    endpoint.keyed = data.topicKind() == rtps::WITH_KEY;
-    endpoint.exclusiveOwnership = data.m_qos.m_ownership.kind == efd::EXCLUSIVE_OWNERSHIP_QOS;
-    endpoint.partitions = data.m_qos.m_partition.getNames();
-    endpoint.qos = qosOf(data.m_qos, 1);
+    endpoint.guid = guidOf(data.guid);
+    endpoint.participant = participantOf(data.guid);
+    endpoint.ros = data.topic.starts_with("rt/");
+    endpoint.topic = rosTopicOf(data.topic);
+    endpoint.type = rosTypeOf(data.type);
+    endpoint.keyed = data.keyed;
+    endpoint.exclusiveOwnership = data.exclusive;
+    endpoint.partitions = data.partitions;
+    endpoint.qos = qosOf(data, 1);
     {
         const std::scoped_lock lock(m_mutex);
         const auto [place, added] = m_endpoints.try_emplace(endpoint.guid);
@@ -107,29 +102,26 @@ void Discovery::note(const ProxyData& data, RemoteEndpoint::Kind kind, const Mat
     m_changed();
 }
 
-void Discovery::forget(const Guid& endpoint) {
+void Discovery::endpointGone(const rtps::GUID_t& endpoint) {
     {
         const std::scoped_lock lock(m_mutex);
-        m_endpoints.erase(endpoint);
+        m_endpoints.erase(guidOf(endpoint));
     }
     m_changed();
 }
 
-void Discovery::on_publisher_discovery(Participant*, rtps::WriterDiscoveryInfo&& info) {
-    if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) return forget(guidOf(info.info.guid()));
+void Discovery::writerSeen(const fastdds::EndpointData& data) {
     MatchTerms terms;
-    terms.xcdr1 = speaksXcdr1(info.info.m_qos);
-    note(info.info, RemoteEndpoint::Kind::Writer, terms);
+    terms.xcdr1 = speaksXcdr1(data);
+    note(data, RemoteEndpoint::Kind::Writer, terms);
 }
 
-void Discovery::on_subscriber_discovery(Participant*, rtps::ReaderDiscoveryInfo&& info) {
-    if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER) return forget(guidOf(info.info.guid()));
-    const auto& liveliness = info.info.m_qos.m_liveliness;
+void Discovery::readerSeen(const fastdds::EndpointData& data) {
     MatchTerms terms;
-    terms.xcdr1 = speaksXcdr1(info.info.m_qos);
-    terms.automaticLiveliness = liveliness.kind == efd::AUTOMATIC_LIVELINESS_QOS &&
-                                liveliness.lease_duration == eprosima::fastrtps::c_TimeInfinite;
-    note(info.info, RemoteEndpoint::Kind::Reader, terms);
+    terms.xcdr1 = speaksXcdr1(data);
+    terms.automaticLiveliness = data.liveliness.kind == efd::AUTOMATIC_LIVELINESS_QOS &&
+                                data.liveliness.lease_duration == fastdds::Infinite;
+    note(data, RemoteEndpoint::Kind::Reader, terms);
 }
 
 void Discovery::add(const Guid& local, LocalEndpoint endpoint) {

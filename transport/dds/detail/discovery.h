@@ -6,8 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
-
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/local_endpoint.h"
 #include "transport/dds/detail/mismatch.h"
 #include "transport/dds/endpoint.h"
@@ -15,7 +14,7 @@
 namespace leitstand::detail {
 
 /// Keeps what discovery tells. As a listener it only notes and calls @p changed, which must not block.
-class Discovery final : public eprosima::fastdds::dds::DomainParticipantListener {
+class Discovery final : public fastdds::DiscoveryListener {
 public:
     Discovery(std::function<void()> changed, bool secure);
 
@@ -35,7 +34,6 @@ public:
     [[nodiscard]] std::vector<Guid> matchedWith(const Guid& local) const;
 
 private:
-    using Participant = eprosima::fastdds::dds::DomainParticipant;
     struct KnownParticipant {
         RemoteParticipant participant;
         std::chrono::steady_clock::time_point since;
@@ -46,18 +44,14 @@ private:
         std::chrono::steady_clock::time_point since;
     };
 
-    void on_participant_discovery(Participant* participant,
-                                  eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
-    void onParticipantAuthentication(Participant* participant,
-                                     eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
-    void on_publisher_discovery(Participant* participant,
-                                eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
-    void on_subscriber_discovery(Participant* participant,
-                                 eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
+    void participantSeen(const fastdds::ParticipantData& data) override;
+    void participantGone(const fastdds::rtps::GUID_t& guid) override;
+    void participantJudged(const fastdds::rtps::GUID_t& guid, bool refused) override;
+    void writerSeen(const fastdds::EndpointData& data) override;
+    void readerSeen(const fastdds::EndpointData& data) override;
+    void endpointGone(const fastdds::rtps::GUID_t& guid) override;
 
-    template <class ProxyData>
-    void note(const ProxyData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms);
-    void forget(const Guid& endpoint);
+    void note(const fastdds::EndpointData& data, RemoteEndpoint::Kind kind, const MatchTerms& terms);
     [[nodiscard]] RemoteParticipant& known(const Guid& participant);
     [[nodiscard]] RemoteEndpoint named(RemoteEndpoint endpoint) const;
 

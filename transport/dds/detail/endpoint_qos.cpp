@@ -8,7 +8,7 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-using eprosima::fastrtps::Duration_t;
+using Duration_t = fastdds::Duration;
 
 constexpr double Heartbeats = 0.1;  ///< of reliable writers, while somebody lacks something [s]
 constexpr int MostKept = 5000;      // samples of a keep_all history
@@ -39,7 +39,7 @@ void apply(const Qos& qos, EndpointQos& to) {
 template <class EndpointQos>
 void makeSound(EndpointQos& qos) {
     qos.endpoint().history_memory_policy =
-        eprosima::fastrtps::rtps::MemoryManagementPolicy_t::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+        fastdds::rtps::MemoryManagementPolicy_t::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.data_sharing().off();
 }
 
@@ -47,7 +47,7 @@ void makeSound(EndpointQos& qos) {
 
 void keepSound(efd::DataReaderQos& qos) {
     makeSound(qos);
-    qos.type_consistency().representation.m_value = {efd::XCDR_DATA_REPRESENTATION};
+    fastdds::representationOf(qos).m_value = {efd::XCDR_DATA_REPRESENTATION};
 }
 
 void keepSound(efd::DataWriterQos& qos) {
@@ -72,7 +72,7 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
     // What lives short is asked for again soon: a drive command that was lost can come before its time is
     // over.
     const double period = qos.lifespan > 0.0 ? std::min(Heartbeats, qos.lifespan / 10.0) : Heartbeats;
-    made.reliable_writer_qos().times.heartbeatPeriod = Duration_t(static_cast<long double>(period));
+    fastdds::setHeartbeat(made, Duration_t(static_cast<long double>(period)));
     if (flow == Flow::Immediate) {
         made.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
     } else {

@@ -5,6 +5,7 @@
 
 #include <pthread.h>
 
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/reader.h"
 
 namespace leitstand::detail {
@@ -79,7 +80,7 @@ void LaneThread::run() {
     efd::ConditionSeq active;
     bool more = false;
     while (!m_stop) {
-        const auto patience = more ? eprosima::fastrtps::c_TimeZero : eprosima::fastrtps::c_TimeInfinite;
+        const auto patience = more ? fastdds::Zero : fastdds::Infinite;
         active.clear();
         m_waitSet.wait(active, patience);
         if (m_stop) return;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fmt/format.h>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/log/StdoutErrConsumer.hpp>
@@ -12,6 +10,7 @@
 
 #include "transport/dds/detail/convert.h"
 #include "transport/dds/detail/endpoint_qos.h"
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/participant_qos.h"
 #include "transport/dds/detail/raw_type.h"
 #include "transport/dds/detail/screened_transport.h"
@@ -31,10 +30,7 @@ void setUpLibrary(bool profiles) {
         consumer->stderr_threshold(efd::Log::Kind::Info);
         efd::Log::ClearConsumers();
         efd::Log::RegisterConsumer(std::move(consumer));
-        if (profiles) return;
-        eprosima::fastrtps::LibrarySettingsAttributes library;
-        library.intraprocess_delivery = eprosima::fastrtps::IntraprocessDeliveryType::INTRAPROCESS_OFF;
-        eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(library);
+        if (!profiles) fastdds::turnOffShortcuts();
     });
 }
 
@@ -42,10 +38,8 @@ void setUpLibrary(bool profiles) {
 template <class EndpointQos, class Lookup>
 bool fromProfile(const NodeSettings& settings, const std::string& topic, EndpointQos& qos, Lookup lookup) {
     if (!usesProfiles(settings)) return false;
-    if (lookup(topic, qos) != ReturnCode_t::RETCODE_OK &&
-        lookup(ddsTopicOf(topic), qos) != ReturnCode_t::RETCODE_OK) {
+    if (!fastdds::succeeded(lookup(topic, qos)) && !fastdds::succeeded(lookup(ddsTopicOf(topic), qos)))
         return false;
-    }
     keepSound(qos);
     return true;
 }
@@ -59,9 +53,7 @@ Qos effective(const EndpointQos& endpoint) {
     qos.durability = endpoint.durability().kind == efd::VOLATILE_DURABILITY_QOS
                          ? Qos::Durability::Volatile
                          : Qos::Durability::TransientLocal;
-    const auto& deadline = endpoint.deadline().period;
-    qos.deadline =
-        deadline == eprosima::fastrtps::c_TimeInfinite ? 0.0 : static_cast<double>(deadline.to_ns()) * 1e-9;
+    qos.deadline = fastdds::secondsOf(endpoint.deadline().period);
     return qos;
 }
 

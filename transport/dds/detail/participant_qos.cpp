@@ -6,13 +6,11 @@
 #include <fstream>
 #include <memory>
 
-#include <fastdds/rtps/attributes/ServerAttributes.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <fmt/format.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/flowcontrol/FlowControllerDescriptor.hpp>
 
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/interfaces.h"
 #include "transport/dds/detail/socket_buffers.h"
 
@@ -20,11 +18,11 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 using eprosima::fastdds::rtps::FlowControllerDescriptor;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
+using fastdds::ProfilesVariable;
 
-constexpr const char* ProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
 constexpr const char* MulticastGroup = "239.255.0.1";  // of discovery: RTPS 2.2, section 9.6.1.4
 constexpr std::uint16_t ServerPort = 11811;
 constexpr std::uint32_t PeersPerHost = 10;
@@ -74,20 +72,17 @@ Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos&
     if (settings.discoveryServer.empty()) return {};
     auto& discovery = qos.wire_protocol().builtin.discovery_config;
     // An ordinary client would be told only of the topics it uses itself.
-    discovery.discoveryProtocol = rtps::DiscoveryProtocol_t::SUPER_CLIENT;
+    discovery.discoveryProtocol = fastdds::SuperClient;
     std::string_view rest = settings.discoveryServer;
     for (int number = 0;; ++number) {
         const auto end = rest.find(';');
         if (const std::string text(rest.substr(0, end)); !text.empty()) {
             const auto peer = parsePeer(text, "discovery server");
             if (!peer) return peer.error();
-            eprosima::fastdds::rtps::RemoteServerAttributes server;
-            if (!eprosima::fastdds::rtps::get_server_client_default_guidPrefix(number, server.guidPrefix)) {
+            const std::uint16_t port = peer->port == 0 ? ServerPort : peer->port;
+            if (!fastdds::addServer(discovery, number, locator(peer->address, port))) {
                 return Error{fmt::format("discovery server: \"{}\": there may be 256 at most", text)};
             }
-            server.metatrafficUnicastLocatorList.push_back(
-                locator(peer->address, peer->port == 0 ? ServerPort : peer->port));
-            discovery.m_DiscoveryServers.push_back(server);
         }
         if (end == std::string_view::npos) return {};
         rest.remove_prefix(end + 1);
@@ -134,7 +129,7 @@ Result<void> addSecurity(const SecurityFiles& files, efd::DomainParticipantQos& 
     return {};
 }
 
-eprosima::fastrtps::Duration_t duration(double seconds) {
+fastdds::Duration duration(double seconds) {
     const double whole = std::floor(seconds);
     return {static_cast<int32_t>(whole), static_cast<uint32_t>((seconds - whole) * 1e9)};
 }

@@ -5,47 +5,36 @@
 #include "transport/cdr/encapsulation.h"
 
 namespace leitstand::detail {
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 
-RawType::RawType(const std::string& ddsName) {
-    setName(ddsName.c_str());
-    m_typeSize = 256;  // where payloads begin to grow from, no limit
-    m_isGetKeyDefined = false;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
-}
+RawType::RawType(const std::string& ddsName) : NamedType(ddsName, 256) {}
 
-bool RawType::serialize(void* sample, rtps::SerializedPayload_t* payload) {
-    const auto& bytes = *static_cast<RawSample*>(sample)->cdr;
-    if (bytes.size() < EncapsulationSize || bytes.size() > payload->max_size) return false;
-    std::memcpy(payload->data, bytes.data(), bytes.size());
-    payload->length = static_cast<uint32_t>(bytes.size());
-    payload->encapsulation = std::to_integer<uint16_t>(bytes[1] & std::byte{1}) != 0 ? CDR_LE : CDR_BE;
+bool RawType::toPayload(const void* sample, rtps::SerializedPayload_t& payload) const {
+    const auto& bytes = *static_cast<const RawSample*>(sample)->cdr;
+    if (bytes.size() < EncapsulationSize || bytes.size() > payload.max_size) return false;
+    std::memcpy(payload.data, bytes.data(), bytes.size());
+    payload.length = static_cast<uint32_t>(bytes.size());
+    payload.encapsulation = std::to_integer<uint16_t>(bytes[1] & std::byte{1}) != 0 ? CDR_LE : CDR_BE;
     return true;
 }
 
-bool RawType::deserialize(rtps::SerializedPayload_t* payload, void* sample) {
-    const auto* begin = reinterpret_cast<const std::byte*>(payload->data);
+bool RawType::fromPayload(const rtps::SerializedPayload_t& payload, void* sample) const {
+    const auto* begin = reinterpret_cast<const std::byte*>(payload.data);
     static_cast<RawSample*>(sample)->cdr =
-        std::make_shared<const std::vector<std::byte>>(begin, begin + payload->length);
+        std::make_shared<const std::vector<std::byte>>(begin, begin + payload.length);
     return true;
 }
 
-std::function<uint32_t()> RawType::getSerializedSizeProvider(void* sample) {
-    const auto size = static_cast<uint32_t>(static_cast<RawSample*>(sample)->cdr->size());
-    return [size] { return size; };
+std::uint32_t RawType::bytesOf(const void* sample) const {
+    return static_cast<std::uint32_t>(static_cast<const RawSample*>(sample)->cdr->size());
 }
 
-void* RawType::createData() {
+void* RawType::make() const {
     return new RawSample;
 }
 
-void RawType::deleteData(void* sample) {
+void RawType::drop(void* sample) const {
     delete static_cast<RawSample*>(sample);
-}
-
-bool RawType::getKey(void*, rtps::InstanceHandle_t*, bool) {
-    return false;
 }
 
 }  // namespace leitstand::detail

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include <fastdds/dds/topic/TopicDataType.hpp>
-
 #include "core/mission/raw_event.h"
+#include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::detail {
 
@@ -16,18 +14,16 @@ struct RawSample {
 
 /// A type without keys whose samples Fast DDS carries as bytes, encapsulation header included. It tells
 /// others its name and nothing about its structure, as ROS 2 nodes do.
-class RawType final : public eprosima::fastdds::dds::TopicDataType {
+class RawType final : public fastdds::NamedType {
 public:
     explicit RawType(const std::string& ddsName);
 
-    bool serialize(void* sample, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
-    bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* sample) override;
-    std::function<uint32_t()> getSerializedSizeProvider(void* sample) override;
-    void* createData() override;
-    void deleteData(void* sample) override;
-    bool getKey(void* sample, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool md5) override;
-    bool is_bounded() const override { return false; }
-    bool is_plain() const override { return false; }
+private:
+    bool toPayload(const void* sample, fastdds::rtps::SerializedPayload_t& payload) const override;
+    bool fromPayload(const fastdds::rtps::SerializedPayload_t& payload, void* sample) const override;
+    std::uint32_t bytesOf(const void* sample) const override;
+    void* make() const override;
+    void drop(void* sample) const override;
 };
 
 }  // namespace leitstand::detail

@@ -14,7 +14,7 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void Reader::suspend() {
 bool Reader::take(ReceivedSample& sample) {
     RawSample raw;
     efd::SampleInfo info;
-    while (m_reader->take_next_sample(&raw, &info) == ReturnCode_t::RETCODE_OK) {
+    while (fastdds::succeeded(m_reader->take_next_sample(&raw, &info))) {
         if (!info.valid_data || !raw.cdr) continue;
         sample.event.topic = m_settings.topic;
         sample.event.type = m_settings.type;

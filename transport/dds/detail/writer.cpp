@@ -14,7 +14,7 @@ namespace leitstand::detail {
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 
 constexpr std::chrono::milliseconds Slice{
     50};  // what close() waits for somebody who waits for acknowledgments
@@ -61,7 +61,7 @@ bool Writer::isKept() const {
 
 Result<void> Writer::send(const Payload& cdr) {
     RawSample sample{cdr};
-    if (!m_writer->write(&sample))
+    if (!fastdds::write(*m_writer, &sample))
         return Error{m_settings.topic + ": the history is full, nobody acknowledges"};
     return {};
 }
@@ -107,8 +107,8 @@ bool Writer::waitForAcknowledgments(std::chrono::milliseconds atMost) const {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
         const auto wait = std::clamp(left, std::chrono::milliseconds(0), Slice);
-        const eprosima::fastrtps::Duration_t slice(0, static_cast<uint32_t>(wait.count()) * 1'000'000U);
-        if (m_writer->wait_for_acknowledgments(slice) == ReturnCode_t::RETCODE_OK) return true;
+        const fastdds::Duration slice(0, static_cast<uint32_t>(wait.count()) * 1'000'000U);
+        if (fastdds::succeeded(m_writer->wait_for_acknowledgments(slice))) return true;
     } while (std::chrono::steady_clock::now() < end);
     return false;
 }

@@ -1,0 +1,378 @@
+#pragma once
+
+// The one place that knows Fast DDS's versions: 2.9 of Debian 12 and 3.1 of Debian 13. What the two call and
+// pass differently has one name here; the rest of transport says `fastdds::rtps::Locator_t`,
+// `efd::DataWriter`...
+
+#if __has_include(<fastdds/LibrarySettings.hpp>)
+#define LEITSTAND_FASTDDS_3 1
+#include <fastdds/LibrarySettings.hpp>
+#include <fastdds/rtps/attributes/RTPSParticipantAttributes.hpp>
+#include <fastdds/rtps/builtin/data/ParticipantBuiltinTopicData.hpp>
+#include <fastdds/rtps/builtin/data/PublicationBuiltinTopicData.hpp>
+#include <fastdds/rtps/builtin/data/SubscriptionBuiltinTopicData.hpp>
+#include <fastdds/rtps/common/Guid.hpp>
+#include <fastdds/rtps/common/SequenceNumber.hpp>
+#include <fastdds/rtps/common/Time_t.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
+#include <fastdds/utils/IPLocator.hpp>
+#else
+#define LEITSTAND_FASTDDS_3 0
+#include <fastdds/rtps/attributes/ServerAttributes.h>
+#include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
+#include <fastdds/rtps/builtin/data/ReaderProxyData.h>
+#include <fastdds/rtps/builtin/data/WriterProxyData.h>
+#include <fastdds/rtps/common/Guid.h>
+#include <fastdds/rtps/common/SequenceNumber.h>
+#include <fastdds/rtps/common/Time_t.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/attributes/LibrarySettingsAttributes.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#endif
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fastdds/dds/core/policy/ParameterTypes.hpp>
+#include <fastdds/dds/core/policy/QosPolicies.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+
+namespace leitstand::detail::fastdds {
+
+namespace dds = eprosima::fastdds::dds;
+
+#if LEITSTAND_FASTDDS_3
+namespace rtps = eprosima::fastdds::rtps;
+using Duration = dds::Duration_t;
+inline const Duration Infinite = dds::c_TimeInfinite;
+inline const Duration Zero = dds::c_TimeZero;
+inline constexpr const char* ProfilesVariable = "FASTDDS_DEFAULT_PROFILES_FILE";
+/// Root element of profiles, as programs of this version write it.
+inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
+using ParticipantData = rtps::ParticipantBuiltinTopicData;
+using WriterData = rtps::PublicationBuiltinTopicData;
+using ReaderData = rtps::SubscriptionBuiltinTopicData;
+#else
+namespace rtps = eprosima::fastrtps::rtps;
+using Duration = eprosima::fastrtps::Duration_t;
+inline const Duration Infinite = eprosima::fastrtps::c_TimeInfinite;
+inline const Duration Zero = eprosima::fastrtps::c_TimeZero;
+inline constexpr const char* ProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
+inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles";
+using ParticipantData = rtps::ParticipantProxyData;
+using WriterData = rtps::WriterProxyData;
+using ReaderData = rtps::ReaderProxyData;
+#endif
+
+/// 0 when @p duration is infinite [s].
+[[nodiscard]] inline double secondsOf(const Duration& duration) {
+    return duration == Infinite
+               ? 0.0
+               : static_cast<double>(duration.seconds) + static_cast<double>(duration.nanosec) * 1e-9;
+}
+
+/// Whether a call of the library did what it was asked for.
+template <class Code>
+[[nodiscard]] bool succeeded(const Code& code) {
+#if LEITSTAND_FASTDDS_3
+    return code == dds::RETCODE_OK;
+#else
+    return code == ReturnCode_t::RETCODE_OK;
+#endif
+}
+
+/// Whether @p sample was taken into the writer's history.
+[[nodiscard]] inline bool write(dds::DataWriter& writer, void* sample) {
+#if LEITSTAND_FASTDDS_3
+    return succeeded(writer.write(sample));
+#else
+    return writer.write(sample);
+#endif
+}
+
+/// Samples between endpoints of this process take the same way as all others.
+inline void turnOffShortcuts() {
+#if LEITSTAND_FASTDDS_3
+    eprosima::fastdds::LibrarySettings library;
+    library.intraprocess_delivery = eprosima::fastdds::INTRAPROCESS_OFF;
+    dds::DomainParticipantFactory::get_instance()->set_library_settings(library);
+#else
+    eprosima::fastrtps::LibrarySettingsAttributes library;
+    library.intraprocess_delivery = eprosima::fastrtps::IntraprocessDeliveryType::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(library);
+#endif
+}
+
+/// How often a writer that is not acknowledged says what it has.
+inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
+#if LEITSTAND_FASTDDS_3
+    qos.reliable_writer_qos().times.heartbeat_period = period;
+#else
+    qos.reliable_writer_qos().times.heartbeatPeriod = period;
+#endif
+}
+
+[[nodiscard]] inline dds::DataRepresentationQosPolicy& representationOf(dds::DataReaderQos& qos) {
+#if LEITSTAND_FASTDDS_3
+    return qos.representation();
+#else
+    return qos.type_consistency().representation;
+#endif
+}
+
+#if LEITSTAND_FASTDDS_3
+inline constexpr auto SuperClient = rtps::DiscoveryProtocol::SUPER_CLIENT;
+#else
+inline constexpr auto SuperClient = rtps::DiscoveryProtocol_t::SUPER_CLIENT;
+#endif
+
+/// Adds the discovery server of this number at @p locator; false: the number is none of a server.
+template <class DiscoverySettings>
+[[nodiscard]] bool addServer(DiscoverySettings& discovery, int number, const rtps::Locator_t& locator) {
+#if LEITSTAND_FASTDDS_3
+    if (number > 255) return false;
+    discovery.m_DiscoveryServers.push_back(locator);
+#else
+    eprosima::fastdds::rtps::RemoteServerAttributes server;
+    if (!eprosima::fastdds::rtps::get_server_client_default_guidPrefix(number, server.guidPrefix))
+        return false;
+    server.metatrafficUnicastLocatorList.push_back(locator);
+    discovery.m_DiscoveryServers.push_back(server);
+#endif
+    return true;
+}
+
+/// Makes a participant the discovery server number 0.
+inline void becomeServer(dds::DomainParticipantQos& qos) {
+#if LEITSTAND_FASTDDS_3
+    qos.wire_protocol().builtin.discovery_config.discoveryProtocol = rtps::DiscoveryProtocol::SERVER;
+#else
+    qos.wire_protocol().builtin.discovery_config.discoveryProtocol = rtps::DiscoveryProtocol_t::SERVER;
+    eprosima::fastdds::rtps::get_server_client_default_guidPrefix(0, qos.wire_protocol().prefix);
+#endif
+}
+
+/// What discovery tells of a remote reader or writer.
+struct EndpointData {
+    rtps::GUID_t guid;
+    std::string topic, type;
+    bool keyed = false, exclusive = false;
+    std::vector<std::string> partitions;
+    dds::ReliabilityQosPolicy reliability;
+    dds::DurabilityQosPolicy durability;
+    dds::DeadlineQosPolicy deadline;
+    dds::LifespanQosPolicy lifespan;
+    dds::LivelinessQosPolicy liveliness;
+    dds::DataRepresentationQosPolicy representation;
+};
+
+#if LEITSTAND_FASTDDS_3
+template <class Data>
+[[nodiscard]] EndpointData endpointOf(const Data& data) {
+    EndpointData endpoint;
+    endpoint.guid = data.guid;
+    endpoint.topic = data.topic_name.to_string();
+    endpoint.type = data.type_name.to_string();
+    endpoint.keyed = data.topic_kind == rtps::WITH_KEY;
+    endpoint.exclusive = data.ownership.kind == dds::EXCLUSIVE_OWNERSHIP_QOS;
+    endpoint.partitions = data.partition.getNames();
+    endpoint.reliability = data.reliability;
+    endpoint.durability = data.durability;
+    endpoint.deadline = data.deadline;
+    if constexpr (requires { data.lifespan; }) endpoint.lifespan = data.lifespan;
+    endpoint.liveliness = data.liveliness;
+    endpoint.representation = data.representation;
+    return endpoint;
+}
+[[nodiscard]] inline rtps::GUID_t guidOf(const ParticipantData& data) {
+    return data.guid;
+}
+[[nodiscard]] inline std::string nameOf(const ParticipantData& data) {
+    return data.participant_name.to_string();
+}
+[[nodiscard]] inline const auto& propertiesOf(const ParticipantData& data) {
+    return data.properties;
+}
+#else
+template <class Data>
+[[nodiscard]] EndpointData endpointOf(const Data& data) {
+    EndpointData endpoint;
+    endpoint.guid = data.guid();
+    endpoint.topic = data.topicName().to_string();
+    endpoint.type = data.typeName().to_string();
+    endpoint.keyed = data.topicKind() == rtps::WITH_KEY;
+    endpoint.exclusive = data.m_qos.m_ownership.kind == dds::EXCLUSIVE_OWNERSHIP_QOS;
+    endpoint.partitions = data.m_qos.m_partition.getNames();
+    endpoint.reliability = data.m_qos.m_reliability;
+    endpoint.durability = data.m_qos.m_durability;
+    endpoint.deadline = data.m_qos.m_deadline;
+    endpoint.lifespan = data.m_qos.m_lifespan;
+    endpoint.liveliness = data.m_qos.m_liveliness;
+    endpoint.representation = data.m_qos.representation;
+    return endpoint;
+}
+[[nodiscard]] inline rtps::GUID_t guidOf(const ParticipantData& data) {
+    return data.m_guid;
+}
+[[nodiscard]] inline std::string nameOf(const ParticipantData& data) {
+    return data.m_participantName.to_string();
+}
+[[nodiscard]] inline const auto& propertiesOf(const ParticipantData& data) {
+    return data.m_properties;
+}
+#endif
+
+/// Is told of all that discovery finds, changes and loses, on threads of the library.
+class DiscoveryListener : public dds::DomainParticipantListener {
+protected:
+    virtual void participantSeen(const ParticipantData& data) = 0;
+    virtual void participantGone(const rtps::GUID_t& guid) = 0;
+    virtual void participantJudged(const rtps::GUID_t& guid, bool refused) = 0;
+    virtual void writerSeen(const EndpointData& data) = 0;
+    virtual void readerSeen(const EndpointData& data) = 0;
+    virtual void endpointGone(const rtps::GUID_t& guid) = 0;
+
+private:
+#if LEITSTAND_FASTDDS_3
+    void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryStatus status,
+                                  const ParticipantData& data, bool& ignored) override {
+        using Status = rtps::ParticipantDiscoveryStatus;
+        ignored = false;
+        if (status == Status::REMOVED_PARTICIPANT || status == Status::DROPPED_PARTICIPANT)
+            participantGone(data.guid);
+        else if (status != Status::IGNORED_PARTICIPANT)
+            participantSeen(data);
+    }
+    void on_data_writer_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryStatus status,
+                                  const WriterData& data, bool& ignored) override {
+        using Status = rtps::WriterDiscoveryStatus;
+        ignored = false;
+        if (status == Status::REMOVED_WRITER)
+            endpointGone(data.guid);
+        else if (status != Status::IGNORED_WRITER)
+            writerSeen(endpointOf(data));
+    }
+    void on_data_reader_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryStatus status,
+                                  const ReaderData& data, bool& ignored) override {
+        using Status = rtps::ReaderDiscoveryStatus;
+        ignored = false;
+        if (status == Status::REMOVED_READER)
+            endpointGone(data.guid);
+        else if (status != Status::IGNORED_READER)
+            readerSeen(endpointOf(data));
+    }
+#else
+    void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+        using Info = rtps::ParticipantDiscoveryInfo;
+        if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT)
+            participantGone(info.info.m_guid);
+        else
+            participantSeen(info.info);
+    }
+    void on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
+        if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER)
+            endpointGone(info.info.guid());
+        else
+            writerSeen(endpointOf(info.info));
+    }
+    void on_subscriber_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
+        if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER)
+            endpointGone(info.info.guid());
+        else
+            readerSeen(endpointOf(info.info));
+    }
+#endif
+    void onParticipantAuthentication(dds::DomainParticipant*,
+                                     rtps::ParticipantAuthenticationInfo&& info) override {
+        participantJudged(info.guid,
+                          info.status == rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT);
+    }
+};
+
+/// A type without keys that tells others its name and nothing of its structure.
+class NamedType : public dds::TopicDataType {
+public:
+    /// @p size: where payloads begin to grow from, no limit [B].
+    NamedType(const std::string& ddsName, std::uint32_t size) {
+#if LEITSTAND_FASTDDS_3
+        set_name(ddsName);
+        max_serialized_type_size = size;
+        is_compute_key_provided = false;
+#else
+        setName(ddsName.c_str());
+        m_typeSize = size;
+        m_isGetKeyDefined = false;
+        auto_fill_type_object(false);
+        auto_fill_type_information(false);
+#endif
+    }
+
+protected:
+    [[nodiscard]] virtual bool toPayload(const void* sample, rtps::SerializedPayload_t& payload) const = 0;
+    [[nodiscard]] virtual bool fromPayload(const rtps::SerializedPayload_t& payload, void* sample) const = 0;
+    [[nodiscard]] virtual std::uint32_t bytesOf(const void* sample) const = 0;
+    [[nodiscard]] virtual void* make() const = 0;
+    virtual void drop(void* sample) const = 0;
+
+private:
+#if LEITSTAND_FASTDDS_3
+    bool serialize(const void* const sample, rtps::SerializedPayload_t& payload,
+                   dds::DataRepresentationId_t) override {
+        return toPayload(sample, payload);
+    }
+    bool deserialize(rtps::SerializedPayload_t& payload, void* sample) override {
+        return fromPayload(payload, sample);
+    }
+    uint32_t calculate_serialized_size(const void* const sample, dds::DataRepresentationId_t) override {
+        return bytesOf(sample);
+    }
+    void* create_data() override {
+        return make();
+    }
+    void delete_data(void* sample) override {
+        drop(sample);
+    }
+    bool compute_key(rtps::SerializedPayload_t&, rtps::InstanceHandle_t&, bool) override {
+        return false;
+    }
+    bool compute_key(const void* const, rtps::InstanceHandle_t&, bool) override {
+        return false;
+    }
+#else
+    bool serialize(void* sample, rtps::SerializedPayload_t* payload) override {
+        return toPayload(sample, *payload);
+    }
+    bool deserialize(rtps::SerializedPayload_t* payload, void* sample) override {
+        return fromPayload(*payload, sample);
+    }
+    std::function<uint32_t()> getSerializedSizeProvider(void* sample) override {
+        return [size = bytesOf(sample)] { return size; };
+    }
+    void* createData() override {
+        return make();
+    }
+    void deleteData(void* sample) override {
+        drop(sample);
+    }
+    bool getKey(void*, rtps::InstanceHandle_t*, bool) override {
+        return false;
+    }
+    bool is_bounded() const override {
+        return false;
+    }
+    bool is_plain() const override {
+        return false;
+    }
+#endif
+};
+
+}  // namespace leitstand::detail::fastdds
