@@ -5,6 +5,7 @@ find_package(fmt REQUIRED)
 find_package(GTest REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZBAR REQUIRED IMPORTED_TARGET zbar)
+find_package(ZLIB REQUIRED)
 include(GoogleTest)
 
 if(NOT LEITSTAND_CORE_ONLY)
