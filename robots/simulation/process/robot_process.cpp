@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/printable.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
@@ -169,7 +170,8 @@ Result<void> runRobot(const RobotOptions& options) {
     if (!agent) return agent.error();
     const auto node = join(options, robot->name, options.domain, !options.keys.empty());
     if (!node) return node.error();
-    for (const std::string& warning : (*node)->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : (*node)->warnings())
+        std::fprintf(stderr, "%s\n", printable(warning).c_str());
     const auto truths = join(options, robot->name + " truth", options.domain + 100, false);
     if (!truths) return truths.error();
     const auto wire = RobotWire::create(**node, *robot);
@@ -179,7 +181,8 @@ Result<void> runRobot(const RobotOptions& options) {
     std::signal(SIGINT, [](int) { stopped = 1; });
     std::signal(SIGTERM, [](int) { stopped = 1; });
     std::signal(SIGUSR1, [](int) { frozen = frozen == 0 ? 1 : 0; });
-    std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
+    std::printf("%s is in %s on domain %d\n", printable(robot->name).c_str(), printable(arena->name).c_str(),
+                options.domain);
     std::fflush(stdout);
     FrozenPictures cameras;
     live({world, **agent, **wire, **truth, cameras}, pace);

@@ -15,9 +15,6 @@ namespace leitstand {
 namespace {
 
 namespace fs = std::filesystem;
-using test::readAll;
-using test::readText;
-using test::writeText;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -46,7 +43,7 @@ protected:
         Found found;
         const auto reader = test::opened(m_mission);
         if (!reader) return found;
-        found.events = readAll(*reader);
+        found.events = test::readAll(*reader);
         reader->count();
         for (const BagSession& session : reader->sessions()) {
             found.counted += session.messages.value_or(0);
@@ -119,12 +116,12 @@ TEST_F(LostLog, StaysToldWhenTheMissionGoesOn) {
 }
 
 TEST_F(LostLog, CountsThatNobodyCanHaveWrittenAreNotGoneOnFrom) {
-    std::string metadata = readText(m_mission / "metadata.yaml");
+    std::string metadata = test::readText(m_mission / "metadata.yaml");
     const auto counted = metadata.find("leitstand_counted_to: ");
     ASSERT_NE(counted, std::string::npos);
     const auto end = metadata.find('\n', counted);
     metadata.replace(counted, end - counted, "leitstand_counted_to: 999999999999999");
-    writeText(m_mission / "metadata.yaml", metadata);
+    test::writeText(m_mission / "metadata.yaml", metadata);
     const auto writer = std::move(BagWriter::open(m_mission)).value();
     EXPECT_EQ(writer->earlierSequence(), Written);
 }
@@ -133,7 +130,7 @@ TEST_F(LostLog, CountsThatNobodyCanHaveWrittenAreNotGoneOnFrom) {
 constexpr std::size_t LogHeader = 32, LogFrame = 24 + 8'192;
 
 TEST_F(LostLog, FramesBehindABrokenOneAreRead) {
-    const std::string whole = readText(m_log);
+    const std::string whole = test::readText(m_log);
     const std::uint64_t before = [&] {
         fs::remove(m_log);
         return found().events.size();
@@ -150,7 +147,7 @@ TEST_F(LostLog, FramesBehindABrokenOneAreRead) {
         const std::size_t places[] = {0, 9, 17, 24 + random() % 8'192, 500};
         broken[frame + places[round % 5]] ^= '\x55';
         if (round % 5 == 4) broken[frame + 2 * LogFrame + 3'000] ^= '\x33';
-        writeText(m_log, broken);
+        test::writeText(m_log, broken);
         const Found found = this->found();
         salvaged += found.events.size() - before;
         fewest = std::min<std::uint64_t>(fewest, found.events.size());
@@ -164,10 +161,10 @@ TEST_F(LostLog, FramesBehindABrokenOneAreRead) {
 }
 
 TEST_F(LostLog, IsReadWithoutItsHeader) {
-    std::string log = readText(m_log);
+    std::string log = test::readText(m_log);
     for (const std::size_t size : {4U, 32U}) {
         log.replace(0, size, size, 'x');
-        writeText(m_log, log);
+        test::writeText(m_log, log);
         const Found found = this->found();
         EXPECT_GT(found.events.size(), Written - 2 * ACommit);
         EXPECT_THAT(found.problems, Contains(HasSubstr("its header is broken")));
@@ -175,13 +172,13 @@ TEST_F(LostLog, IsReadWithoutItsHeader) {
 }
 
 TEST_F(LostLog, ACutOffEndIsTold) {
-    const std::string whole = readText(m_log);
+    const std::string whole = test::readText(m_log);
     std::mt19937 random(4);
     constexpr int Rounds = 20;
     std::uint64_t silent = 0;
     for (int round = 0; round < Rounds; ++round) {
         const std::size_t size = random() % whole.size();
-        writeText(m_log, whole.substr(0, size));
+        test::writeText(m_log, whole.substr(0, size));
         const Found found = this->found();
         if (found.events.size() == Written) continue;  // cut within what an earlier round left
         silent += found.missing == 0 ? 1 : 0;
@@ -193,12 +190,12 @@ TEST_F(LostLog, ACutOffEndIsTold) {
         fmt::format("what was committed before is read; {} times events were missing untold", silent));
     // Without counts, the log itself tells, as long as it is not cut just between two commits.
     fs::remove(m_mission / "metadata.yaml");
-    writeText(m_log, whole.substr(0, LogHeader + LogFrame + LogFrame / 2));
+    test::writeText(m_log, whole.substr(0, LogHeader + LogFrame + LogFrame / 2));
     EXPECT_THAT(found().problems, Contains(HasSubstr("ends within what was being written")));
 }
 
 TEST_F(LostLog, GarbageInItNeverMakesEventsUp) {
-    const std::string whole = readText(m_log);
+    const std::string whole = test::readText(m_log);
     std::mt19937 random(5);
     constexpr int Rounds = 60;
     for (int round = 0; round < Rounds; ++round) {
@@ -206,7 +203,7 @@ TEST_F(LostLog, GarbageInItNeverMakesEventsUp) {
         const int bytes = 1 << random() % 10;
         for (int i = 0; i < bytes; ++i) garbled[random() % garbled.size()] = static_cast<char>(random());
         if (round % 4 == 0) garbled.resize(random() % garbled.size());
-        writeText(m_log, garbled);
+        test::writeText(m_log, garbled);
         const Found found = this->found();
         EXPECT_LE(found.events.size() + found.missing, Written);
     }

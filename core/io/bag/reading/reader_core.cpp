@@ -206,12 +206,11 @@ std::uint64_t ReaderCore::sequenceAt(Time time) {
 }
 
 void ReaderCore::count() {
-    for (BagPart& part : m_bag.parts) {
-        const auto& topics = part.file->facts().topics;
-        if (std::any_of(topics.begin(), topics.end(),
-                        [](const auto& entry) { return !entry.second.messages; })) {
-            part.file->count();
-        }
+    for (std::size_t index = 0; index < m_bag.parts.size(); ++index) {
+        if (m_bag.parts[index].file->facts().messages()) continue;
+        m_bag.parts[index].file->count();
+        // What SQLite cannot count it cannot read either.
+        if (!m_bag.parts[index].file->facts().messages()) (void)salvage(index);
     }
     listSessions();
     listTopics();
