@@ -7,6 +7,8 @@
 #include <QMenuBar>
 #include <QVBoxLayout>
 
+#include "widgets/plain_texts.h"
+
 namespace leitstand {
 namespace {
 
@@ -51,10 +53,7 @@ void WindowFrame::tell(const QString& text) {
     m_word->setText(m_word->fontMetrics().elidedText(text, Qt::ElideRight, m_window.width() / 2));
     m_recent.prepend(text);
     if (m_recent.size() > Recent) m_recent.removeLast();
-    m_word->setToolTip(QStringLiteral("<p>%1</p>")
-                           .arg(m_recent.join(QLatin1Char('\n'))
-                                    .toHtmlEscaped()
-                                    .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
+    m_word->setToolTip(inLines(m_recent.join(QLatin1Char('\n'))));
     m_window.menuBar()->setCornerWidget(m_word);  // lays it out anew
     m_word->show();
 }
