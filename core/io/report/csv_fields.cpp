@@ -19,16 +19,16 @@ std::string_view trimmed(std::string_view text) {
 
 /// Whether spreadsheets take @p text for a formula. Numbers are none, whatever their sign.
 bool isFormula(std::string_view text) {
+    if (text.starts_with('\t') || text.starts_with('\r') || text.starts_with('\n')) return true;
     const auto first = text.find_first_not_of(" \t\r\n\v\f");
     if (first == std::string_view::npos) return false;
-    const bool blank = text.front() == '\t' || text.front() == '\r' || text.front() == '\n';
-    const auto number = blank ? std::nullopt : detail::toNumber(text);
+    const auto number = detail::toNumber(text);
     if (number && std::isfinite(*number)) return false;
     const std::string_view begin = text.substr(first);
     // The last four are what Japanese keyboards write for the others.
     constexpr std::array<std::string_view, 8> Signs = {"=", "+", "-", "@", "＝", "＋", "－", "＠"};
-    return blank || std::any_of(Signs.begin(), Signs.end(),
-                                [&](std::string_view sign) { return begin.starts_with(sign); });
+    return std::any_of(Signs.begin(), Signs.end(),
+                       [&](std::string_view sign) { return begin.starts_with(sign); });
 }
 
 /// Whether @p text is a formula, perhaps behind apostrophes: those are kept apart from ours.

@@ -38,6 +38,7 @@ bool calculates(std::string field) {
 }
 
 TEST(CsvFields, TextsNeverBeginAFormula) {
+    EXPECT_EQ(quotedField("\t"), "\"'\t\"") << "found by fuzzing";
     EXPECT_EQ(csvField("=1+1"), "'=1+1");
     EXPECT_EQ(csvField("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
     for (const char* text : {"=cmd|' /C calc'!A0", "+1+cmd|x", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1",
