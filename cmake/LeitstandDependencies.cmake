@@ -8,6 +8,7 @@ if(LEITSTAND_TESTS)
 endif()
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZBAR REQUIRED IMPORTED_TARGET zbar)
+find_package(ZLIB REQUIRED)
 
 if(NOT LEITSTAND_CORE_ONLY)
     find_package(CLI11 REQUIRED)

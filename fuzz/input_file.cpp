@@ -16,6 +16,12 @@ InputFile::InputFile(const std::uint8_t* data, std::size_t size) {
     m_path = "/proc/self/fd/" + std::to_string(handle);
 }
 
+int requireNamed(const Error& error, const char* name) {
+    require(error.text.starts_with(name), "an error that names its file");
+    require(error.text.size() < 100'000, "errors that can be read");
+    return 0;
+}
+
 void require(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "fuzz: expected %s\n", what);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "core/base/result.h"
+
 namespace leitstand::fuzz {
 
 /// A file in memory with the fuzzer's bytes, for readers that take a path. The file of the former input is
@@ -16,6 +18,9 @@ public:
 private:
     std::filesystem::path m_path;
 };
+
+/// Wants that @p error names its file @p name and can be read; 0, for the fuzzer.
+int requireNamed(const Error& error, const char* name);
 
 /// Ends the program, for the fuzzer to tell, when @p holds is false: what must hold whatever the input was.
 void require(bool holds, const char* what);

@@ -7,13 +7,16 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/io/bag/bag_writer.h"
+#include "core/io/pad/pad_file.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/settings/comparison_file.h"
 #include "core/io/tum.h"
 #include "core/io/uos.h"
 #include "core/io/xyz.h"
 #include "core/mission/checkpoint.h"
 #include "core/mission/fold.h"
+#include "fuzz/small_bag.h"
 #include "tests/support/samples.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/message_catalog.h"
@@ -114,6 +117,35 @@ bool writeBag(const fs::path& corpus) {
     return done;
 }
 
+/// Bindings of a known pad, and a comparison of three scans.
+void writeSettings(const fs::path& corpus) {
+    write(corpus / "pad/standard", padText(defaultBindings(PadLayout::Standard), "a pad"));
+    MapComparison whole;
+    for (int i = 1; i <= 3; ++i) {
+        ComparedScan one;
+        one.id = static_cast<std::uint64_t>(i);
+        one.recorded = one.again = poseFrom({1.0 * i, -0.5, 0.1}, 0.01, 0.02, 3.0);
+        if (i > 1) one.fitRecorded = one.fitAgain = ScanFit{0.0123, 0.81};
+        whole.scans.push_back(one);
+    }
+    whole.recorded.truth = TrajectoryError{.poses = 3, .position = 0.031, .rotation = 0.01};
+    whole.again.finds = FindsError{.finds = 2, .mean = 0.2, .worst = 0.3, .missed = 4, .wrong = 1};
+    sumUp(whole);
+    write(corpus / "comparison/three", writeComparison(whole));
+}
+
+/// The log of a bag after two transactions, as a killed writer leaves it.
+bool writeLog(const fs::path& corpus) {
+    const fs::path folder = corpus / "wal-made";
+    fs::create_directories(folder);
+    sqlite3* bag = fuzz::openSmallBag(folder / "a.db3");
+    const bool done = bag != nullptr && fuzz::addMessages(bag, 2);
+    if (done) write(corpus / "wal/two", content(folder / "a.db3-wal"));
+    sqlite3_close(bag);
+    fs::remove_all(folder);
+    return done;
+}
+
 /// States of a mission in which everything was said once, and nothing.
 void writeCheckpoints(const fs::path& corpus) {
     MissionState state;
@@ -162,10 +194,11 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: make_seeds fuzz/corpus\n");
         return 2;
     }
-    if (!writeFiles(argv[1]) || !writeBag(argv[1])) {
+    if (!writeFiles(argv[1]) || !writeBag(argv[1]) || !writeLog(argv[1])) {
         std::fprintf(stderr, "make_seeds: %s: cannot be written\n", argv[1]);
         return 1;
     }
+    writeSettings(argv[1]);
     writeMessages(argv[1]);
     writePictures(argv[1]);
     writeCheckpoints(argv[1]);

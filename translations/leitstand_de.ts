@@ -2091,16 +2091,8 @@ Funk: %4 %5</translation>
         <translation>{}: niemand sagt, wo Frame &quot;{}&quot; sitzt (weder tf_static noch die Datei des Roboters); angenommen wird {}</translation>
     </message>
     <message>
-        <source>{}: cannot be written</source>
-        <translation>{}: kann nicht geschrieben werden</translation>
-    </message>
-    <message>
         <source>{}: its file names no {} stream</source>
         <translation>{}: seine Datei nennt keinen Strom {}</translation>
-    </message>
-    <message>
-        <source>{}: the snapshot could not be written: {}</source>
-        <translation>{}: der Schnappschuss konnte nicht geschrieben werden: {}</translation>
     </message>
     <message>
         <source>{}: the folder could not be made: {}</source>
@@ -2233,10 +2225,6 @@ Funk: %4 %5</translation>
     <message>
         <source>{}: table messages: expected ids from 1 to {}, found {} to {}</source>
         <translation>{}: Tabelle messages: erwartet wurden Nummern von 1 bis {}, gefunden {} bis {}</translation>
-    </message>
-    <message>
-        <source>{}: cannot be replaced: {}</source>
-        <translation>{}: kann nicht ersetzt werden: {}</translation>
     </message>
     <message>
         <source>{}: expected a robot&apos;s file, found none</source>
@@ -2737,6 +2725,46 @@ Funk: %4 %5</translation>
     <message>
         <source>expected an area, found {:.3g} square metres</source>
         <translation>erwartet wurde eine Fläche, gefunden {:.3g} Quadratmeter</translation>
+    </message>
+    <message>
+        <source>{}: ends within what was being written: the last moment before is missing</source>
+        <translation>{}: endet mitten in dem, was gerade geschrieben wurde: der letzte Moment davor fehlt</translation>
+    </message>
+    <message>
+        <source>{}: its header is broken</source>
+        <translation>{}: der Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: frame {} is broken, {} follow</source>
+        <translation>{}: Rahmen {} ist beschädigt, {} folgen</translation>
+    </message>
+    <message>
+        <source>{}: expected {} messages, as they were counted, found {}: {} are missing</source>
+        <translation>{}: {} Nachrichten erwartet, so wie sie gezählt wurden, {} gefunden: {} fehlen</translation>
+    </message>
+    <message>
+        <source>{}: and {} more messages with fewer bytes</source>
+        <translation>{}: und {} weitere Nachrichten mit zu wenigen Bytes</translation>
+    </message>
+    <message>
+        <source>{}-wal: expected it, since the writer of {} was cut off, found nothing: what was written last may be missing</source>
+        <translation>{}-wal: erwartet, da das Schreiben von {} abgebrochen ist, aber nicht gefunden: was zuletzt geschrieben wurde, fehlt vielleicht</translation>
+    </message>
+    <message>
+        <source>picture: expected at most {} bytes when it is decoded, found {}</source>
+        <translation>Bild: höchstens {} Bytes im entpackten Bild erwartet, {} gefunden</translation>
+    </message>
+    <message>
+        <source>picture: expected at most {} scans and {} pixels in all of them, found {} scans of {}</source>
+        <translation>Bild: höchstens {} Durchgänge mit zusammen {} Pixeln erwartet, {} Durchgänge mit je {} gefunden</translation>
+    </message>
+    <message>
+        <source>picture: PNG: expected a header of a known kind</source>
+        <translation>Bild: PNG: Kopf einer bekannten Art erwartet</translation>
+    </message>
+    <message>
+        <source>picture: PNG: expected data of {} bytes for its pixels, found more</source>
+        <translation>Bild: PNG: {} Bytes für die Pixel erwartet, mehr gefunden</translation>
     </message>
 </context>
 <context>

@@ -2091,16 +2091,8 @@ Link: %4 %5</source>
         <translation>{}: フレーム &quot;{}&quot; の位置が不明 (tf_static にもロボットのファイルにもなし)。{} とみなします</translation>
     </message>
     <message>
-        <source>{}: cannot be written</source>
-        <translation>{}: 書き込めません</translation>
-    </message>
-    <message>
         <source>{}: its file names no {} stream</source>
         <translation>{}: ファイルにストリーム {} がありません</translation>
-    </message>
-    <message>
-        <source>{}: the snapshot could not be written: {}</source>
-        <translation>{}: 静止画を書き込めませんでした: {}</translation>
     </message>
     <message>
         <source>{}: the folder could not be made: {}</source>
@@ -2233,10 +2225,6 @@ Link: %4 %5</source>
     <message>
         <source>{}: table messages: expected ids from 1 to {}, found {} to {}</source>
         <translation>{}: 表 messages: 番号は 1～{} のはずが {}～{}</translation>
-    </message>
-    <message>
-        <source>{}: cannot be replaced: {}</source>
-        <translation>{}: 置き換えられません: {}</translation>
     </message>
     <message>
         <source>{}: expected a robot&apos;s file, found none</source>
@@ -2737,6 +2725,46 @@ Link: %4 %5</source>
     <message>
         <source>expected an area, found {:.3g} square metres</source>
         <translation>面積が必要ですが、{:.3g} 平方メートルです</translation>
+    </message>
+    <message>
+        <source>{}: ends within what was being written: the last moment before is missing</source>
+        <translation>{}: 書き込みの途中で終わっています。その直前の部分が欠けています</translation>
+    </message>
+    <message>
+        <source>{}: its header is broken</source>
+        <translation>{}: ヘッダーが壊れています</translation>
+    </message>
+    <message>
+        <source>{}: frame {} is broken, {} follow</source>
+        <translation>{}: フレーム {} が壊れています（後に {} 個）</translation>
+    </message>
+    <message>
+        <source>{}: expected {} messages, as they were counted, found {}: {} are missing</source>
+        <translation>{}: 記録時の数では {} 件のはずですが、見つかったのは {} 件です（{} 件が欠けています）</translation>
+    </message>
+    <message>
+        <source>{}: and {} more messages with fewer bytes</source>
+        <translation>{}: ほかに {} 件のメッセージでバイト数が足りません</translation>
+    </message>
+    <message>
+        <source>{}-wal: expected it, since the writer of {} was cut off, found nothing: what was written last may be missing</source>
+        <translation>{}-wal: {} の書き込みが途中で終わったので必要ですが、見つかりません。最後に書かれた部分が欠けている可能性があります</translation>
+    </message>
+    <message>
+        <source>picture: expected at most {} bytes when it is decoded, found {}</source>
+        <translation>画像: 展開後は最大 {} バイトのはずですが、{} です</translation>
+    </message>
+    <message>
+        <source>picture: expected at most {} scans and {} pixels in all of them, found {} scans of {}</source>
+        <translation>画像: スキャンは最大 {} 回、合計 {} 画素のはずですが、{} 回、各 {} 画素です</translation>
+    </message>
+    <message>
+        <source>picture: PNG: expected a header of a known kind</source>
+        <translation>画像: PNG: 既知の種類のヘッダーのはずです</translation>
+    </message>
+    <message>
+        <source>picture: PNG: expected data of {} bytes for its pixels, found more</source>
+        <translation>画像: PNG: 画素のデータは {} バイトのはずですが、それより多くあります</translation>
     </message>
 </context>
 <context>

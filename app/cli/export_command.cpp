@@ -8,10 +8,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/session/interrupt.h"
 #include "app/session/report/mission_export.h"
+#include "core/base/printable.h"
 
 namespace leitstand::cli {
 namespace {
@@ -22,13 +24,12 @@ struct ExportArguments {
     bool json = false;
 };
 
-std::string jsonOf(const ExportOutcome& outcome) {
+nlohmann::ordered_json jsonOf(const ExportOutcome& outcome) {
     using Json = nlohmann::ordered_json;
     Json files = Json::array();
     for (const ReportFile& file : outcome.files)
         files.push_back({{"file", file.name}, {"bytes", file.bytes}, {"check", file.check}});
-    return Json{{"files", files}, {"warnings", outcome.warnings}}.dump(2, ' ', false,
-                                                                       Json::error_handler_t::replace);
+    return {{"files", files}, {"warnings", outcome.warnings}};
 }
 
 int runExport(const ExportArguments& arguments) {
@@ -43,9 +44,10 @@ int runExport(const ExportArguments& arguments) {
         return 1;
     }
     if (arguments.json) {
-        fmt::print("{}\n", jsonOf(*outcome));
+        printJson(jsonOf(*outcome));
     } else {
-        for (const ReportFile& file : outcome->files) fmt::print("{}: {}\n", file.name, file.check);
+        for (const ReportFile& file : outcome->files)
+            print("{}: {}\n", printable(file.name), printable(file.check));
     }
     for (const std::string& warning : outcome->warnings) complain(line, warning);
     return 0;

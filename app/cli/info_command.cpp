@@ -11,9 +11,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/session/log/mission_robots.h"
+#include "core/base/printable.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand::cli {
@@ -55,7 +57,8 @@ std::string infoJson(const BagReader& bag, const std::vector<RobotDescription>& 
                             {"first_ns", session.first.time_since_epoch().count()},
                             {"last_ns", session.last.time_since_epoch().count()},
                             {"closed", session.closed},
-                            {"damaged", session.damaged}});
+                            {"damaged", session.damaged},
+                            {"missing", session.missing}});
     }
     for (const BagTopic& topic : bag.topics()) {
         topics.push_back({{"topic", topic.info.name},
@@ -64,11 +67,13 @@ std::string infoJson(const BagReader& bag, const std::vector<RobotDescription>& 
                           {"definition", !topic.info.definition.empty()}});
     }
     for (const RobotDescription& robot : robots) names.push_back(robot.name);
-    return Json{{"events", eventsOf(bag)}, {"seconds", secondsBetween(bag.first(), bag.last())},
-                {"ours", bag.ours()},      {"robots", names},
-                {"sessions", sessions},    {"topics", topics},
-                {"problems", problems}}
-        .dump(2);
+    return jsonText({{"events", eventsOf(bag)},
+                     {"seconds", secondsBetween(bag.first(), bag.last())},
+                     {"ours", bag.ours()},
+                     {"robots", names},
+                     {"sessions", sessions},
+                     {"topics", topics},
+                     {"problems", problems}});
 }
 
 std::string infoText(const BagReader& bag, const std::vector<RobotDescription>& robots) {
@@ -78,11 +83,12 @@ std::string infoText(const BagReader& bag, const std::vector<RobotDescription>& 
                            : fmt::format("{} to {}, {:.1f} s, {} events\n", dateOf(bag.first()),
                                          dateOf(bag.last()), seconds, eventsOf(bag));
     for (const RobotDescription& robot : robots)
-        text += fmt::format("robot {} {}\n", robot.letter, robot.name);
+        text += fmt::format("robot {} {}\n", robot.letter, printable(robot.name));
     for (const BagSession& session : bag.sessions()) {
-        text += fmt::format("session {}{}{}\n", session.file.filename().string(),
-                            session.closed ? "" : ", still written or cut off",
-                            session.damaged ? ", damaged" : "");
+        text += fmt::format(
+            "session {}{}{}{}\n", printable(session.file.filename().string()),
+            session.closed ? "" : ", still written or cut off", session.damaged ? ", damaged" : "",
+            session.missing > 0 ? fmt::format(", {} events are missing", session.missing) : "");
     }
     std::vector<std::vector<std::string>> rows = {{"topic", "type", "messages", "rate"}};
     for (const BagTopic& topic : bag.topics()) {
@@ -104,7 +110,7 @@ int runInfo(const InfoOptions& options) {
     std::vector<std::string> problems;
     const auto robots = keptRobots(options.mission, problems);
     problems.insert(problems.end(), (*bag)->problems().begin(), (*bag)->problems().end());
-    fmt::print("{}", options.json ? infoJson(**bag, robots, problems) + "\n" : infoText(**bag, robots));
+    print(options.json ? infoJson(**bag, robots, problems) : infoText(**bag, robots));
     for (const std::string& problem : problems) complain(line, problem);
     return 0;
 }

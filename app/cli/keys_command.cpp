@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "transport/security/keys.h"
 
@@ -50,7 +51,7 @@ std::string day(Time time) {
 }
 
 int fail(const std::string& text) {
-    fmt::print(stderr, "leitstandctl: error: {}\n", text);
+    printError("error: " + text);
     return 1;
 }
 
@@ -81,9 +82,9 @@ int report(const std::vector<KeyInfo>& identities, const nlohmann::ordered_json&
     if (json) {
         nlohmann::ordered_json all = {{"identities", list}};
         all.update(more);
-        fmt::print("{}\n", all.dump(2));
+        printJson(all);
     } else {
-        fmt::print("{}", textTable(rows));
+        print(textTable(rows));
     }
     return usable ? 0 : 1;
 }
@@ -92,7 +93,7 @@ int showKeys(const KeysOptions& options) {
     const auto keystore = readKeystore(options.folder);
     if (!keystore) return fail(keystore.error().text);
     for (const std::string& warning : keystore->warnings) {
-        fmt::print(stderr, "leitstandctl: warning: {}\n", warning);
+        printError("warning: " + warning);
     }
     return report(keystore->identities, {{"authority_valid_until", day(keystore->authorityValidUntil)}},
                   options.json);
@@ -128,8 +129,8 @@ int revoke(const KeysOptions& options) {
     for (const std::string& name : options.revoked) {
         const auto count = revokeKeys(options.folder, name);
         if (!count) return fail(count.error().text);
-        fmt::print(stderr, "leitstandctl: {}: {} certificate(s) revoked; copy {} to every machine\n", name,
-                   *count, (options.folder / "public/identity_ca.cert.pem").string());
+        printError(fmt::format("{}: {} certificate(s) revoked; copy {} to every machine", name, *count,
+                               (options.folder / "public/identity_ca.cert.pem").string()));
     }
     return 0;
 }

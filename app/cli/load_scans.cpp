@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/output.h"
 #include "app/session/scans/mission_scans.h"
 #include "core/io/scan_source.h"
 
@@ -12,7 +13,7 @@ namespace leitstand::cli {
 
 void complain(ProgressLine& line, const std::string& text) {
     line.clear();
-    fmt::print(stderr, "leitstandctl: {}\n", text);
+    printError(text);
 }
 
 namespace {

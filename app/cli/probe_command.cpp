@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,10 +11,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/session/domain/domain_probe.h"
 #include "app/session/interrupt.h"
+#include "core/base/printable.h"
+#include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand::cli {
@@ -98,9 +100,8 @@ std::string probeJson(const ProbeReport& report, const std::map<std::string, std
         const auto file = files.find(guess.robot.name);
         robots.push_back({{"name", guess.robot.name}, {"file", file == files.end() ? "" : file->second}});
     }
-    return Json{
-        {"seconds", report.seconds}, {"robots", robots}, {"topics", topics}, {"warnings", report.warnings}}
-        .dump(2);
+    return jsonText(
+        {{"seconds", report.seconds}, {"robots", robots}, {"topics", topics}, {"warnings", report.warnings}});
 }
 
 /// Writes a first file a robot; never over one that is there. Returns the files by robot.
@@ -115,11 +116,8 @@ std::map<std::string, std::string> writeRobotFiles(const ProbeReport& report, co
             complain(line, file.string() + " is there already and stays as it is");
             continue;
         }
-        std::ofstream out(file);
-        out << writeRobot(guess.robot);
-        out.close();
-        if (!out) {
-            complain(line, file.string() + ": cannot be written");
+        if (const auto written = detail::writeWhole(file, writeRobot(guess.robot)); !written) {
+            complain(line, written.error().text);
             ok = false;
             continue;
         }
@@ -140,11 +138,12 @@ int runProbe(const ProbeOptions& options) {
     }
     bool ok = true;
     const auto files = writeRobotFiles(*report, options.out, line, ok);
-    fmt::print("{}", options.json ? probeJson(*report, files) + "\n" : probeTable(*report));
+    print(options.json ? probeJson(*report, files) : probeTable(*report));
     if (!options.json) {
-        fmt::print("{}\n", securityLine(options.settings.domain));
+        print("{}\n", securityLine(options.settings.domain));
         for (const auto& [robot, file] : files) {
-            fmt::print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n", file);
+            print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n",
+                  printable(file));
         }
     }
     for (const std::string& warning : report->warnings) complain(line, warning);

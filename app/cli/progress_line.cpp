@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
+
 namespace leitstand::cli {
 
 ProgressLine::ProgressLine() : m_terminal(isatty(STDERR_FILENO) == 1) {}
@@ -26,7 +28,7 @@ void ProgressLine::show(const std::string& what) {
     if (m_shown && now - m_lastMilliseconds < 100) return;
     m_lastMilliseconds = now;
     m_shown = true;
-    fmt::print(stderr, "\r\x1b[K{}", what);
+    fmt::print(stderr, "\r\x1b[K{}", printable(what));
     std::fflush(stderr);
 }
 

@@ -14,6 +14,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/session/interrupt.h"
@@ -54,11 +55,13 @@ std::string recordJson(const RecorderStatus& status) {
     nlohmann::ordered_json screened = nlohmann::ordered_json::array();
     for (const ScreenDrop& drop : status.screened)
         screened.push_back({{"what", toString(drop)}, {"from", drop.from}, {"packets", drop.packets}});
-    return nlohmann::ordered_json{{"events", status.log.events}, {"bytes", status.log.bytes},
-                                  {"lost", status.log.lost},     {"robots", robots},
-                                  {"unheard", status.unheard},   {"topics", topics},
-                                  {"screened", screened}}
-        .dump(2);
+    return jsonText({{"events", status.log.events},
+                     {"bytes", status.log.bytes},
+                     {"lost", status.log.lost},
+                     {"robots", robots},
+                     {"unheard", status.unheard},
+                     {"topics", topics},
+                     {"screened", screened}});
 }
 
 std::string recordTable(const RecorderStatus& status) {
@@ -124,8 +127,9 @@ int runRecord(const RecordOptions& options) {
         complain(line, recorder.error().text);
         return 1;
     }
-    fmt::print(stderr, "leitstandctl: recording domain {} into {}; Ctrl-C ends it\nleitstandctl: {}\n",
-               options.domain.domain, options.out, securityLine(options.domain));
+    complain(line,
+             fmt::format("recording domain {} into {}; Ctrl-C ends it", options.domain.domain, options.out));
+    complain(line, securityLine(options.domain));
     std::mutex mutex;
     std::condition_variable_any ended;
     std::unique_lock lock(mutex);
@@ -141,7 +145,7 @@ int runRecord(const RecordOptions& options) {
     const auto stopped = (*recorder)->stop();
     status.log = (*recorder)->status().log;
     line.clear();
-    fmt::print("{}", options.json ? recordJson(status) + "\n" : recordTable(status));
+    print(options.json ? recordJson(status) : recordTable(status));
     std::fflush(stdout);  // whatever becomes of the library's threads
     for (const auto& [topic, errors] : status.log.broken) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",

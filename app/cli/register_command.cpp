@@ -8,6 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/register_options.h"
 #include "app/cli/register_report.h"
@@ -90,7 +91,7 @@ int runRegister(const RegisterOptions& options) {
     const MapPtr map = mapper.map();
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
     line.clear();
-    fmt::print("{}", options.json ? registerJson(*map, seconds) + "\n" : registerTable(*map, seconds));
+    print(options.json ? registerJson(*map, seconds) : registerTable(*map, seconds));
     const bool written = writeOutputs(options, *map, line);
     if (interrupt.token().stop_requested()) {
         complain(line, fmt::format("interrupted: {} of {} scans are registered", map->scans.size(),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/output.h"
 #include "app/cli/text_table.h"
 
 namespace leitstand::cli {
@@ -28,7 +29,7 @@ std::string registerJson(const Map& map, double seconds) {
                          {"converged", !scan.registered || scan.icp.converged},
                          {"pose", pose}});
     }
-    return nlohmann::ordered_json{{"scans", scans}, {"seconds", seconds}}.dump(2);
+    return jsonText({{"scans", scans}, {"seconds", seconds}});
 }
 
 std::string registerTable(const Map& map, double seconds) {

@@ -10,9 +10,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/domain_options.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/session/interrupt.h"
 #include "app/session/log/mission_replay.h"
+#include "core/base/printable.h"
 
 namespace leitstand::cli {
 namespace {
@@ -31,11 +33,10 @@ void onPauseSignal(int) {
 }
 
 std::string outcomeJson(const ReplayOutcome& outcome) {
-    return nlohmann::ordered_json{{"published", outcome.published},
-                                  {"held_back", outcome.heldBack},
-                                  {"held_back_topics", outcome.heldBackTopics},
-                                  {"problems", outcome.problems}}
-        .dump(2);
+    return jsonText({{"published", outcome.published},
+                     {"held_back", outcome.heldBack},
+                     {"held_back_topics", outcome.heldBackTopics},
+                     {"problems", outcome.problems}});
 }
 
 int runReplay(ReplayOptions& options) {
@@ -54,14 +55,14 @@ int runReplay(ReplayOptions& options) {
     std::signal(SIGUSR1, SIG_DFL);
     line.clear();
     if (options.json) {
-        fmt::print("{}\n", outcomeJson(outcome));
+        print(outcomeJson(outcome));
     } else {
-        fmt::print("{} samples published, {} held back", outcome.published, outcome.heldBack);
+        print("{} samples published, {} held back", outcome.published, outcome.heldBack);
         for (std::size_t i = 0; i < outcome.heldBackTopics.size(); ++i) {
-            fmt::print("{}{}", i == 0 ? " (commands, stops and the station's own: " : " ",
-                       outcome.heldBackTopics[i]);
+            print("{}{}", i == 0 ? " (commands, stops and the station's own: " : " ",
+                  printable(outcome.heldBackTopics[i]));
         }
-        fmt::print("{}\n", outcome.heldBackTopics.empty() ? "" : ")");
+        print("{}\n", outcome.heldBackTopics.empty() ? "" : ")");
     }
     for (const std::string& problem : outcome.problems) complain(line, problem);
     if (interrupt.token().stop_requested() && !options.settings.loop) {

@@ -15,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
 #include "app/cli/offscreen_fonts.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/language/language.h"
@@ -38,10 +39,15 @@ std::string jsonOf(const ReportOutcome& outcome, const ReportArguments& argument
         files.push_back(
             {{"file", file.name}, {"bytes", file.bytes}, {"whole", file.whole}, {"check", file.check}});
     }
-    return Json{{"name", outcome.name},   {"folder", arguments.out},      {"victims", outcome.victims},
-                {"finds", outcome.finds}, {"scans", outcome.scans},       {"explored_m2", outcome.explored},
-                {"files", files},         {"warnings", outcome.warnings}, {"seconds", outcome.seconds}}
-        .dump(2, ' ', false, Json::error_handler_t::replace);
+    return jsonText({{"name", outcome.name},
+                     {"folder", arguments.out},
+                     {"victims", outcome.victims},
+                     {"finds", outcome.finds},
+                     {"scans", outcome.scans},
+                     {"explored_m2", outcome.explored},
+                     {"files", files},
+                     {"warnings", outcome.warnings},
+                     {"seconds", outcome.seconds}});
 }
 
 std::string tableOf(const ReportOutcome& outcome) {
@@ -83,7 +89,7 @@ int runReport(const ReportArguments& arguments) {
         complain(line, outcome.error().text);
         return 1;
     }
-    fmt::print("{}", arguments.json ? jsonOf(*outcome, arguments) + "\n" : tableOf(*outcome));
+    print(arguments.json ? jsonOf(*outcome, arguments) : tableOf(*outcome));
     for (const std::string& warning : outcome->warnings) complain(line, warning);
     return outcome->whole() ? 0 : 1;
 }

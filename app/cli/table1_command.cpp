@@ -7,6 +7,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "app/session/interrupt.h"
 #include "core/mapping/scan_preparation.h"
@@ -88,7 +89,7 @@ std::string tableJson(const Table1& table) {
             {"ratio", row.paperSpeedUp > 0.0 ? nlohmann::ordered_json(row.paperSpeedUp) : nullptr}};
         rows.push_back(entry);
     }
-    return nlohmann::ordered_json{{"rows", rows}}.dump(2) + "\n";
+    return jsonText({{"rows", rows}});
 }
 
 int runTable1(const Table1Options& options) {
@@ -118,7 +119,7 @@ int runTable1(const Table1Options& options) {
         complain(line, table.error().text);
         return 1;
     }
-    fmt::print("{}", options.json ? tableJson(*table) : tableText(*table, options.settings));
+    print(options.json ? tableJson(*table) : tableText(*table, options.settings));
     return 0;
 }
 

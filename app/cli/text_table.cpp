@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/printable.h"
+
 namespace leitstand::cli {
 namespace {
 
@@ -25,7 +27,11 @@ bool isNumeric(const std::vector<std::vector<std::string>>& rows, std::size_t i)
 
 }  // namespace
 
-std::string textTable(const std::vector<std::vector<std::string>>& rows) {
+std::string textTable(const std::vector<std::vector<std::string>>& given) {
+    auto rows = given;
+    for (auto& row : rows) {
+        for (std::string& cell : row) cell = printable(cell);
+    }
     std::vector<std::size_t> widths;
     for (const auto& row : rows) {
         widths.resize(std::max(widths.size(), row.size()), 0);

@@ -7,6 +7,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/load_scans.h"
+#include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/session/interrupt.h"
 #include "app/session/log/mission_thinning.h"
@@ -32,12 +33,9 @@ int runThin(const ThinArguments& arguments) {
         return 1;
     }
     if (arguments.json) {
-        fmt::print("{}\n",
-                   nlohmann::ordered_json{
-                       {"kept", outcome->kept}, {"left", outcome->left}, {"problems", outcome->problems}}
-                       .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        printJson({{"kept", outcome->kept}, {"left", outcome->left}, {"problems", outcome->problems}});
     } else {
-        fmt::print("{} events kept, {} left out\n", outcome->kept, outcome->left);
+        print("{} events kept, {} left out\n", outcome->kept, outcome->left);
     }
     for (const std::string& problem : outcome->problems) complain(line, problem);
     return 0;

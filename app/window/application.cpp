@@ -1,6 +1,5 @@
 #include "app/window/application.h"
 
-#include <cstdio>
 #include <optional>
 
 #include <QApplication>
@@ -14,6 +13,7 @@
 #include "app/window/review/review_application.h"
 #include "app/window/scans_window.h"
 #include "app/window/screenshot.h"
+#include "app/window/terminal.h"
 #include "core/version/version.h"
 
 namespace leitstand {
@@ -27,14 +27,6 @@ bool displayIsThere() {
 void applyChoices(const Options& options, MapViewSettings& view) {
     if (options.look) view.look = *options.look;
     if (options.theme) view.theme = *options.theme;
-}
-
-/// Keeps remarks of Qt's display-free platform, which come with every window, from the user.
-void dropPlatformRemarks(QtMsgType type, const QMessageLogContext& context, const QString& text) {
-    for (const char* remark : {"propagateSizeHints", "XDG_RUNTIME_DIR not set"}) {
-        if (text.contains(QLatin1String(remark))) return;
-    }
-    std::fprintf(stderr, "%s\n", qUtf8Printable(qFormatLogMessage(type, context, text)));
 }
 
 QString languageOf(const Options& options) {
@@ -78,14 +70,12 @@ int runStation(int argc, char** argv) {
     const bool picture = !options.screenshot.empty();
     if (picture) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
-        qInstallMessageHandler(dropPlatformRemarks);
     } else if (!displayIsThere()) {
-        std::fputs(
-            "leitstand: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).\n"
-            "leitstand: To get a picture without one: leitstand --screenshot map.png SCANS...\n",
-            stderr);
+        tellTerminal("there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).");
+        tellTerminal("To get a picture without one: leitstand --screenshot map.png SCANS...");
         return 1;
     }
+    tellQtMessages(picture);
     QApplication application(argc, argv);
     QGuiApplication::setDesktopFileName(
         QStringLiteral("org.leitstand.leitstand"));  // its icon, under Wayland

@@ -1,13 +1,13 @@
-#include <cstdio>
 #include <exception>
 
 #include "app/window/application.h"
+#include "app/window/terminal.h"
 
 int main(int argc, char** argv) {
     try {
         return leitstand::runStation(argc, argv);
     } catch (const std::exception& broken) {
-        std::fprintf(stderr, "leitstand: %s\n", broken.what());
+        leitstand::tellTerminal(broken.what());
         return 1;
     }
 }

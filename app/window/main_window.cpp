@@ -20,6 +20,7 @@
 #include "widgets/map_view/map_view.h"
 #include "widgets/messages_panel.h"
 #include "widgets/models/map_summary.h"
+#include "widgets/plain_texts.h"
 #include "widgets/scans/registration_panel.h"
 #include "widgets/scans/scans_panel.h"
 #include "widgets/theme.h"
@@ -53,6 +54,7 @@ const MapViewSettings& themed(const MapViewSettings& view) {
 
 MainWindow::MainWindow(const WindowState& state, QWidget* parent)
     : QMainWindow(parent), m_view(themed(state.view)), m_pane(new MapPane(m_view, this)) {
+    keepTextsPlain();
     setWindowTitle(tr("Leitstand"));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
     setCentralWidget(m_pane);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/window/terminal.h"
 #include "core/version/version.h"
 
 namespace leitstand {
@@ -111,11 +112,11 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     }
     options.live = options.live || options.demo;
     if (options.after > 0 && !options.live) {
-        std::fputs("leitstand: --after waits for live robots: --live or --demo\n", stderr);
+        tellTerminal("--after waits for live robots: --live or --demo");
         return UsageError;
     }
     if ((options.live || options.resume) && !options.scans.empty()) {
-        std::fputs("leitstand: --live, --demo and --resume take no scans\n", stderr);
+        tellTerminal("--live, --demo and --resume take no scans");
         return UsageError;
     }
     return options;

@@ -1,20 +1,19 @@
 #include "app/window/screenshot.h"
 
-#include <cstdio>
-
 #include <QApplication>
 #include <QEventLoop>
 #include <QTimer>
 
 #include "app/window/main_window.h"
 #include "app/window/picture_size.h"
+#include "app/window/terminal.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {
 namespace {
 
 void complain(const QString& text) {
-    std::fprintf(stderr, "leitstand: %s\n", text.toUtf8().constData());
+    tellTerminal(text.toStdString());
 }
 
 /// Runs the event loop until all is registered and drawn; false when that takes longer than @p patience.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/io/detail/numbers.h"
+#include "core/io/detail/unfinished.h"
 #include "core/io/detail/uos_names.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
@@ -66,14 +67,17 @@ Result<void> prepareFolder(const fs::path& folder, std::size_t scans) {
 }
 
 Result<void> writeFolder(const fs::path& folder, const std::vector<PlacedScan>& scans) {
+    detail::Unfinished unfinished(folder);
     if (auto prepared = prepareFolder(folder, scans.size()); !prepared) return prepared;
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const std::string base = (folder / detail::uosName(i)).string();
         const Pose& pose = scans[i].poseInMap;
+        for (const char* ending : {".frames", ".pose", ".3d"}) unfinished.file(base + ending);
         if (auto done = writeUosFrames(base + ".frames", {{pose}}); !done) return done;
         if (auto done = writeUosPose(base + ".pose", pose); !done) return done;
         if (auto done = writeUosPoints(base + ".3d", *scans[i].scan); !done) return done;
     }
+    unfinished.done();
     return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/io/detail/output_file.h"
 #include "core/io/robot/yaml_document.h"
 
 namespace leitstand {
@@ -57,16 +58,7 @@ Result<void> writeLastStation(const std::filesystem::path& file, const LastStati
     out << YAML::EndMap << YAML::Newline;
     std::error_code problem;
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), problem);
-    const std::filesystem::path next = file.string() + ".new";
-    {
-        std::ofstream written(next, std::ios::trunc);
-        written << out.c_str();
-        written.flush();
-        if (!written) return Error{next.string() + ": cannot be written"};
-    }
-    std::filesystem::rename(next, file, problem);
-    if (problem) return Error{file.string() + ": cannot be replaced: " + problem.message()};
-    return {};
+    return detail::writeWhole(file, out.c_str());
 }
 
 }  // namespace leitstand

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <random>
 #include <system_error>
@@ -24,7 +25,7 @@ using Kind = GrantSample::Kind;
 constexpr std::pair<const char*, Kind> Kinds[] = {
     {"drive", Kind::Drive}, {"camera", Kind::Camera}, {"map", Kind::Map}};
 constexpr std::size_t MostGrants = 256, LongestName = 64;
-constexpr std::uintmax_t LargestFile = 1 << 20;
+constexpr std::size_t LargestFile = 1 << 20;
 
 std::string textOf(const StationIdentity& station) {
     YAML::Emitter out;
@@ -53,10 +54,19 @@ std::optional<HeldGrant> grantOf(const YAML::Node& node) {
 
 /// What the file says; nothing when it makes no sense.
 std::optional<StationIdentity> parse(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string text(LargestFile + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    return parseStation(text);
+}
+
+}  // namespace
+
+std::optional<StationIdentity> parseStation(const std::string& text) {
+    if (text.size() > LargestFile) return std::nullopt;
     try {
-        std::error_code error;
-        if (std::filesystem::file_size(file, error) > LargestFile || error) return std::nullopt;
-        const YAML::Node root = YAML::LoadFile(file.string());
+        const YAML::Node root = YAML::Load(text);
         StationIdentity station;
         station.id = root["station"].as<std::string>();
         const bool plain = std::all_of(station.id.begin(), station.id.end(), [](unsigned char c) {
@@ -73,6 +83,8 @@ std::optional<StationIdentity> parse(const std::filesystem::path& file) {
         return std::nullopt;
     }
 }
+
+namespace {
 
 Error failed(const std::filesystem::path& file, const char* what) {
     return Error{fmt::format("{}: {}: {}", file.string(), what, std::strerror(errno))};

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace leitstand {
 
 /// A new identity, 122 random bits: "3f2b8c1e-0d4a-4b6e-9a51-7c0f3d2e8b19" (RFC 4122, version 4).
 [[nodiscard]] std::string newStationId();
+
+/// What the @p text of a station's file says; nothing when it makes no sense.
+[[nodiscard]] std::optional<StationIdentity> parseStation(const std::string& text);
 
 /// Who a station is, kept in a file (YAML) from run to run, with the grants that it held: made when it is
 /// not there. As long as this object lives, the identity is its own: two programs of one identity would both

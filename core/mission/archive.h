@@ -96,7 +96,13 @@ private:
     void one(std::chrono::duration<Rep, Period>& value) {
         std::int64_t number = value.count();
         raw(&number, sizeof number);
-        if constexpr (!Writing) value = std::chrono::duration<Rep, Period>(number);
+        // What a mission tells is within 136 years of 1970; sums of others would be no numbers.
+        constexpr std::chrono::duration<Rep, Period> Most = std::chrono::seconds(1LL << 32);
+        if (number > Most.count() || number < -Most.count()) {
+            m_ok = false;
+        } else if constexpr (!Writing) {
+            value = std::chrono::duration<Rep, Period>(number);
+        }
     }
     template <class Clock, class Duration>
     void one(std::chrono::time_point<Clock, Duration>& value) {

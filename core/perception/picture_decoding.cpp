@@ -10,8 +10,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/words.h"
+#include "core/perception/picture_cost.h"
 #include "core/perception/picture_encoding.h"
-#include "core/perception/picture_file.h"
 
 namespace leitstand {
 namespace {
@@ -42,9 +42,12 @@ Picture pictureOf(const cv::Mat& mat, Picture::Pixel pixel) {
 }
 
 Picture converted(const cv::Mat& from, int code) {
-    cv::Mat rgb;
+    Picture picture{from.cols, from.rows, Picture::Pixel::Rgb8, {}};
+    picture.bytes.resize(static_cast<std::size_t>(from.cols) * static_cast<std::size_t>(from.rows) * 3);
+    cv::Mat rgb(from.rows, from.cols, CV_8UC3, picture.bytes.data());
     cv::cvtColor(from, rgb, code);
-    return pictureOf(rgb, Picture::Pixel::Rgb8);
+    CV_Assert(rgb.data == reinterpret_cast<unsigned char*>(picture.bytes.data()));
+    return picture;
 }
 
 /// OpenCV's code that makes RGB; its Bayer names begin at the second row and column, ROS' at the first.
@@ -122,10 +125,10 @@ Result<Picture> decodeRaw(const PictureSample& sample, const PictureLimits& limi
 }
 
 Result<Picture> decodeFile(const PictureSample& sample, const PictureLimits& limits) {
-    const auto bytes = sample.content.bytes;
-    const auto size = pictureFileSize(bytes);
-    if (!size) return Error{leitstand::fill(translate("leitstand::Error", "picture: {}"), size.error().text)};
-    if (auto fits = checkSize(size->width, size->height, limits); !fits) return fits.error();
+    const auto affordable = affordableFile(sample.content.bytes, limits);
+    if (!affordable) return affordable.error();
+    const auto bytes = affordable->bytes;
+    const PictureFileSize* size = &affordable->size;
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         return Error{translate("leitstand::Error", "picture: expected a file of less than 2 GB")};
     }

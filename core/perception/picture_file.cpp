@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "core/perception/picture_bytes.h"
+
 namespace leitstand {
 namespace {
 
 using Bytes = std::span<const std::byte>;
+using namespace picture_bytes;
 constexpr std::array<unsigned char, 8> PngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-
-unsigned at(Bytes bytes, std::size_t i) {
-    return std::to_integer<unsigned>(bytes[i]);
-}
-
-std::int64_t bigEndian(Bytes bytes, std::size_t first, std::size_t count) {
-    std::int64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i) value = value << 8 | at(bytes, first + i);
-    return value;
-}
 
 /// Signature, length, "IHDR", width, height.
 Result<PictureFileSize> pngSize(Bytes bytes) {
@@ -26,11 +19,6 @@ Result<PictureFileSize> pngSize(Bytes bytes) {
         return Error{"PNG: expected the chunk IHDR at the beginning"};
     }
     return PictureFileSize{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
-}
-
-/// Whether a marker begins a frame (ITU T.81, table B.1), not DHT, JPG or DAC.
-bool isFrame(unsigned marker) {
-    return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
 /// Walks from segment to segment up to the frame: marker, length, precision, height, width.
@@ -47,7 +35,7 @@ Result<PictureFileSize> jpegSize(Bytes bytes) {
             i += 2;
             continue;
         }
-        if (isFrame(marker)) {
+        if (isJpegFrame(marker)) {
             if (i + 9 > bytes.size()) break;
             return PictureFileSize{bigEndian(bytes, i + 7, 2), bigEndian(bytes, i + 5, 2)};
         }

@@ -16,8 +16,8 @@ struct Rule {
 };
 
 const std::vector<Rule>& rules() {
-    static const std::vector<std::string_view> coreLibraries = {"Eigen", "tbb",    "fmt",
-                                                                "pcl",   "opencv", "zbar"};
+    static const std::vector<std::string_view> coreLibraries = {"Eigen",  "tbb",  "fmt", "pcl",
+                                                                "opencv", "zbar", "zlib"};
     static const std::vector<std::string_view> core = {
         "core/base",       "core/scan",  "core/search",  "core/registration", "core/mapping",
         "core/perception", "core/robot", "core/mission", "core/settings",     "core/version"};
@@ -94,19 +94,33 @@ bool isProject(std::string_view header) {
 /// The library a header belongs to; empty for the standard library, the C library and the compiler.
 std::string_view libraryOf(std::string_view header) {
     static const std::vector<std::pair<std::string_view, std::string_view>> prefixes = {
-        {"Eigen/", "Eigen"},       {"tbb/", "tbb"},
-        {"oneapi/", "tbb"},        {"fmt/", "fmt"},
-        {"pcl/", "pcl"},           {"opencv2/", "opencv"},
-        {"zbar", "zbar"},          {"vtk", "vtk"},
-        {"EGL/", "EGL"},           {"CLI/", "CLI"},
-        {"nlohmann/", "nlohmann"}, {"gdal", "gdal"},
-        {"ogr_", "gdal"},          {"cpl_", "gdal"},
-        {"octomap/", "octomap"},   {"sqlite3", "sqlite3"},
-        {"yaml-cpp/", "yaml-cpp"}, {"fastdds/", "fastdds"},
-        {"fastrtps/", "fastdds"},  {"openssl/", "openssl"},
-        {"embree3/", "embree"},    {"embree4/", "embree"},
-        {"SDL2/", "SDL"},          {"Qt", "Qt"},
-        {"boost/", "boost"},       {"rclcpp/", "ROS"},
+        {"Eigen/", "Eigen"},
+        {"tbb/", "tbb"},
+        {"oneapi/", "tbb"},
+        {"fmt/", "fmt"},
+        {"pcl/", "pcl"},
+        {"opencv2/", "opencv"},
+        {"zbar", "zbar"},
+        {"zlib.h", "zlib"},
+        {"vtk", "vtk"},
+        {"EGL/", "EGL"},
+        {"CLI/", "CLI"},
+        {"nlohmann/", "nlohmann"},
+        {"gdal", "gdal"},
+        {"ogr_", "gdal"},
+        {"cpl_", "gdal"},
+        {"octomap/", "octomap"},
+        {"sqlite3", "sqlite3"},
+        {"yaml-cpp/", "yaml-cpp"},
+        {"fastdds/", "fastdds"},
+        {"fastrtps/", "fastdds"},
+        {"openssl/", "openssl"},
+        {"embree3/", "embree"},
+        {"embree4/", "embree"},
+        {"SDL2/", "SDL"},
+        {"Qt", "Qt"},
+        {"boost/", "boost"},
+        {"rclcpp/", "ROS"},
     };
     for (const auto& [prefix, library] : prefixes) {
         if (header.starts_with(prefix)) return library;

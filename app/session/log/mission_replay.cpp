@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "app/session/domain/topic_lane.h"
+#include "app/session/log/replay_pace.h"
 #include "app/session/log/replay_rules.h"
 #include "core/io/bag/bag_reader.h"
 #include "transport/dds/node.h"
@@ -19,8 +20,7 @@ namespace leitstand {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds BetweenSessions(1);  ///< the station was off for longer: nobody waits for that
-constexpr std::chrono::milliseconds Tick(20);       ///< how soon a pause or a cancel is noticed
+constexpr std::chrono::milliseconds Tick(20);  ///< how soon a pause or a cancel is noticed
 
 /// A reliable writer suits every reader; what stayed for late comers does so again.
 Qos offered(const TopicInfo& topic) {
@@ -154,22 +154,16 @@ void MissionReplay::State::publish(const RawEvent& event) {
 bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progress& progress) {
     BagCursor cursor = bag->read();
     const auto events = static_cast<double>(std::max<std::uint64_t>(bag->lastSequence(), 1));
-    auto began = Clock::now();
-    Time zero = bag->first(), before = zero;
+    auto due = Clock::now();
+    ReplayPace pace;
     auto session = bag->sessions().begin();
     while (const auto event = cursor.next()) {
-        while (session != bag->sessions().end() && event->sequence > session->lastSequence) {
-            if (event->received > before + BetweenSessions)
-                zero += event->received - before - BetweenSessions;
-            ++session;
-        }
-        before = event->received;
-        const double at = std::chrono::duration<double>(event->received - zero).count();
-        const auto offset =
-            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(at / settings.rate));
-        auto due = began + offset;
-        if (!waitUntil(due, paused, progress)) return false;
-        began = due - offset;  // pauses move everything on
+        bool begins = false;
+        for (; session != bag->sessions().end() && event->sequence > session->lastSequence; ++session)
+            begins = true;
+        const std::chrono::duration<double> wait = pace.waitBefore(event->received, begins);
+        due += std::chrono::duration_cast<Clock::duration>(wait / settings.rate);
+        if (!waitUntil(due, paused, progress)) return false;  // pauses move everything on
         publish(*event);
         progress.done(static_cast<double>(event->sequence) / events);
     }

@@ -13,6 +13,7 @@
 #include "app/session/log/mission_robots.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
+#include "core/io/detail/unfinished.h"
 #include "core/mission/station_topics.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/samples/victim_sample.h"
@@ -126,6 +127,7 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
     ThinOutcome outcome;
     const auto robots = robotsOf(mission, from, outcome.problems);
     Sieve sieve(robots, evidenceOf(from, robots, progress.stop), settings);
+    detail::Unfinished unfinished(out);  // goes after the writer has closed its files
     auto writer = BagWriter::open(out);
     if (!writer) return writer.error();
     if (auto kept = keepRobots(out, robots); !kept) return kept.error();
@@ -138,7 +140,7 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
     BagCursor cursor = from.read(wanted);
     const double last = static_cast<double>(std::max<std::uint64_t>(1, from.lastSequence()));
     while (auto event = cursor.next()) {
-        if (progress.stop.stop_requested()) break;
+        if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
         if (progress.report) progress.report(static_cast<double>(event->sequence) / last);
         if (!sieve.keeps(*event)) {
             ++outcome.left;
@@ -149,6 +151,7 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
         if (auto flushed = (*writer)->flush(); !flushed) return flushed.error();
     }
     if (auto closed = (*writer)->close(); !closed) return closed.error();
+    unfinished.done();
     for (const std::string& problem : from.problems()) outcome.problems.push_back(problem);
     return outcome;
 }

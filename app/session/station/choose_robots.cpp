@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
@@ -41,11 +41,7 @@ Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<Rob
     };
     for (char letter = 'A'; letter <= 'Z' && isTaken(robot.letter); ++letter) robot.letter = letter;
     std::filesystem::create_directories(file.parent_path(), problem);
-    std::ofstream out(file);
-    out << writeRobot(robot);
-    out.flush();
-    if (!out)
-        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be written"), file.string())};
+    if (const auto written = detail::writeWhole(file, writeRobot(robot)); !written) return written.error();
     return file.string();
 }
 

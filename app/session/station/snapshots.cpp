@@ -1,9 +1,6 @@
 #include "app/session/station/snapshots.h"
 
-#include <cerrno>
-#include <cstring>
 #include <ctime>
-#include <fstream>
 #include <future>
 #include <system_error>
 #include <utility>
@@ -11,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/words.h"
+#include "core/io/detail/output_file.h"
 #include "core/perception/picture_decoding.h"
 #include "core/perception/picture_png.h"
 
@@ -58,27 +56,6 @@ PictureTexts textsOf(const SnapshotWish& wish) {
     return texts;
 }
 
-/// Writes all of @p bytes into @p file, which appears only when it is whole.
-Result<void> writeWhole(const fs::path& file, const std::vector<std::byte>& bytes) {
-    const fs::path part = file.string() + ".part";
-    const auto problem = [&] {
-        const std::string why = std::strerror(errno);
-        std::error_code ignored;
-        fs::remove(part, ignored);
-        return Error{leitstand::fill(
-            translate("leitstand::Error", "{}: the snapshot could not be written: {}"), file.string(), why)};
-    };
-    std::ofstream out(part, std::ios::binary | std::ios::trunc);
-    if (!out) return problem();
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) return problem();
-    std::error_code error;
-    fs::rename(part, file, error);
-    if (error) return Error{fmt::format("{}: {}", file.string(), error.message())};
-    return {};
-}
-
 }  // namespace
 
 Snapshots::Snapshots(fs::path mission, Listener listener)
@@ -118,7 +95,8 @@ Result<fs::path> Snapshots::write(const SnapshotWish& wish) const {
         fmt::format("{}_{}_{}", wish.picture->robot, wish.picture->sensor, stampText(wish.picture->received));
     fs::path file = folder / (name + ".png");
     for (int i = 2; fs::exists(file, error); ++i) file = folder / fmt::format("{}_{}.png", name, i);
-    if (auto done = writeWhole(file, *bytes); !done) return done.error();
+    const std::string_view content(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    if (auto done = detail::writeWhole(file, content); !done) return done.error();
     return "snapshots" / file.filename();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -32,6 +31,7 @@
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
 #include "app/window/picture_size.h"
+#include "app/window/terminal.h"
 #include "core/mission/mission_state.h"
 #include "core/version/version.h"
 #include "widgets/map_view/map_view.h"
@@ -47,7 +47,7 @@ constexpr std::chrono::minutes Recent(30);    ///< a mission that ended since ma
 constexpr auto Explores = "explore";          ///< mode of a robot that looks around by itself
 
 void complain(const std::string& text) {
-    std::fprintf(stderr, "leitstand: %s\n", text.c_str());
+    tellTerminal(text);
 }
 
 fs::path under(QStandardPaths::StandardLocation place, const QString& name) {
@@ -232,14 +232,17 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     return ended;
 }
 
-/// Shows windows on the station of @p settings until one is closed, or another robot is wanted.
+/// Shows windows on the station of @p settings until one is closed, or another robot is wanted. Once it
+/// records, it says into which mission, where that is not @p told.
 Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo,
-                  const fs::path& earlier, QString hint) {
+                  const fs::path& earlier, QString hint, fs::path& told) {
     auto bridge = LiveBridge::open(settings);
     if (!bridge) {
         complain(bridge.error().text);
         return {.status = 1, .problem = QString::fromStdString(bridge.error().text)};
     }
+    if (options.screenshot.empty() && std::exchange(told, settings.mission.folder) != settings.mission.folder)
+        sayOnTerminal("the mission is recorded into " + settings.mission.folder.string());
     // In another language the window is made anew; robots, mission and driver's grants stay.
     while (true) {
         Ended ended = showWindow(**bridge, options, demo, earlier, std::exchange(hint, {}));
@@ -290,11 +293,8 @@ int runLive(const Options& options) {
         QObject::connect(&*demo, &DemoRobots::failed,
                          [](const QString& why) { complain(why.toStdString()); });
     }
-    if (options.screenshot.empty()) {
-        std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
-        std::fflush(stdout);
-    }
     std::set<fs::path> recorded;
+    fs::path told;  // into which one it was said to be recorded
     fs::path earlier = interrupted(before, settings);
     QString hint = hintAt(earlier);
     bool switched = false;  // from another mission, which is the earlier one now
@@ -306,7 +306,7 @@ int runLive(const Options& options) {
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
         const Ended ended =
-            showStation(settings, options, demo ? &*demo : nullptr, earlier, std::exchange(hint, {}));
+            showStation(settings, options, demo ? &*demo : nullptr, earlier, std::exchange(hint, {}), told);
         const bool opened = ended.problem.isEmpty();
         if (opened) recorded.insert(settings.mission.folder);
         if (ended.earlier || (switched && !opened)) {
@@ -315,8 +315,6 @@ int runLive(const Options& options) {
             if (!opened) earlier.clear();
             hint = ended.problem;
             switched = ended.earlier;
-            std::printf("leitstand: the mission is recorded into %s\n", settings.mission.folder.c_str());
-            std::fflush(stdout);
         } else if (!ended.robot.empty()) {
             files.push_back(ended.robot);
         } else {

@@ -31,6 +31,7 @@
 #include "app/window/live/victims/find_pointing.h"
 #include "app/window/live/victims/victims_feature.h"
 #include "app/window/live/window_frame.h"
+#include "widgets/plain_texts.h"
 #include "widgets/theme.h"
 
 namespace leitstand {
@@ -45,6 +46,7 @@ constexpr int ShortRumble = 200, LongRumble = 600;  ///< [ms]
 LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts, PadMemory pads,
                        QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
+    keepTextsPlain();
     applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
     setWindowTitle(tr("Leitstand"));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));

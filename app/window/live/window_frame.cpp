@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/live/menu_corner.h"
+#include "widgets/plain_texts.h"
 
 namespace leitstand {
 namespace {
@@ -52,10 +53,7 @@ void WindowFrame::tell(const QString& text) {
 
 void WindowFrame::showMessage() {
     if (m_corner == nullptr || m_recent.isEmpty()) return;
-    m_corner->setMessage(m_recent.first(), QStringLiteral("<p>%1</p>")
-                                               .arg(m_recent.join(QLatin1Char('\n'))
-                                                        .toHtmlEscaped()
-                                                        .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
+    m_corner->setMessage(m_recent.first(), inLines(m_recent.join(QLatin1Char('\n'))));
 }
 
 QString WindowFrame::newest() const {

@@ -1,7 +1,6 @@
 #include "app/window/review/review_application.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
 #include "app/window/scans_window.h"
+#include "app/window/terminal.h"
 
 namespace leitstand {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
 
 void complain(const std::string& text) {
-    std::fprintf(stderr, "leitstand: %s\n", text.c_str());
+    tellTerminal(text);
 }
 
 /// While @p bridge tells that the mission is opened on, nobody is impatient: clouds may have to be

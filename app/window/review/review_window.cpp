@@ -36,6 +36,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/victims/victim_rows.h"
+#include "widgets/plain_texts.h"
 #include "widgets/theme.h"
 #include "widgets/timeline/timeline_bar.h"
 
@@ -49,6 +50,7 @@ constexpr int LeastName = 150;  ///< of the mission's name in the bar [px]
 ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, LayoutBook layouts,
                            QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
+    keepTextsPlain();
     applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
     setWindowTitle(tr("%1 – review – Leitstand")
                        .arg(QString::fromStdString(bridge.player().folder().filename().string())));

@@ -28,6 +28,8 @@ struct BagSession {
     std::uint64_t firstSequence = 0, lastSequence = 0;  ///< 0: no events
     Time first{}, last{};                               ///< receive times; epoch: no events
     std::optional<std::uint64_t> messages{};            ///< empty where nobody counted them
+    /// Messages that were counted when they were written, and are not there any more.
+    std::uint64_t missing = 0;
     bool closed = true;    ///< false: still written, or its writer was killed (what it committed is read)
     bool damaged = false;  ///< read page by page, since SQLite cannot; problems() tells what is missing
 };

@@ -11,7 +11,9 @@
 
 namespace leitstand {
 
-/// @p text as a field in quotes (RFC 4180); line ends within become blanks, so that every record is a line.
+/// @p text as a field in quotes (RFC 4180); line ends within become blanks, so that every record is a line. A
+/// text that spreadsheets would calculate ("=HYPERLINK(...)" in a QR code) gets an apostrophe before it,
+/// which CsvReader takes off again; numbers stay numbers.
 [[nodiscard]] std::string quotedField(std::string_view text);
 /// Likewise, with quotes only where they are needed.
 [[nodiscard]] std::string csvField(std::string_view text);

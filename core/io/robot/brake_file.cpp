@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/words.h"
+#include "core/io/detail/output_file.h"
 #include "core/io/robot/yaml_document.h"
 
 namespace leitstand {
@@ -24,6 +25,10 @@ constexpr auto Stops = BrakeResult::Watchdog::Stops, None = BrakeResult::Watchdo
 constexpr std::array<std::pair<const char*, Verdict>, 2> Words = {
     {{"passed", Verdict::Passed}, {"failed", Verdict::Failed}}};
 
+bool isLength(double value) {
+    return std::isfinite(value) && value >= 0.0;
+}
+
 }  // namespace
 
 std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file) {
@@ -31,8 +36,10 @@ std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file)
     std::stringstream text;
     text << std::ifstream(file).rdbuf();
     const auto root = detail::loadYaml(text.str(), file.string());
-    if (!root || !root->IsMap() || !(*root)["brakes"].IsMap()) return results;
-    for (const auto& entry : (*root)["brakes"]) {
+    if (!root || !root->IsMap()) return results;
+    const YAML::Node brakes = (*root)["brakes"];
+    if (!brakes || !brakes.IsMap()) return results;
+    for (const auto& entry : brakes) {
         BrakeResult result;
         try {
             for (const auto& [word, verdict] : Words) {
@@ -43,13 +50,13 @@ std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file)
                 results[entry.first.as<std::string>()].verdict = result.verdict;
             result.seconds = entry.second["seconds"].as<double>();
             result.metres = entry.second["metres"].as<double>();
-            result.when = Time(std::chrono::seconds(entry.second["when"].as<std::int64_t>()));
+            const auto when = entry.second["when"].as<std::uint32_t>();  // seconds, to 2106
+            result.when = Time(std::chrono::seconds(when));
             if (const auto stops = entry.second["stops"]) {
                 result.watchdog = stops.as<bool>() ? Stops : None;
                 if (result.watchdog == Stops) result.brakesAfter = entry.second["brakes_after"].as<double>();
             }
-            if (std::isfinite(result.seconds) && std::isfinite(result.metres) &&
-                std::isfinite(result.brakesAfter))
+            if (isLength(result.seconds) && isLength(result.metres) && std::isfinite(result.brakesAfter))
                 results[entry.first.as<std::string>()] = result;
         } catch (const YAML::Exception&) {
             continue;  // one entry that makes no sense lets no robot drive that failed
@@ -80,21 +87,7 @@ Result<void> writeBrakes(const std::filesystem::path& file,
         }
     }
     out << YAML::EndMap << YAML::EndMap << YAML::Newline;
-    const std::filesystem::path next = file.string() + ".new";
-    {
-        std::ofstream written(next, std::ios::trunc);
-        written << out.c_str();
-        written.flush();
-        if (!written)
-            return Error{
-                leitstand::fill(translate("leitstand::Error", "{}: cannot be written"), next.string())};
-    }
-    std::error_code problem;
-    std::filesystem::rename(next, file, problem);
-    if (problem)
-        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be replaced: {}"),
-                                     file.string(), problem.message())};
-    return {};
+    return detail::writeWhole(file, out.c_str());
 }
 
 }  // namespace leitstand

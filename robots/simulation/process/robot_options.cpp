@@ -2,11 +2,12 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 
+#include "core/base/printable.h"
+#include "core/io/detail/output_file.h"
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/process/choose_arena.h"
 #include "robots/simulation/process/robot_process.h"
@@ -16,7 +17,7 @@ namespace {
 
 int told(const Result<void>& outcome) {
     if (outcome) return 0;
-    std::fprintf(stderr, "%s\n", outcome.error().text.c_str());
+    std::fprintf(stderr, "%s\n", printable(outcome.error().text).c_str());
     return 1;
 }
 
@@ -24,11 +25,7 @@ Result<void> writeTo(const std::string& file, const std::string& grade, std::uin
     if (!gradeFrom(grade)) return Error{grade + ": expected yellow, orange or red"};
     const auto arena = chooseArena(grade, seed);
     if (!arena) return arena.error();
-    std::ofstream out(file);
-    out << writeArena(*arena);
-    out.close();
-    if (!out) return Error{file + ": cannot be written"};
-    return {};
+    return detail::writeWhole(file, writeArena(*arena));
 }
 
 }  // namespace

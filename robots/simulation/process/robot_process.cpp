@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/printable.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/screen_report.h"
@@ -183,10 +184,11 @@ Result<void> runRobot(const RobotOptions& options) {
     ScreenTelling telling;
     const auto node = join(options, robot->name, options.domain, !options.keys.empty());
     if (!node) return node.error();
-    for (const std::string& warning : (*node)->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : (*node)->warnings())
+        std::fprintf(stderr, "%s\n", printable(warning).c_str());
     (*node)->onDiscovery([&telling, raw = node->get()] {
         for (const ScreenDrop& drop : telling.due(raw->dropped()))
-            std::fprintf(stderr, "%s\n", toString(drop).c_str());
+            std::fprintf(stderr, "%s\n", printable(toString(drop)).c_str());
     });
     const auto truths = join(options, robot->name + " truth", options.domain + 100, false);
     if (!truths) return truths.error();
@@ -196,7 +198,8 @@ Result<void> runRobot(const RobotOptions& options) {
     if (!truth) return truth.error();
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end);
     std::signal(SIGUSR1, [](int) { frozen = frozen == 0 ? 1 : 0; });
-    std::printf("%s is in %s on domain %d\n", robot->name.c_str(), arena->name.c_str(), options.domain);
+    std::printf("%s is in %s on domain %d\n", printable(robot->name).c_str(), printable(arena->name).c_str(),
+                options.domain);
     std::fflush(stdout);
     FrozenPictures cameras;
     live({world, **agent, **wire, **truth, cameras}, pace);

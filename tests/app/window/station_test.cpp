@@ -56,6 +56,16 @@ TEST_F(StationTest, AScreenshotNeedsNoDisplayAndShowsTheRegisteredScans) {
     EXPECT_GT(coloursInTheMap(picture()), 3);
 }
 
+TEST_F(StationTest, SaysThatItRecordsOnlyOnceItDoes) {
+    test::writeText(m_folder / "file", "no folder");
+    m_environment = {"QT_QPA_PLATFORM=offscreen"};
+    const ProcessOutcome outcome = station(
+        {"--live", "--interface", "lo", "--mission", (m_folder / "file" / "mission\x1b[2J").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("recorded into")));
+    EXPECT_THAT(outcome.err, HasSubstr("mission\\x1b[2J: cannot be made"));
+}
+
 TEST_F(StationTest, SizeLookAndThemeOfAScreenshotAreChosen) {
     test::writeDrive(m_folder / "room", 2);
     const std::string room = (m_folder / "room").string();

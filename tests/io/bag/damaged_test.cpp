@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/io/bag/sample_bags.h"
+#include "tests/support/attack.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand {
@@ -82,6 +83,7 @@ TEST_F(DamagedBag, TruncatedAnywhereGivesWhatIsThere) {
         EXPECT_GT(static_cast<double>(events.size()), (part - 0.1) * static_cast<double>(Events)) << part;
         EXPECT_THAT(m_problems, Contains(HasSubstr("page by page")));
     }
+    test::tellAttack("log", "a log's file is cut off", 6, "all messages before the cut are read");
 }
 
 TEST_F(DamagedBag, GarbledPagesCostOnlyTheirOwn) {
@@ -96,6 +98,8 @@ TEST_F(DamagedBag, GarbledPagesCostOnlyTheirOwn) {
         // Without checksums, garbage within a message is not told: it is in its page, no more.
         EXPECT_LE(test::differing(events), 2 * garbled) << round;
     }
+    test::tellAttack("log", "1 to 5 pages of a log are garbled", 30,
+                     "at most what stood on those pages is missing or changed");
 }
 
 TEST_F(DamagedBag, EveryPageInTurn) {
@@ -129,6 +133,8 @@ TEST_F(DamagedBag, FlippedBytesNeverCrash) {
         put(content);
         (void)survivors();
     }
+    test::tellAttack("log", "30 bytes of a log are changed, mostly where SQLite keeps its books", 60,
+                     "no crash; what is left is read");
 }
 
 TEST_F(DamagedBag, WithoutMetadataIsWhole) {
@@ -177,6 +183,8 @@ TEST_F(DamagedBag, ALogWithATornEndGivesWhatWasCommitted) {
         writeText(log, torn);
         EXPECT_EQ(test::differing(survivors()), 0U);
     }
+    test::tellAttack("log", "the write-ahead log is torn or 100 bytes of it are changed", 10,
+                     "no event is made up or changed");
     // With its file's head gone too, both are read page by page.
     writeText(log, whole);
     std::string content = readText(m_file);

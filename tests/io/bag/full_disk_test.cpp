@@ -6,10 +6,12 @@
 #include <cstring>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/io/bag/sample_bags.h"
+#include "tests/support/attack.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand {
@@ -79,6 +81,8 @@ TEST_F(FullDisk, TheBagStaysReadableAndWritingGoesOnWhenThereIsSpaceAgain) {
     const auto reader = test::opened(mission);
     EXPECT_EQ(test::readAll(*reader).size(), last) << "nothing but pictures may be missing";
     EXPECT_THAT(reader->problems(), testing::IsEmpty());
+    test::tellAttack("log", "the disk is full for a while", 1,
+                     fmt::format("all {} events are there once there is space, but for pictures", last));
 }
 
 TEST_F(FullDisk, ClosingWhileItIsFullLeavesAReadableBag) {
@@ -94,6 +98,8 @@ TEST_F(FullDisk, ClosingWhileItIsFullLeavesAReadableBag) {
     ASSERT_NE(reader, nullptr);
     const auto events = test::readAll(*reader);
     EXPECT_EQ(test::differing(events, 20'000), 0U);
+    test::tellAttack("log", "the disk is full when the log is closed", 1,
+                     fmt::format("the loss is told; the {} events that had space are read", events.size()));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/io/bag/sample_bags.h"
+#include "tests/support/attack.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand {
@@ -73,7 +74,8 @@ void killAndLook(int rounds, unsigned seed) {
             before = events.back().sequence;
         }
     }
-    fmt::print("kill -9 at {} moments: at worst the last {:.2f} s were missing\n", rounds, worst);
+    test::tellAttack("log", "kill -9 of the recorder at random moments", static_cast<std::uint64_t>(rounds),
+                     fmt::format("all missions open; at worst the last {:.2f} s are missing", worst));
 }
 
 TEST(KilledRecorder, LosesAtMostTheLastSecondAtFiveMoments) {

@@ -70,14 +70,18 @@ void writeSession(const fs::path& mission, std::uint64_t first, std::uint64_t la
     ASSERT_TRUE(closed.ok()) << closed.error().text;
 }
 
-void writeUnclosedSession(const fs::path& mission, std::uint64_t first, std::uint64_t last) {
+void writeUnclosedSession(const fs::path& mission, std::uint64_t first, std::uint64_t last,
+                          const BagWriterSettings& settings, std::uint64_t flushEvery) {
     const pid_t child = fork();
     if (child == 0) {
-        auto opening = BagWriter::open(mission);
+        auto opening = BagWriter::open(mission, settings);
         if (!opening) _exit(1);
         const auto writer = std::move(opening).value();
         for (const TopicInfo& topic : sampleTopics()) writer->addTopic(topic);
-        for (std::uint64_t i = first; i <= last; ++i) writer->write(sampleEvent(i));
+        for (std::uint64_t i = first; i <= last; ++i) {
+            writer->write(sampleEvent(i));
+            if (flushEvery != 0 && i % flushEvery == 0 && !writer->flush().ok()) _exit(1);
+        }
         _exit(writer->flush().ok() ? 0 : 1);  // nothing is closed
     }
     int status = 0;

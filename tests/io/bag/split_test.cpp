@@ -173,7 +173,7 @@ TEST_F(SplitBag, ALogThatAKilledRecorderOfOthersLeftIsReadWhereItStands) {
     EXPECT_EQ(test::fingerprint(m_bag), before);
 }
 
-TEST_F(SplitBag, TimesThatMakeNoSenseAreTakenForTheBeginning) {
+TEST_F(SplitBag, TimesThatMakeNoSenseAreTakenForTheBeginningOr2106) {
     makeDatabase(m_bag / "bag_0.db3",
                  test::foreignSchema(4) +
                      "INSERT INTO messages VALUES (4, 5, -9223372036854775808, x'00010000EE');"
@@ -181,7 +181,7 @@ TEST_F(SplitBag, TimesThatMakeNoSenseAreTakenForTheBeginning) {
     const auto reader = test::opened(m_bag);
     ASSERT_NE(reader, nullptr);
     EXPECT_EQ(reader->first(), Time{});
-    EXPECT_EQ((reader->last() - reader->first()).count(), std::numeric_limits<std::int64_t>::max());
+    EXPECT_EQ(reader->last(), Time(std::chrono::seconds(1LL << 32))) << "2106: it can be added to";
     const auto events = readAll(*reader);
     EXPECT_EQ(events.size(), 5U);
     EXPECT_EQ(events.front().received, Time{});

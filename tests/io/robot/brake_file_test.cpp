@@ -68,9 +68,12 @@ TEST(BrakeFile, NonsenseIsNoTest) {
     const TemporaryFolder folder;
     const auto file = folder / "brakes.yaml";
     EXPECT_TRUE(readBrakes(file).empty());
-    for (const char* text : {"", "brakes", "brakes: 3", "brakes: {a: 1}", "brakes: {a: {verdict: passed}}",
-                             "{{{", "brakes: {a: {verdict: passed, seconds: .nan, metres: 0, when: 1}}",
-                             "brakes: {a: {verdict: perhaps, seconds: 1, metres: 0, when: 1}}"}) {
+    for (const char* text :
+         {"", "a: 1", "brakes: {a: {verdict: passed, seconds: 1, metres: 0, when: 9223372036854775807}}",
+          "brakes: {a: {verdict: passed, seconds: -1, metres: 0, when: 1}}", "brakes", "brakes: 3",
+          "brakes: {a: 1}", "brakes: {a: {verdict: passed}}", "{{{",
+          "brakes: {a: {verdict: passed, seconds: .nan, metres: 0, when: 1}}",
+          "brakes: {a: {verdict: perhaps, seconds: 1, metres: 0, when: 1}}"}) {
         std::ofstream(file) << text;
         EXPECT_TRUE(readBrakes(file).empty()) << text;
     }

@@ -1,13 +1,15 @@
 #include "transport/dds/detail/participant.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fastdds/dds/log/Log.hpp>
-#include <fastdds/dds/log/StdoutErrConsumer.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 
+#include "core/base/printable.h"
 #include "transport/dds/detail/convert.h"
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/fastdds.h"
@@ -21,15 +23,26 @@ namespace {
 
 namespace efd = eprosima::fastdds::dds;
 
+/// Words of Fast DDS on stderr, as lines: what others named stands in some.
+class PrintableConsumer final : public efd::LogConsumer {
+public:
+    void Consume(const efd::Log::Entry& entry) override {
+        std::ostringstream text;
+        print_timestamp(text, entry, false);
+        print_header(text, entry, false);
+        print_message(text, entry, false);
+        print_context(text, entry, false);
+        std::fprintf(stderr, "%s\n", printable(text.str()).c_str());
+    }
+};
+
 /// What holds for the whole process, once: words of Fast DDS go to stderr (stdout is for results), and
 /// samples of a process to itself take the same way as all others.
 void setUpLibrary(bool profiles) {
     static std::once_flag once;
     std::call_once(once, [profiles] {
-        auto consumer = std::make_unique<efd::StdoutErrConsumer>();
-        consumer->stderr_threshold(efd::Log::Kind::Info);
         efd::Log::ClearConsumers();
-        efd::Log::RegisterConsumer(std::move(consumer));
+        efd::Log::RegisterConsumer(std::make_unique<PrintableConsumer>());
         if (!profiles) fastdds::turnOffShortcuts();
     });
 }

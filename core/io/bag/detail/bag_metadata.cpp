@@ -1,7 +1,9 @@
 #include "core/io/bag/detail/bag_metadata.h"
 
 #include <algorithm>
+#include <charconv>
 #include <exception>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -147,6 +149,23 @@ std::uint64_t BagMetadata::messages() const {
     std::uint64_t sum = 0;
     for (const auto& topic : topics) sum += topic.messages;
     return sum;
+}
+
+std::uint64_t BagMetadata::writtenInto(const std::string& name) const {
+    for (const File& file : files) {
+        if (std::filesystem::path(file.path).filename() != name) continue;
+        const auto lost = custom.find(std::string(MissingKey) + name);
+        return file.messages + (lost == custom.end() ? 0 : numberIn(lost->second).value_or(0));
+    }
+    return 0;
+}
+
+std::optional<std::uint64_t> numberIn(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc{} || read.ptr != end) return std::nullopt;
+    return number;
 }
 
 std::string yamlOf(const BagMetadata& metadata, bool bare) {

@@ -36,7 +36,18 @@ struct BagFileFacts {
     Time first{}, last{};                      ///< receive times
     bool ours = false;                         ///< ordered by id, else by time
     bool closed = true;                        ///< its writer finished it
+    std::uint64_t expected = 0;                ///< messages that its own metadata count; 0: they count none
     std::vector<std::string> problems;
+
+    /// All messages; empty where those of some topic were not counted.
+    [[nodiscard]] std::optional<std::uint64_t> messages() const {
+        std::uint64_t sum = 0;
+        for (const auto& [id, topic] : topics) {
+            if (!topic.messages) return std::nullopt;
+            sum += *topic.messages;
+        }
+        return sum;
+    }
 };
 
 /// Which rows to read.

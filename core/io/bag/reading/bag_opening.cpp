@@ -7,6 +7,7 @@
 
 #include "core/base/words.h"
 #include "core/io/bag/detail/mission_folder.h"
+#include "core/io/bag/reading/log_frames.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/salvaged_file.h"
 #include "core/io/bag/reading/sqlite_file.h"
@@ -52,7 +53,7 @@ Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, boo
     for (const NumberedFile& file : files) {
         BagPart part{.path = file.path};
         part.live = locked && written != files.rend() && &file == &*written;
-        auto opened = openFile(file.path, part.live, part.damaged);
+        auto opened = openFile(file.path, part.live, bag.problems, part.damaged);
         if (!opened) {
             bag.problems.push_back(opened.error().text);
             if (firstError.empty()) firstError = opened.error().text;
@@ -61,6 +62,8 @@ Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, boo
         part.file = std::move(opened).value();
         const auto& problems = part.file->facts().problems;
         bag.problems.insert(bag.problems.end(), problems.begin(), problems.end());
+        if (std::string missing = judgeMissing(part, bag.metadata); !missing.empty())
+            bag.problems.push_back(std::move(missing));
         bag.parts.push_back(std::move(part));
     }
     if (bag.parts.empty()) return Error{firstError};
@@ -81,9 +84,56 @@ void numberOn(std::vector<BagPart>& parts) {
     }
 }
 
+/// What SQLite read, or where its log hides frames behind a broken one, what is found page by page if that is
+/// more.
+std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<BagFile> opened,
+                                          std::vector<std::string>& problems, bool& damaged) {
+    const fs::path log = path.string() + "-wal";
+    const std::size_t pageSize = PageFile::toldPageSize(path);
+    if (pageSize == 0) return opened;
+    const LogFrames frames = logFrames(OverlayFile(log), pageSize);
+    if (frames.cut) {
+        problems.push_back(leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: ends within what was being written: the last moment before is missing"),
+            log.string()));
+    }
+    if (!frames.hides()) return opened;
+    auto salvaged = SalvagedFile::open(
+        path, frames.firstBroken == 0
+                  ? leitstand::fill(translate("leitstand::Error", "{}: its header is broken"), log.string())
+                  : leitstand::fill(translate("leitstand::Error", "{}: frame {} is broken, {} follow"),
+                                    log.string(), frames.firstBroken, frames.hidden));
+    if (!salvaged) return opened;
+    const auto messages = [](const BagFile& file) {
+        const BagFileFacts& facts = file.facts();
+        return facts.messages().value_or(facts.lastId == 0 ? 0 : facts.lastId - facts.firstId + 1);
+    };
+    if (messages(**salvaged) < messages(*opened)) return opened;
+    damaged = true;
+    return std::move(salvaged).value();
+}
+
 }  // namespace
 
-Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool& damaged) {
+std::string judgeMissing(BagPart& part, const std::optional<BagMetadata>& metadata) {
+    part.missing = 0;
+    if (part.live) return {};
+    const BagFileFacts& facts = part.file->facts();
+    const std::uint64_t rows = facts.lastId == 0 ? 0 : facts.lastId - facts.firstId + 1;
+    const std::uint64_t found = facts.messages().value_or(rows);
+    const std::uint64_t told = metadata ? metadata->writtenInto(part.path.filename().string()) : 0;
+    const std::uint64_t expected = std::max(told, facts.expected);
+    if (expected <= found) return {};
+    part.missing = expected - found;
+    return leitstand::fill(
+        translate("leitstand::Error",
+                  "{}: expected {} messages, as they were counted, found {}: {} are missing"),
+        part.path.string(), expected, found, part.missing);
+}
+
+Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::vector<std::string>& problems,
+                                          bool& damaged) {
     std::error_code problem;
     const auto size = fs::file_size(path, problem);
     if (problem)
@@ -101,7 +151,8 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool&
             path.string(), other)};
     }
     auto opened = SqliteFile::open(path, live);
-    if (opened) return std::shared_ptr<BagFile>(std::move(opened).value());
+    if (opened && live) return std::shared_ptr<BagFile>(std::move(opened).value());
+    if (opened) return withHiddenFrames(path, std::move(opened).value(), problems, damaged);
     if (live) return opened.error();  // its pages are changing
     auto salvaged = SalvagedFile::open(path, opened.error().text);
     if (!salvaged) return salvaged.error();
@@ -109,7 +160,7 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, bool&
     return std::shared_ptr<BagFile>(std::move(salvaged).value());
 }
 
-Result<OpenBag> openBag(const fs::path& path) {
+Result<OpenBag> openBag(const fs::path& path, Writer writer) {
     OpenBag bag{.path = path};
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
@@ -145,7 +196,8 @@ Result<OpenBag> openBag(const fs::path& path) {
     if (!files) return files.error();
     bag.metadata = readMetadata(path, bag.problems);
     if (auto kind = checkKind(path, bag.metadata, *files, bag.problems); !kind) return kind.error();
-    if (auto opened = openParts(bag, *files, FolderLock::isTaken(path)); !opened) return opened.error();
+    const bool locked = writer == Writer::Anyone && FolderLock::isTaken(path);
+    if (auto opened = openParts(bag, *files, locked); !opened) return opened.error();
     numberOn(bag.parts);
     return bag;
 }

@@ -17,9 +17,10 @@ namespace leitstand::detail {
 struct BagPart {
     std::filesystem::path path{};
     std::shared_ptr<BagFile> file{};
-    std::uint64_t offset = 0;  ///< sequence = id + offset
-    bool live = false;         ///< a writer has it
-    bool damaged = false;      ///< read page by page
+    std::uint64_t offset = 0;   ///< sequence = id + offset
+    bool live = false;          ///< a writer has it
+    bool damaged = false;       ///< read page by page
+    std::uint64_t missing = 0;  ///< messages that were counted and are not there
 };
 
 /// A bag with all its files open.
@@ -30,11 +31,22 @@ struct OpenBag {
     std::vector<std::string> problems{};
 };
 
-/// Opens a bag's folder or one file of it, as BagReader::open() tells.
-[[nodiscard]] Result<OpenBag> openBag(const std::filesystem::path& bag);
+/// Who may be writing a bag while it is opened.
+enum class Writer : std::uint8_t {
+    Anyone,  ///< whoever holds the folder's lock
+    Nobody   ///< the caller holds it, and does not write yet
+};
 
-/// Opens @p path by SQLite or, where that cannot read it, page by page (@p damaged is set).
+/// Opens a bag's folder or one file of it, as BagReader::open() tells.
+[[nodiscard]] Result<OpenBag> openBag(const std::filesystem::path& bag, Writer writer = Writer::Anyone);
+
+/// Sets how many messages of @p part are missing, by its own metadata and those of metadata.yaml; tells it,
+/// where there are any.
+[[nodiscard]] std::string judgeMissing(BagPart& part, const std::optional<BagMetadata>& metadata);
+
+/// Opens @p path by SQLite or, where that cannot read it or all of it, page by page (@p damaged is set). What
+/// is wrong with its write-ahead log is added to @p problems.
 [[nodiscard]] Result<std::shared_ptr<BagFile>> openFile(const std::filesystem::path& path, bool live,
-                                                        bool& damaged);
+                                                        std::vector<std::string>& problems, bool& damaged);
 
 }  // namespace leitstand::detail

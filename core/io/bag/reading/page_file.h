@@ -29,20 +29,17 @@ public:
     void eachPage(const std::function<void(std::uint32_t, std::span<const std::byte>)>& take) const;
     /// Of the file and its log [B].
     [[nodiscard]] std::int64_t bytes() const { return m_file.size() + m_log.size(); }
-    /// Reads page @p number, from 1; false when there is none. @p into has pageSize() bytes.
+    /// Reads the beginning of page @p number, from 1; false when there is none. @p into has at most
+    /// pageSize() bytes.
     [[nodiscard]] bool read(std::uint32_t number, std::span<std::byte> into) const;
+    /// Whether the chain of overflow pages that begins with @p first is there and ends after @p size bytes.
+    [[nodiscard]] bool isWhole(std::uint32_t first, std::uint64_t size) const;
 
 private:
-    void readLog();
-
     OverlayFile m_file, m_log;
     std::size_t m_pageSize, m_reserved = 0;
     std::uint32_t m_pages = 0;
     std::map<std::uint32_t, std::int64_t> m_logged;  // page -> offset of its newest content in the log
 };
-
-/// The big-endian number of 2 or 4 bytes at the beginning of @p bytes.
-[[nodiscard]] std::uint32_t bigEndian16(std::span<const std::byte> bytes);
-[[nodiscard]] std::uint32_t bigEndian32(std::span<const std::byte> bytes);
 
 }  // namespace leitstand::detail

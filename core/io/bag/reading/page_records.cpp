@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/io/bag/reading/bag_file.h"
+#include "core/io/bag/reading/big_endian.h"
 
 namespace leitstand::detail {
 

@@ -11,19 +11,11 @@ namespace leitstand::detail {
 
 namespace {
 
-/// Times that a file tells may be anything; from 1970 on, their differences are numbers too.
+/// Times that a file tells may be anything. Those from 1970 to 2106 can be added to and subtracted from each
+/// other, and what robots stamp (68 years from 1970) from them.
 Time sane(Time told) {
-    return std::max(told, Time{});
-}
-
-/// All messages of a file; empty where those of some topic were not counted.
-std::optional<std::uint64_t> messagesOf(const BagFileFacts& facts) {
-    std::uint64_t sum = 0;
-    for (const auto& [id, topic] : facts.topics) {
-        if (!topic.messages) return std::nullopt;
-        sum += *topic.messages;
-    }
-    return sum;
+    constexpr Time Latest{std::chrono::seconds(1LL << 32)};
+    return std::clamp(told, Time{}, Latest);
 }
 
 }  // namespace
@@ -44,7 +36,8 @@ void ReaderCore::listSessions() {
             session.first = sane(facts.first);
             session.last = sane(facts.last);
         }
-        session.messages = messagesOf(facts);
+        session.messages = facts.messages();
+        session.missing = part.missing;
         session.closed = facts.closed && !part.live;
         session.damaged = part.damaged;
         m_sessions.push_back(std::move(session));
@@ -117,6 +110,7 @@ bool ReaderCore::salvage(std::size_t index) {
     part.file = std::move(salvaged).value();
     part.damaged = true;
     for (const std::string& problem : part.file->facts().problems) tell(problem);
+    if (const std::string missing = judgeMissing(part, m_bag.metadata); !missing.empty()) tell(missing);
     listSessions();
     listTopics();
     return true;
@@ -212,12 +206,11 @@ std::uint64_t ReaderCore::sequenceAt(Time time) {
 }
 
 void ReaderCore::count() {
-    for (BagPart& part : m_bag.parts) {
-        const auto& topics = part.file->facts().topics;
-        if (std::any_of(topics.begin(), topics.end(),
-                        [](const auto& entry) { return !entry.second.messages; })) {
-            part.file->count();
-        }
+    for (std::size_t index = 0; index < m_bag.parts.size(); ++index) {
+        if (m_bag.parts[index].file->facts().messages()) continue;
+        m_bag.parts[index].file->count();
+        // What SQLite cannot count it cannot read either.
+        if (!m_bag.parts[index].file->facts().messages()) (void)salvage(index);
     }
     listSessions();
     listTopics();

@@ -32,11 +32,33 @@ Result<std::unique_ptr<BagFile>> SalvagedFile::open(const std::filesystem::path&
 
 void SalvagedFile::search() {
     eachCell(m_pages, [this](const PageCell& cell) { takeCell(cell); });
-    std::stable_sort(m_found.begin(), m_found.end(),
-                     [](const Found& a, const Found& b) { return a.id < b.id; });
-    const auto twice = std::unique(m_found.begin(), m_found.end(),
-                                   [](const Found& a, const Found& b) { return a.id == b.id; });
-    m_found.erase(twice, m_found.end());
+    const auto byId = [](const Found& a, const Found& b) { return a.id < b.id; };
+    const auto sameId = [](const Found& a, const Found& b) { return a.id == b.id; };
+    // A row may be found twice, once in a page that is out of date: the whole one counts.
+    const auto firstTorn = std::stable_partition(m_found.begin(), m_found.end(), [this](const Found& found) {
+        return m_pages.isWhole(found.cell.overflow, found.cell.size - found.cell.local);
+    });
+    std::vector<Found> torn(firstTorn, m_found.end());
+    m_found.erase(firstTorn, m_found.end());
+    for (auto* rows : {&m_found, &torn}) {
+        std::stable_sort(rows->begin(), rows->end(), byId);
+        rows->erase(std::unique(rows->begin(), rows->end(), sameId), rows->end());
+    }
+    std::erase_if(torn, [&](const Found& row) {
+        return std::binary_search(m_found.begin(), m_found.end(), row, byId);
+    });
+    for (std::size_t i = 0; i < std::min(torn.size(), MostGapsTold); ++i)
+        m_facts.problems.push_back(fewerBytes(torn[i]));
+    if (torn.size() <= MostGapsTold) return;
+    m_facts.problems.push_back(
+        leitstand::fill(translate("leitstand::Error", "{}: and {} more messages with fewer bytes"),
+                        m_file.string(), torn.size() - MostGapsTold));
+}
+
+std::string SalvagedFile::fewerBytes(const Found& found) const {
+    return leitstand::fill(
+        translate("leitstand::Error", "{}: message {} on page {}: expected {} bytes, found fewer"),
+        m_file.string(), found.id, found.cell.page, found.cell.size);
 }
 
 void SalvagedFile::takeCell(const PageCell& cell) {
@@ -68,7 +90,10 @@ void SalvagedFile::takeTexts(const PageCell& cell, const std::vector<PageColumn>
     if (!record) return;
     const auto text = [&](std::size_t i) { return textIn(*record, columns[i]).value_or(""); };
     if (metadata) {
-        if (auto parsed = parseMetadata(text(2), m_file.string())) m_metadata = std::move(parsed).value();
+        auto parsed = parseMetadata(text(2), m_file.string());
+        // Of the copies that were replaced, pages may be left.
+        if (parsed && (!m_metadata || parsed->messages() >= m_metadata->messages()))
+            m_metadata = std::move(parsed).value();
     } else if (text(1).starts_with('/')) {
         TopicInfo info{.name = text(1), .type = text(2), .serialization = text(3)};
         if (columns.size() > 4) info.qosProfiles = text(4);
@@ -82,6 +107,7 @@ void SalvagedFile::takeTexts(const PageCell& cell, const std::vector<PageColumn>
 void SalvagedFile::finish(const std::string& why) {
     m_facts.closed = false;
     m_facts.ours = m_metadata && m_metadata->custom.contains(std::string(CountedKey));
+    if (m_metadata) m_facts.expected = m_metadata->messages();
     // Our copy of the metadata lists the topics in the order of their ids.
     if (m_facts.ours) {
         for (std::size_t i = 0; i < m_metadata->topics.size(); ++i) {
@@ -126,11 +152,7 @@ void SalvagedFile::tellGaps() {
 std::optional<BagRow> SalvagedFile::rowOf(const Found& found) {
     const auto record = wholeRecord(m_pages, found.cell);
     if (!record) {
-        if (m_incomplete++ < MostGapsTold) {
-            m_news.push_back(leitstand::fill(
-                translate("leitstand::Error", "{}: message {} on page {}: expected {} bytes, found fewer"),
-                m_file.string(), found.id, found.cell.page, found.cell.size));
-        }
+        if (m_unread++ < MostGapsTold) m_news.push_back(fewerBytes(found));
         return std::nullopt;
     }
     BagRow row{found.id, found.topic, found.received, nullptr};

@@ -50,6 +50,7 @@ private:
     void takeTexts(const PageCell& cell, const std::vector<PageColumn>& columns);
     void finish(const std::string& why);
     void tellGaps();
+    [[nodiscard]] std::string fewerBytes(const Found& found) const;
     [[nodiscard]] std::optional<BagRow> rowOf(const Found& found);
 
     std::filesystem::path m_file;
@@ -57,7 +58,7 @@ private:
     std::vector<Found> m_found;                        // by id
     std::map<std::string, std::string> m_definitions;  // by type
     std::optional<BagMetadata> m_metadata;
-    std::uint64_t m_incomplete = 0;  // rows whose bytes are not there
+    std::uint64_t m_unread = 0;  // rows whose bytes the disk did not give after all
     std::vector<std::string> m_news;
 };
 

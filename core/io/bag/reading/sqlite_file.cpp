@@ -30,6 +30,7 @@ Result<std::unique_ptr<BagFile>> SqliteFile::open(const fs::path& file, bool liv
     opened->readDefinitions();
     if (auto step = opened->readSpan(); !step) return step.error();
     opened->readCounts();
+    if (!live) opened->tellLog();
     return std::unique_ptr<BagFile>(std::move(opened));
 }
 
@@ -93,7 +94,9 @@ Result<void> SqliteFile::checkTables() {
     const bool logged = journal && journal.step() == SQLITE_ROW && journal.text(0) == "wal";
     std::error_code none;
     const auto logSize = fs::file_size(m_file.string() + "-wal", none);
-    m_facts.closed = !logged || (!m_facts.ours && (none || logSize == 0));
+    const bool noLog = none || logSize == 0;
+    m_facts.closed = !logged || (!m_facts.ours && noLog);
+    m_logGone = logged && m_facts.ours && noLog;
     return {};
 }
 
@@ -180,6 +183,7 @@ void SqliteFile::readCounts() {
             row.text(0),
             leitstand::fill(translate("leitstand::Error", "{}: table {}"), m_file.string(), "metadata"));
         if (metadata) {
+            m_facts.expected = metadata->messages();
             for (const auto& counted : metadata->topics) {
                 for (auto& [id, topic] : m_facts.topics) {
                     if (topic.info.name == counted.info.name && topic.info.type == counted.info.type) {
@@ -192,12 +196,23 @@ void SqliteFile::readCounts() {
             if (to != metadata->custom.end()) {
                 std::from_chars(to->second.data(), to->second.data() + to->second.size(), countedTo);
             }
+            // Finished while someone was reading, the file stays one with a log.
+            m_logGone = m_logGone && !metadata->custom.contains(std::string(ClosedKey));
             const bool whole = m_facts.ours || metadata->messages() == m_facts.lastId - m_facts.firstId + 1;
             if (whole && addTail(countedTo)) return;
         }
     }
     for (auto& [id, topic] : m_facts.topics) topic.messages.reset();
     if (m_facts.lastId == 0 || m_facts.lastId - m_facts.firstId < CountedAtOnce) count();
+}
+
+void SqliteFile::tellLog() {
+    if (!m_logGone) return;
+    m_facts.problems.push_back(
+        leitstand::fill(translate("leitstand::Error",
+                                  "{}-wal: expected it, since the writer of {} was cut off, found nothing: "
+                                  "what was written last may be missing"),
+                        m_file.string(), m_file.filename().string()));
 }
 
 bool SqliteFile::addTail(std::uint64_t countedTo) {

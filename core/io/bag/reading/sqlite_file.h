@@ -38,6 +38,7 @@ private:
     void readDefinitions();
     [[nodiscard]] Result<void> readSpan();
     void readCounts();
+    void tellLog();
     [[nodiscard]] bool addTail(std::uint64_t countedTo);
     [[nodiscard]] bool hasColumn(const char* table, std::string_view column) const;
     [[nodiscard]] Error problem(std::string_view place) const;
@@ -50,6 +51,7 @@ private:
     Database m_database;
     bool m_byTopic = false;  // our index of topics is there
     bool m_byTime = false;   // rosbag2's index of times is there
+    bool m_logGone = false;  // the write-ahead log that belongs to the file is not there
 };
 
 /// The row that @p statement stands on: id, topic_id, timestamp, data.

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "core/io/bag/bag_reader.h"
 #include "core/io/bag/detail/mission_folder.h"
+#include "core/io/bag/reading/reader_core.h"
 
 namespace leitstand::detail {
 
@@ -16,19 +18,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// No log loses more messages; what metadata.yaml says beyond that is not believed.
+constexpr std::uint64_t MostLost = 100'000'000;
+
 fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earlier) {
     unsigned long next = 0;
     for (const auto& file : earlier) next = std::max(next, file.number ? *file.number + 1 : 0);
     return folder / fmt::format("{}_{}.db3", folder.filename().string(), next);
 }
 
-BagMetadata summaryOf(const BagReader& reader) {
+BagMetadata summaryOf(const ReaderCore& reader) {
     BagMetadata summary;
     for (const BagSession& session : reader.sessions()) {
         const std::uint64_t most =
             session.lastSequence == 0 ? 0 : session.lastSequence - session.firstSequence + 1;
         summary.files.push_back(
             {session.file.filename().string(), session.first, session.last, session.messages.value_or(most)});
+        // What is gone stays told when the counts are written anew.
+        if (session.missing > 0) {
+            summary.custom[std::string(MissingKey) + session.file.filename().string()] =
+                std::to_string(session.missing);
+        }
     }
     for (const BagTopic& topic : reader.topics()) {
         summary.topics.push_back({topic.info, topic.messages.value_or(0)});
@@ -36,18 +46,32 @@ BagMetadata summaryOf(const BagReader& reader) {
     return summary;
 }
 
-/// Whether metadata.yaml in @p folder is there and says that others wrote it; where nothing else is there,
-/// also when it cannot be read.
-bool metadataOfOthers(const fs::path& folder, bool anyFile) {
+/// What metadata.yaml in @p folder says; empty: it is not there.
+std::optional<Result<BagMetadata>> toldMetadata(const fs::path& folder) {
     std::ifstream in(folder / "metadata.yaml", std::ios::binary);
-    if (!in) return false;
+    if (!in) return std::nullopt;
     std::stringstream text;
     text << in.rdbuf();
-    const auto metadata = parseMetadata(text.str(), "metadata.yaml");
-    return metadata ? !metadata->custom.contains(std::string(CountedKey)) : !anyFile;
+    return parseMetadata(text.str(), "metadata.yaml");
 }
 
-bool anyDamaged(const BagReader& reader) {
+/// Whether @p told says that others wrote it; where nothing else is there, also when it cannot be read.
+bool isOfOthers(const std::optional<Result<BagMetadata>>& told, bool anyFile) {
+    if (!told) return false;
+    return *told ? !(*told)->custom.contains(std::string(CountedKey)) : !anyFile;
+}
+
+/// The last sequence that was given: @p found, or what @p told knows of. That may stand in a log that is
+/// gone, and is not given twice.
+std::uint64_t lastGiven(std::uint64_t found, const std::optional<Result<BagMetadata>>& told) {
+    if (!told || !*told) return found;
+    const auto counted = (*told)->custom.find(std::string(CountedKey));
+    if (counted == (*told)->custom.end()) return found;
+    const std::uint64_t sequence = numberIn(counted->second).value_or(0);
+    return sequence > found && sequence - found < MostLost ? sequence : found;
+}
+
+bool anyDamaged(const ReaderCore& reader) {
     return std::any_of(reader.sessions().begin(), reader.sessions().end(),
                        [](const BagSession& session) { return session.damaged; });
 }
@@ -59,17 +83,21 @@ Result<EarlierSessions> earlierSessions(const fs::path& folder) {
     if (!files) return files.error();
     EarlierSessions earlier;
     earlier.nextFile = nextFile(folder, *files);
-    const auto reader =
-        files->empty() ? Result<std::unique_ptr<BagReader>>(Error{}) : BagReader::open(folder);
-    const bool ours = reader && (*reader)->ours();
-    const bool whole = reader && !anyDamaged(**reader);
-    if (!ours && (whole || metadataOfOthers(folder, !files->empty()))) {
+    std::optional<ReaderCore> reader;
+    if (!files->empty()) {
+        if (auto opened = openBag(folder, Writer::Nobody)) reader.emplace(std::move(opened).value());
+    }
+    const bool ours = reader && reader->ours();
+    const bool whole = reader && !anyDamaged(*reader);
+    const auto told = toldMetadata(folder);
+    if (!ours && (whole || isOfOthers(told, !files->empty()))) {
         return Error{folder.string() +
                      ": expected a mission or an empty folder, found a bag of others; it is left as it is"};
     }
     if (reader) {
-        earlier.metadata = summaryOf(**reader);
-        earlier.lastSequence = (*reader)->lastSequence();
+        earlier.metadata = summaryOf(*reader);
+        earlier.lastSequence = reader->lastSequence();
+        if (ours) earlier.lastSequence = lastGiven(earlier.lastSequence, told);
     }
     return earlier;
 }

@@ -34,7 +34,7 @@ CREATE INDEX leitstand_topic_idx ON messages (topic_id) WHERE topic_id > 0;
 INSERT INTO schema VALUES (4, '');
 )";
 
-constexpr int MaxWalFrames = 4'096;  // 32 MiB wait for the checkpoint
+constexpr int MaxWalFrames = 512;  // 4 MiB wait for the checkpoint: a log that is lost costs no more
 
 fs::path normal(const fs::path& folder) {
     std::error_code ignored;
@@ -75,7 +75,7 @@ std::optional<StoreProblem> SqliteStore::createTables() {
          {"PRAGMA page_size = 8192", "PRAGMA auto_vacuum = NONE", "PRAGMA secure_delete = OFF",
           "PRAGMA cache_size = -16000", "PRAGMA temp_store = MEMORY", "BEGIN", Tables, "COMMIT",
           "PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA wal_autocheckpoint = 0",
-          "PRAGMA journal_size_limit = 67108864"}) {
+          "PRAGMA journal_size_limit = 16777216"}) {
         if (const auto failed = checked(m_database.run(sql))) return failed;
     }
     sqlite3_wal_hook(
@@ -195,6 +195,7 @@ std::optional<StoreProblem> SqliteStore::insertEvent(const RawEvent& event, std:
 std::optional<StoreProblem> SqliteStore::storeMetadata(const Books& books) {
     BagMetadata metadata = books.metadata;
     metadata.custom[std::string(CountedKey)] = std::to_string(books.lastSequence);
+    if (m_closing) metadata.custom[std::string(ClosedKey)] = "true";
     m_metadata.bind(1, static_cast<std::int64_t>(metadata.version));
     m_metadata.bind(2, yamlOf(metadata, /*bare=*/true));
     return checked(m_metadata.run());
@@ -236,6 +237,7 @@ std::uint64_t SqliteStore::freeBytes() {
 
 std::optional<StoreProblem> SqliteStore::close() {
     if (!m_database) return std::nullopt;
+    m_closing = true;
     auto failed = commit({.topics = {}, .events = {}, .metadata = true});
     for (Statement* statement :
          {&m_begin, &m_commit, &m_rollback, &m_insert, &m_insertTopic, &m_insertDefinition, &m_metadata}) {

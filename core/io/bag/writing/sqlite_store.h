@@ -58,7 +58,8 @@ private:
     BagMetadata m_earlier;  // of the sessions before this one
     std::uint64_t m_earlierSequence = 0;
     Books m_books;
-    int m_walFrames = 0;  // in the write-ahead log
+    int m_walFrames = 0;     // in the write-ahead log
+    bool m_closing = false;  // the next metadata are the last ones
     Database m_database;
     Statement m_begin, m_commit, m_rollback, m_insert, m_insertTopic, m_insertDefinition, m_metadata;
 };
