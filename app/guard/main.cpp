@@ -7,6 +7,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
 #include "transport/link/guard_arguments.h"
 #include "transport/security/enclave.h"
 
@@ -15,13 +16,12 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && words.front() == "--help") return std::puts(guardHelp().c_str()) < 0 ? 1 : 0;
     const auto fail = [](const Error& error, int code) {
-        std::fprintf(stderr, "leitstand-guard: %s\n", error.text.c_str());
+        std::fprintf(stderr, "leitstand-guard: %s\n", printable(error.text).c_str());
         return code;
     };
     mallopt(M_ARENA_MAX, 1);  // many threads that allocate little
     // It ends with the station, and after it, whatever its terminal sends.
-    std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGHUP, SIG_IGN);
+    for (const int signal : {SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);
     const auto arguments = guardArgumentsFrom(words);
     if (!arguments) return fail(arguments.error(), 2);
     NodeSettings network = arguments->network;
