@@ -21,8 +21,7 @@ int main(int argc, char** argv) {
         return code;
     };
     mallopt(M_ARENA_MAX, 1);  // many threads that allocate little
-    // It ends with the station, and after it, whatever its terminal sends.
-    for (const int ignored : {SIGINT, SIGHUP}) std::signal(ignored, SIG_IGN);
+    for (const int ignored : {SIGINT, SIGHUP}) std::signal(ignored, SIG_IGN);  // it ends with the station
     const auto arguments = guardArgumentsFrom(words);
     if (!arguments) return fail(arguments.error(), 2);
     NodeSettings network = arguments->network;
