@@ -37,7 +37,7 @@ TEST(Terminal, NothingIsPrintedThatWasNotMadePrintable) {
         EXPECT_THAT(linesWith(file,
                               {"fmt::print(", "fprintf(", "std::printf(", "fputs(", "std::cout", "std::cerr",
                                "std::puts(", "perror("},
-                              {"printable(", "guardHelp(", "fputs(\"", "\"\\r\\x1b[K\""}),
+                              {"printable(", "guardHelp(", "versionOf(", "fputs(\"", "\"\\r\\x1b[K\""}),
                     testing::IsEmpty());
     }
 }

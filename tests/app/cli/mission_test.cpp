@@ -152,7 +152,7 @@ TEST(Mission, InASecuredDomainOnlyMembersAreRecorded) {
     ASSERT_EQ(made.exitCode, 0) << made.err;
     const TestDomain domain;
     Recording recording(domain, mission, {"--keys", (members / "station1").string()});
-    EXPECT_THAT(recording.out(), HasSubstr("Security is on: station1 (station)"));
+    EXPECT_TRUE(recording.says("Security is on: station1 (station)")) << recording.out();
     Robot stranger(domain, {"--name", "stranger", "--wait-for", "0"});
     Robot member(domain, {"--keys", (members / "kurt3d").string()});
     ASSERT_TRUE(stranger.saidAll() && member.saidAll()) << stranger.out() << member.out() << recording.out();
