@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/robot/hearing.h"
+
 namespace leitstand {
 namespace {
 
@@ -12,18 +14,8 @@ QString shortType(const std::string& type) {
 
 /// Whether a slower or coarser one would still be of use, and the robot can do it.
 bool isSettable(const RobotDescription& robot, StreamRole role) {
-    switch (role) {
-        case StreamRole::StaticTransforms:
-        case StreamRole::Mode:
-        case StreamRole::Bumps:
-        case StreamRole::Sightings:
-        case StreamRole::StopState:
-        case StreamRole::Pong:
-        case StreamRole::Diagnostics:
-            return false;
-        default:
-            return robot.stream(StreamRole::StreamCommand) != nullptr;
-    }
+    return comesSteadily(role) && role != StreamRole::Diagnostics &&
+           robot.stream(StreamRole::StreamCommand) != nullptr;
 }
 
 }  // namespace
