@@ -3247,8 +3247,8 @@ Funk: %4 %5</translation>
 <context>
     <name>leitstand::Hearing</name>
     <message>
-        <source>{}: {}; the station joins the network anew</source>
-        <translation>{}: {}; die Station tritt dem Netz neu bei</translation>
+        <source>{}: {}; joining the network again</source>
+        <translation>{}: {}; das Netz wird neu betreten</translation>
     </message>
     <message>
         <source>announced by {}, but none of its topics are</source>

@@ -3247,8 +3247,8 @@ Link: %4 %5</source>
 <context>
     <name>leitstand::Hearing</name>
     <message>
-        <source>{}: {}; the station joins the network anew</source>
-        <translation>{}: {}。ステーションはネットワークに入り直します</translation>
+        <source>{}: {}; joining the network again</source>
+        <translation>{}: {}。ネットワークに入り直します</translation>
     </message>
     <message>
         <source>announced by {}, but none of its topics are</source>

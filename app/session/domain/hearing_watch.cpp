@@ -53,9 +53,8 @@ void HearingWatch::look() {
         const auto fault = hearingFaultOf(robot, link, announced);
         const bool tries = m_plans[robot.name].isDue(fault.has_value(), m_setup.mayRejoin(), now);
         if (tries) {
-            m_setup.tell(
-                leitstand::fill(translate("leitstand::Hearing", "{}: {}; the station joins the network anew"),
-                                robot.title, worded(*fault)));
+            m_setup.tell(leitstand::fill(translate("leitstand::Hearing", "{}: {}; joining the network again"),
+                                         robot.title, worded(*fault)));
         }
         due = due || tries;
         const std::lock_guard lock(m_mutex);

@@ -45,7 +45,7 @@ TEST_F(StationHearing, ARobotThatIsAnnouncedAndSaysNothingIsToldAndTheStationJoi
     EXPECT_EQ(station->robot("kurt3d").hearing->names, std::vector<std::string>{"/kurt3d/odom"});
     ASSERT_TRUE(waitUntil([&] { return robot.seen() == 2U; })) << words();
     EXPECT_THAT(words(), HasSubstr("announced, but nothing comes: /kurt3d/odom"));
-    EXPECT_THAT(words(), HasSubstr("joins the network anew"));
+    EXPECT_THAT(words(), HasSubstr("joining the network again"));
     ASSERT_TRUE(waitUntil([&] {
         const std::vector<Alarm> alarms = station->alarms().view().alarms;
         return std::any_of(alarms.begin(), alarms.end(),

@@ -99,7 +99,7 @@ TEST_F(HostileReview, BoxesAndTooltipsOfWhateverShowThemToo) {
     EXPECT_EQ(found.drawn.join(QStringLiteral("; ")).toStdString(), "");
 }
 
-TEST(PlainTexts, LongTooltipsAreBrokenIntoLines) {
+TEST(PlainTexts, TooltipsOfManyWordsAreBrokenIntoLines) {
     EXPECT_EQ(inLines(QStringLiteral("one two three"), 8), QStringLiteral("one two\nthree"));
     EXPECT_EQ(inLines(QStringLiteral("a\nbb\n"), 8), QStringLiteral("a\nbb\n"));
     EXPECT_EQ(inLines(QStringLiteral("unbreakable"), 4), QStringLiteral("unbreakable"));

@@ -91,6 +91,31 @@ TEST(GrantBook, ASecondStationIsRefusedUntilTheHolderIsSilentForThreeSeconds) {
     EXPECT_TRUE(b.mayAct(Drive, at(15'000)));
 }
 
+TEST(GrantBook, AStationThatJoinsTheNetworkAgainGoesOnHoldingAndAsking) {
+    GrantBook a = book("a", 1, 0, {{Drive, 5}}), b = book("b", 2);
+    b.ask(Drive);
+    talk({{&a, 1}, {&b, 2}}, 0, 1'000);
+    a.rejoined(sender(7));
+    EXPECT_TRUE(a.mayAct(Drive, at(1'050)));
+    EXPECT_EQ(a.held(), (std::vector<HeldGrant>{{Drive, 5}})) << "under the same term";
+    talk({{&a, 7}, {&b, 2}}, 1'050, 10'000);
+    EXPECT_TRUE(a.mayAct(Drive, at(10'000)));
+    EXPECT_EQ(b.view(Drive, at(10'000)).holder, "a");
+    EXPECT_EQ(b.view(Drive, at(10'000)).lostTo, "");
+    EXPECT_EQ(a.view(Drive, at(10'000)).requestedBy, "b");
+    b.rejoined(sender(8));
+    talk({{&a, 7}, {&b, 8}}, 10'050, 11'500);
+    a.answer(Drive, true, at(11'500));
+    talk({{&a, 7}, {&b, 8}}, 11'550, 11'700);
+    EXPECT_TRUE(b.mayAct(Drive, at(11'700)));
+    EXPECT_EQ(a.view(Drive, at(11'700)).holder, "b");
+    // What it says itself under its new identity is not another's.
+    const auto own = b.due(at(13'000), wallAt(13'000));
+    ASSERT_FALSE(own.empty());
+    b.hear(own[0], sender(8), at(13'000));
+    EXPECT_TRUE(b.view(Drive, at(13'000)).mine);
+}
+
 TEST(GrantBook, TheHolderConsentsOrRefuses) {
     GrantBook a = book("a", 1, 0, {{Drive, 5}}), b = book("b", 2);
     b.ask(Drive);

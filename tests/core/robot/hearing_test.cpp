@@ -74,7 +74,7 @@ TEST(Hearing, AProcessWithoutTopicsIsAFaultWhileNothingElseOfTheRobotIsThere) {
     EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced));
 }
 
-TEST(Hearing, LongListsAreCut) {
+TEST(Hearing, ListsOfManyTopicsAreCut) {
     const HearingFault fault{HearingFault::Kind::Silent, {"/a", "/b", "/c", "/d", "/e"}};
     EXPECT_EQ(toString(fault), "announced, but nothing comes: /a, /b, /c, /d, ...");
 }

@@ -58,6 +58,21 @@ TEST(Rejoin, WhatIsTransientLocalIsWrittenAgainForThoseWhoJoinLater) {
     EXPECT_TRUE(waitUntil([&] { return ear.size() == 2U; })) << "as many as the history keeps";
 }
 
+TEST(Rejoin, AHistoryThatIsToKeepAllIsBoundedAndWrittenAgain) {
+    const TestDomain domain;
+    const auto station = nodeIn(domain);
+    const auto said = must(station->publisher({"/k/all", TestType, transientLocal(0), Flow::Immediate}));
+    constexpr std::uint32_t Most = 5000;  // what the library keeps
+    for (std::uint32_t i = 1; i <= Most + 3; ++i) static_cast<void>(said->write(testPayload(100, i)));
+    const auto joined = station->rejoin();
+    ASSERT_TRUE(joined) << joined.error().text;
+    const auto robot = nodeIn(domain);
+    Inbox ear;
+    const auto heard = must(robot->subscribe({"/k/all", TestType, transientLocal(0)}, ear.callback()));
+    EXPECT_TRUE(waitUntil([&] { return ear.size() >= Most; }));
+    EXPECT_EQ(ear.size(), Most);
+}
+
 TEST(Rejoin, SubscriptionsThatComeAndGoMeanwhileHearAllTheSame) {
     const TestDomain domain;
     const auto robot = nodeIn(domain), station = nodeIn(domain);

@@ -5,13 +5,18 @@
 #include "transport/dds/detail/participant_qos.h"
 
 namespace leitstand::detail {
+
+int historyOf(const Qos& qos) {
+    constexpr int MostKept = 5000;
+    return qos.depth > 0 ? qos.depth : MostKept;
+}
+
 namespace {
 
 namespace efd = eprosima::fastdds::dds;
 using Duration_t = fastdds::Duration;
 
 constexpr double Heartbeats = 0.1;  ///< of reliable writers, while somebody lacks something [s]
-constexpr int MostKept = 5000;      // samples of a keep_all history
 // A reliable Fast DDS reader that may keep one sample only is stuck after a loss: the newer sample waits for
 // the lost one to be given up, and there is no room for the next. Over a link with 5 % loss, one of two is
 // lost then.
@@ -30,7 +35,7 @@ void apply(const Qos& qos, EndpointQos& to) {
     to.history().kind = all ? efd::KEEP_ALL_HISTORY_QOS : efd::KEEP_LAST_HISTORY_QOS;
     to.history().depth = std::max(qos.depth, 1);
     auto& limits = to.resource_limits();
-    limits.max_samples = limits.max_samples_per_instance = all ? MostKept : qos.depth;
+    limits.max_samples = limits.max_samples_per_instance = historyOf(qos);
     limits.max_instances = 1;
     limits.allocated_samples = std::min(limits.max_samples, 8);
     if (qos.deadline > 0.0) to.deadline().period = Duration_t(static_cast<long double>(qos.deadline));

@@ -9,6 +9,9 @@
 
 namespace leitstand::detail {
 
+/// How many samples a history of @p qos has; one that is to keep all has a bound, too.
+[[nodiscard]] int historyOf(const Qos& qos);
+
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos readerQos(const Qos& qos);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writerQos(const Qos& qos, Flow flow);
 

@@ -7,6 +7,7 @@
 
 #include "transport/cdr/encapsulation.h"
 #include "transport/dds/detail/convert.h"
+#include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/participant.h"
 #include "transport/dds/detail/raw_type.h"
 
@@ -76,8 +77,7 @@ Result<void> Writer::write(const Payload& cdr) {
     if (isKept()) {
         const std::scoped_lock keptLock(m_keptMutex);
         m_kept.push_back(cdr);
-        const int depth = m_settings.qos.depth;
-        if (depth > 0 && m_kept.size() > static_cast<std::size_t>(depth)) m_kept.pop_front();
+        if (m_kept.size() > static_cast<std::size_t>(historyOf(m_settings.qos))) m_kept.pop_front();
     }
     return m_writer == nullptr ? Result<void>{} : send(cdr);
 }
