@@ -86,6 +86,12 @@ public:
         begin();
     }
 
+    /// The next page, unless most of this one is free.
+    void nextPageUnlessFree() {
+        constexpr double Most = 0.4;  // of it is used
+        if (m_below > Most * m_size.height()) nextPage();
+    }
+
     /// A section: on the next page where what is left of this one does not hold it with @p below more [dots];
     /// over as many pages as it takes when no page does.
     void text(const QString& html, const std::vector<std::pair<QString, QImage>>& pictures = {},
@@ -179,7 +185,7 @@ private:
 void layOut(Pages& pages, const ReportContent& content) {
     for (const QString& section : overviewHtml(content)) pages.text(section);
     for (std::size_t band = 0; band < content.maps.size(); ++band) {
-        pages.nextPage();
+        band == 0 ? pages.nextPageUnlessFree() : pages.nextPage();
         pages.text(QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, band).toHtmlEscaped()));
         const MapPicture& map = content.maps[band];
         const auto over = [&](QPainter& painter, const QRectF& picture) {

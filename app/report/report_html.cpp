@@ -191,12 +191,19 @@ QString wayText(const ReportFind& find) {
 }
 
 QString picturesHtml(const std::vector<PrintedPicture>& pictures, std::size_t find) {
+    constexpr int Wide = 300;  // [dots]
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='4' width='100%'>");
     for (std::size_t i = 0; i < pictures.size(); i += 2) {
         html += QStringLiteral("<tr>");
         for (std::size_t j = i; j < std::min(i + 2, pictures.size()); ++j) {
-            html += QStringLiteral("<td width='50%'><img src='%1' width='300'><br><small>%2</small></td>")
-                        .arg(evidenceName(find, j), pictures[j].caption.toHtmlEscaped());
+            const Picture& picture = *pictures[j].picture;
+            // Without a height, a thread that is not the window's takes that of the file.
+            html += QStringLiteral(
+                        "<td width='50%'><img src='%1' width='%2' height='%3'><br><small>%4</small></td>")
+                        .arg(evidenceName(find, j))
+                        .arg(Wide)
+                        .arg(std::lround(Wide * double(picture.height) / std::max(1, picture.width)))
+                        .arg(pictures[j].caption.toHtmlEscaped());
         }
         html += QStringLiteral("</tr>");
     }

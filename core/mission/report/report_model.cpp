@@ -194,10 +194,11 @@ MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string tit
     drawing.grid = model.grids.at(band);
     for (const ReportRobot& robot : model.robots) {
         if (robot.path.poses.empty()) continue;
-        std::vector<Eigen::Vector2d> points;
-        for (const PathPose& pose : robot.path.poses)
-            points.emplace_back(pose.baseInMap.translation().head<2>());
-        drawing.paths.push_back(std::move(points));
+        drawing.paths.emplace_back();
+        for (const PathPose& pose : robot.path.poses) {
+            if (pose.afterGap) drawing.paths.emplace_back();
+            drawing.paths.back().emplace_back(pose.baseInMap.translation().head<2>());
+        }
         const Pose& first = robot.path.poses.front().baseInMap;
         drawing.starts.push_back({first.translation().head<2>(), std::atan2(first(1, 0), first(0, 0))});
     }

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry began anew [m]
 constexpr double Turned = degrees(10);
+constexpr std::chrono::seconds Silence(3);  ///< of the odometry
+constexpr double Unseen = 0.5;  ///< what a robot may go meanwhile on a way that is still known [m]
 
 /// Where an anchor has the odometry's frame.
 struct OdometryInMap {
@@ -33,6 +35,11 @@ std::optional<Pose> odometryAt(std::span<const PathPose> odometry, Time time) {
     return interpolated(before.baseInMap, after->baseInMap, share);
 }
 
+bool isGap(const PathPose& before, const PathPose& after) {
+    const double away = distanceBetween(before.baseInMap, after.baseInMap);
+    return away > MostDisagreement || (away > Unseen && after.time - before.time > Silence);
+}
+
 std::vector<PathPose> thinned(const std::vector<PathPose>& path, double apart) {
     std::vector<PathPose> kept;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -50,7 +57,7 @@ std::vector<PathPose> thinned(const std::vector<PathPose>& path, double apart) {
 double RobotPath::length() const {
     double sum = 0.0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
-        sum += distanceBetween(poses[i - 1].baseInMap, poses[i].baseInMap);
+        if (!poses[i].afterGap) sum += distanceBetween(poses[i - 1].baseInMap, poses[i].baseInMap);
     }
     return sum;
 }
@@ -77,7 +84,9 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
         double share =
             span > 0.0 ? std::chrono::duration<double>(pose.time - before.time).count() / span : 0.0;
         if (distanceBetween(byBefore, byAfter) > MostDisagreement) share = share < 0.5 ? 0.0 : 1.0;
-        path.push_back({pose.time, interpolated(byBefore, byAfter, std::clamp(share, 0.0, 1.0))});
+        PathPose placed{pose.time, interpolated(byBefore, byAfter, std::clamp(share, 0.0, 1.0))};
+        placed.afterGap = !path.empty() && isGap(path.back(), placed);
+        path.push_back(placed);
     }
     return thinned(path, apart);
 }

@@ -56,6 +56,7 @@ struct WayFinder::Graph {
         double way = Far;            ///< from a start [m]
         std::ptrdiff_t before = -1;  ///< node; -1: a start
         std::ptrdiff_t trail = -1;   ///< node before it on the trail
+        std::ptrdiff_t gap = -1;     ///< node before it, where nobody knows the way between them
         std::size_t robot = 0;
     };
     std::vector<Node> nodes;
@@ -78,21 +79,37 @@ struct WayFinder::Graph {
         }
     }
     void search() {
-        using Entry = std::pair<double, std::size_t>;
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (nodes[i].trail < 0) open.emplace(nodes[i].way = 0.0, i);
+            if (nodes[i].trail < 0 && nodes[i].gap < 0) reach(i, 0.0, -1);
         }
+        // What no known way leads to is reached straight over the gap.
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (nodes[i].way < Far || nodes[i].gap < 0) continue;
+            const Node& before = nodes[static_cast<std::size_t>(nodes[i].gap)];
+            reach(i, before.way + (before.point - nodes[i].point).norm(), nodes[i].gap);
+        }
+    }
+
+private:
+    using Entry = std::pair<double, std::size_t>;
+
+    /// Reaches @p node by @p way from @p before, and from there all to which that is the shortest way.
+    void reach(std::size_t node, double way, std::ptrdiff_t before) {
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+        nodes[node].way = way;
+        nodes[node].before = before;
+        if (before >= 0) nodes[node].robot = nodes[static_cast<std::size_t>(before)].robot;
+        open.emplace(way, node);
         while (!open.empty()) {
-            const auto [way, node] = open.top();
+            const auto [soFar, at] = open.top();
             open.pop();
-            if (way > nodes[node].way) continue;
-            forNeighbours(node, [&, way = way, node = node](std::size_t next) {
-                const double longer = way + (nodes[next].point - nodes[node].point).norm();
+            if (soFar > nodes[at].way) continue;
+            forNeighbours(at, [&, soFar = soFar, at = at](std::size_t next) {
+                const double longer = soFar + (nodes[next].point - nodes[at].point).norm();
                 if (longer >= nodes[next].way - 1e-12) return;
                 nodes[next].way = longer;
-                nodes[next].before = static_cast<std::ptrdiff_t>(node);
-                nodes[next].robot = nodes[node].robot;
+                nodes[next].before = static_cast<std::ptrdiff_t>(at);
+                nodes[next].robot = nodes[at].robot;
                 open.emplace(longer, next);
             });
         }
@@ -102,13 +119,19 @@ struct WayFinder::Graph {
 WayFinder::WayFinder(std::span<const RobotPath> paths) : m_graph(std::make_unique<Graph>()) {
     for (const RobotPath& path : paths) {
         std::ptrdiff_t before = -1;
+        bool gap = false;
         for (const PathPose& pose : path.poses) {
+            gap = gap || pose.afterGap;
             const Eigen::Vector3d point = pose.baseInMap.translation();
             if (!point.allFinite() || point.head<2>().cwiseAbs().maxCoeff() > 1e5) continue;
             auto& nodes = m_graph->nodes;
             if (before >= 0 && (nodes[static_cast<std::size_t>(before)].point - point).norm() < Apart)
                 continue;
-            nodes.push_back({.point = point, .trail = before, .robot = m_graph->robots.size()});
+            nodes.push_back({.point = point,
+                             .trail = gap ? -1 : before,
+                             .gap = gap ? before : -1,
+                             .robot = m_graph->robots.size()});
+            gap = false;
             before = static_cast<std::ptrdiff_t>(nodes.size()) - 1;
         }
         m_graph->robots.push_back(path.robot);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "core/io/report/search_list.h"
 #include "core/io/tum.h"
 #include "tests/app/report/sample_mission.h"
+#include "tests/support/pdf_pictures.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -178,23 +180,17 @@ TEST_F(Report, ThePdfTellsAllOfIt) {
 }
 
 TEST_F(Report, ThePdfHasItsPicturesAndMapPages) {
-    const ProcessOutcome list = runProcess("/usr/bin/pdfimages", {"-list", file(".pdf").string()});
-    ASSERT_EQ(list.exitCode, 0) << "poppler-utils is missing? " << list.err;
-    std::istringstream lines(list.out);
-    std::string line;
     std::multiset<std::string> sizes;
-    for (int number = 0; std::getline(lines, line); ++number) {
-        std::istringstream fields(line);
-        std::string page, image, type, width, height;
-        if (number >= 2 && fields >> page >> image >> type >> width >> height && type == "image")
-            sizes.insert(width + "x" + height);
+    for (const PdfPicture& one : pdfPictures(file(".pdf"))) {
+        sizes.insert(fmt::format("{}x{}", one.width, one.height));
+        EXPECT_NEAR(one.acrossPerInch, one.downPerInch, 1) << one.width << " x " << one.height;
     }
     // Of V1 a picture of the camera, one of the infrared camera, the scan from above; a way for each find;
     // two maps.
-    EXPECT_EQ(sizes.count("160x120"), 1U) << list.out;
-    EXPECT_EQ(sizes.count("80x60"), 1U) << list.out;
-    EXPECT_EQ(sizes.count("560x560"), 1U) << list.out;
-    EXPECT_EQ(sizes.size(), 3U + 5U + 2U) << list.out;
+    EXPECT_EQ(sizes.count("160x120"), 1U);
+    EXPECT_EQ(sizes.count("80x60"), 1U);
+    EXPECT_EQ(sizes.count("560x560"), 1U);
+    EXPECT_EQ(sizes.size(), 3U + 5U + 2U);
     const std::string text = pdfText(file(".pdf"));
     std::size_t maps = 0;
     std::istringstream pages(text);

@@ -12,11 +12,13 @@
 
 namespace leitstand::test {
 
+void ReviewPage::writeMission() {
+    WrittenMission mission(m_mission);
+    writeMinute(mission);
+}
+
 void ReviewPage::SetUp() {
-    {
-        WrittenMission mission(m_mission);
-        writeMinute(mission);
-    }
+    writeMission();
     m_bridge = ReviewBridge::open(m_mission).value();
     openWindow();
 }

@@ -14,11 +14,12 @@
 
 namespace leitstand::test {
 
-/// The review of writeMinute() as an operator sees and uses it.
+/// The review of a mission, writeMinute() unless told otherwise, as an operator sees and uses it.
 class ReviewPage : public testing::Test {
 protected:
     void SetUp() override;
     void TearDown() override;
+    virtual void writeMission();  ///< into m_mission
     /// A window on the same review, as after a change of language.
     void openWindow();
 

@@ -13,6 +13,8 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/review/review_report.h"
+#include "tests/app/report/sample_mission.h"
+#include "tests/support/pdf_pictures.h"
 #include "widgets/models/message_list_model.h"
 
 namespace leitstand::test {
@@ -45,10 +47,15 @@ protected:
     }
     /// The list of victims of the hand-in @p name.
     [[nodiscard]] std::string victims(const char* name) const {
+        const fs::path list = fileOf(name, "_victims.csv");
+        return list.empty() ? "there is no list" : readText(list);
+    }
+    /// The file of the hand-in @p name that ends so; empty where there is none.
+    [[nodiscard]] fs::path fileOf(const char* name, const char* ending) const {
         for (const fs::directory_entry& one : fs::directory_iterator(m_folder / name)) {
-            if (one.path().filename().string().ends_with("_victims.csv")) return readText(one.path());
+            if (one.path().filename().string().ends_with(ending)) return one.path();
         }
-        return "there is no list";
+        return {};
     }
 };
 
@@ -74,6 +81,23 @@ TEST_F(ReviewReportTest, TheButtonWritesTheJudgesFolderWithWhatWasCorrectedInThe
     ASSERT_NO_FATAL_FAILURE(report("after"));  // at once: what was written goes before
     EXPECT_TRUE(fs::exists(m_folder / "after" / "SHA256SUMS"));
     EXPECT_EQ(victims("after").find("V1"), std::string::npos) << victims("after");
+}
+
+/// A mission whose victim has pictures of two cameras and a scan as evidence.
+class ReviewReportOfEvidence : public ReviewReportTest {
+    void writeMission() override { writeSampleMission(m_mission); }
+};
+
+TEST_F(ReviewReportOfEvidence, ItsPicturesHaveTheShapeOfWhatTheyShow) {
+    ASSERT_NO_FATAL_FAILURE(report("out"));
+    const auto pictures = pdfPictures(fileOf("out", ".pdf"));
+    for (const int width : {80, 160, 560}) {
+        EXPECT_TRUE(std::any_of(pictures.begin(), pictures.end(),
+                                [&](const PdfPicture& one) { return one.width == width; }))
+            << "of infrared, camera and scan: " << width;
+    }
+    for (const PdfPicture& one : pictures)
+        EXPECT_NEAR(one.acrossPerInch, one.downPerInch, 1) << one.width << " x " << one.height;
 }
 
 TEST_F(ReviewReportTest, ItsScoreIsThatOfTheMomentThatIsShown) {

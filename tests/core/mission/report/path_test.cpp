@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 
 #include <gmock/gmock.h>
@@ -55,6 +56,22 @@ TEST(JoinedPath, AnOdometryThatBeganAnewMakesNoWay) {
         EXPECT_LT(std::abs(pose.baseInMap.translation().y()), 0.2);
 }
 
+TEST(JoinedPath, WhereNothingWasHeardForLongTheWayIsNotKnown) {
+    // Driven on for 20 s while the station was away, and stood there for 20 s more.
+    auto odometry = driftingOdometry();
+    const std::size_t before = odometry.size();
+    for (int i = 0; i <= 20; ++i) odometry.push_back({at(30.0 + i), place(12.0 + 4.0, 3.2)});
+    for (int i = 0; i <= 20; ++i) odometry.push_back({at(51.0 + 0.05 * i), place(16.0 + 0.025 * i, 3.2)});
+    RobotPath path{"kurt3d", joinedPath(std::vector<PathAnchor>{{at(1), place(0.5, 0)}}, odometry)};
+    const auto gaps = std::count_if(path.poses.begin(), path.poses.end(),
+                                    [](const PathPose& pose) { return pose.afterGap; });
+    EXPECT_EQ(gaps, 1) << "a robot that stands leaves none";
+    EXPECT_NEAR(path.length(), 0.5 * 10.0 + 0.5, 0.05);
+    const auto gap = std::find_if(path.poses.begin(), path.poses.end(),
+                                  [](const PathPose& pose) { return pose.afterGap; });
+    EXPECT_EQ(gap->time, odometry[before].time);
+}
+
 RobotPath pathThrough(std::string robot, const std::vector<Eigen::Vector2d>& corners) {
     RobotPath path{std::move(robot), {}};
     double t = 0.0;
@@ -89,6 +106,19 @@ TEST(WayFinder, ChangesFromOneTrailToAnother) {
     const Way way = WayFinder(paths).to({6.0, 0.0, 0.0});
     EXPECT_EQ(way.robot, "kurt3d");
     EXPECT_NEAR(way.length, 6.1, 0.3);
+}
+
+TEST(WayFinder, GoesStraightOverAGapOnlyWhereNoOtherWayIsKnown) {
+    RobotPath kurt = pathThrough("kurt3d", {{0, 0}, {4, 0}, {4, 4}, {0.5, 4}});
+    RobotPath later = pathThrough("kurt3d", {{0.5, 2}, {3.5, 2}});
+    later.poses.front().afterGap = true;
+    kurt.poses.insert(kurt.poses.end(), later.poses.begin(), later.poses.end());
+    const Way way = WayFinder(std::vector<RobotPath>{kurt}).to({3.5, 2.0, 0.0});
+    EXPECT_NEAR(way.length, 4.0 + 4.0 + 3.5 + 2.0 + 3.0, 0.25) << "over the gap";
+    EXPECT_NEAR(way.points.front().norm(), 0.0, 0.01) << "from where it began, not from behind the gap";
+    const RobotPath crawler = pathThrough("crawler", {{-1, 0}, {0, 0}, {3.5, 1.8}});
+    const Way shorter = WayFinder(std::vector<RobotPath>{kurt, crawler}).to({2.0, 2.0, 0.0});
+    EXPECT_NEAR(shorter.length, Eigen::Vector2d(3.5, 1.8).norm() + 1.5, 0.4) << "as the other robot went";
 }
 
 TEST(WayFinder, TellsWhereNoRobotWas) {
