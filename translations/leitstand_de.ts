@@ -1792,6 +1792,10 @@ Die blaue Linie ist der Horizont.</translation>
 <context>
     <name>leitstand::DriveFeature</name>
     <message>
+        <source>The keys do not drive: %1 lets them</source>
+        <translation>Die Tasten fahren nicht: %1 lässt sie fahren</translation>
+    </message>
+    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -4208,8 +4212,8 @@ F1 listet alle Tasten</translation>
         <translation>x %1  y %2  z %3 m · %4 · %5</translation>
     </message>
     <message>
-        <source>%1 m · dx %2  dy %3  dz %4</source>
-        <translation>%1 m · dx %2  dy %3  dz %4</translation>
+        <source>%1 m · dx %2 m  dy %3 m  dz %4 m</source>
+        <translation>%1 m · dx %2 m  dy %3 m  dz %4 m</translation>
     </message>
 </context>
 <context>
@@ -4285,9 +4289,9 @@ F1 listet alle Tasten</translation>
         <translation>Entfernung</translation>
     </message>
     <message>
-        <source>%1 m  dx %2 dy %3 dz %4</source>
+        <source>%1 m  dx %2 m dy %3 m dz %4 m</source>
         <comment>length of a measurement and its parts along the map&apos;s axes</comment>
-        <translation>%1 m  dx %2 dy %3 dz %4</translation>
+        <translation>%1 m  dx %2 m dy %3 m dz %4 m</translation>
     </message>
     <message>
         <source>scan %1</source>
@@ -5542,6 +5546,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>in order</source>
         <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>to know</source>
+        <translation>zur Kenntnis</translation>
     </message>
     <message>
         <source>must be mended</source>

@@ -38,7 +38,7 @@ QString pickText(const std::optional<PickedPoint>& point, const Map& map) {
 
 QString measurementText(const Measurement& measurement) {
     const Eigen::Vector3d step = measurement.to - measurement.from;
-    return ReadoutTexts::tr("%1 m · dx %2  dy %3  dz %4")
+    return ReadoutTexts::tr("%1 m · dx %2 m  dy %3 m  dz %4 m")
         .arg(numberText(step.norm(), 2), numberText(step.x(), 2), numberText(step.y(), 2),
              numberText(step.z(), 2));
 }

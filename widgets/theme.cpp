@@ -87,7 +87,7 @@ const ThemeColours& coloursOf(Theme theme) {
         .autonomous = "#35264F",
         .stopped = "#2B313A",
         .lost = "#3A2D0E",
-        .robots = {"#56B4E9", "#C49BEB", "#86CFC4", "#D3B59C"},
+        .robots = {"#56B4E9", "#C49BEB", "#86CFC4", "#D3B59C", "#A5D46A", "#7F93FF", "#F4A09C", "#E9E2B0"},
     };
     static const ThemeColours light = {
         .window = "#F3F4F6",
@@ -112,7 +112,7 @@ const ThemeColours& coloursOf(Theme theme) {
         .autonomous = "#E1D5F5",
         .stopped = "#DDE1E7",
         .lost = "#F6E5C0",
-        .robots = {"#0072B2", "#7A3FB0", "#1B766B", "#7A5638"},
+        .robots = {"#0072B2", "#7A3FB0", "#1B766B", "#7A5638", "#557C0A", "#3A3FD0", "#A03A5A", "#454B54"},
     };
     return theme == Theme::Dark ? dark : light;
 }

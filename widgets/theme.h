@@ -25,7 +25,7 @@ struct ThemeColours {
     QColor obstacle;                                  ///< its inner contour
     QColor laser;                                     ///< what a plane laser measured
     QColor teleoperation, autonomous, stopped, lost;  ///< backgrounds of modes; of a stop it is stop
-    std::array<QColor, 4> robots;                     ///< edges of panes, by the robot's place in the team
+    std::array<QColor, 8> robots;                     ///< edges of panes, by the robot's place in the team
 
     /// Of the @p place -th robot.
     [[nodiscard]] const QColor& robot(int place) const {

@@ -157,6 +157,14 @@ StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
     const double patience = std::max(m_rules.staleAfter, 3.0 * interval.value_or(0.0));
     const double expectedFor = seconds(now - std::max(stream.expectedFrom, stream.monitor.newest()));
     status.stale = status.steady && !status.paused && expectedFor > patience;
+    if (status.stale) {
+        // What has to come and does not is lost as far as anybody can tell: no gap in the numbers tells it
+        // yet.
+        const double window = seconds(StreamMonitor::Slots * StreamMonitor::Slot);
+        const double silent = status.expectedRate * std::min(window, status.age);
+        const auto all = static_cast<double>(figures.lossBasis);
+        status.lossRatio = (figures.lossRatio * all + silent) / (all + silent);
+    }
     return status;
 }
 
@@ -181,12 +189,13 @@ void LinkMonitor::findFaults(Stream& stream, const StreamStatus& status, SteadyT
     const SteadyTime expected = std::max({stream.expectedFrom, stream.monitor.newest(), m_spoke});
     const bool forgotten = seconds(now - expected) > m_rules.forgottenAfter;
     if (status.stale && !forgotten) add(LinkReason::Kind::Stale, status.age);
-    const auto basis = stream.monitor.figures(now).lossBasis;
+    const StreamFigures figures = stream.monitor.figures(now);
+    const auto basis = figures.lossBasis;
     const double chance = ChanceOfLoss * std::sqrt(m_rules.loss * (1.0 - m_rules.loss) /
                                                    static_cast<double>(std::max<std::uint64_t>(basis, 1)));
     stream.lossy = !stream.paused && basis >= static_cast<std::uint64_t>(m_rules.lossBasis) &&
-                   isOver(status.lossRatio, m_rules.loss + chance, m_rules.lossOver, stream.lossy);
-    if (stream.lossy) add(LinkReason::Kind::Loss, status.lossRatio);
+                   isOver(figures.lossRatio, m_rules.loss + chance, m_rules.lossOver, stream.lossy);
+    if (stream.lossy) add(LinkReason::Kind::Loss, figures.lossRatio);
     const bool late = status.steady && !status.stale && !stream.paused && !std::isnan(status.delay) &&
                       isOver(status.delay, m_rules.late, m_rules.lateOver, stream.late);
     if (!late) stream.onTime = now;

@@ -59,7 +59,8 @@ struct StreamStatus {
     double expectedRate = 0.0;                                ///< as learned from its writer [Hz]; 0: unknown
     double age = std::numeric_limits<double>::infinity();     ///< of the newest, by its arrival [s]
     double delay = std::numeric_limits<double>::quiet_NaN();  ///< from writing to arrival [s]; NaN: unknown
-    double lossRatio = 0.0;                                   ///< over the last 10 s, 0 to 1; NaN: unknown
+    double lossRatio = 0.0;                                   ///< over the last 10 s, 0 to 1, of a stale
+                                                              ///< stream with what did not come; NaN: unknown
     double megabitsPerSecond = 0.0;                           ///< without headers and repeats; NaN: unknown
     bool steady = false;  ///< comes at a rate of its own; others come on change and are never stale
     bool stale = false;   ///< steady, and nothing came for longer than it should

@@ -9,6 +9,7 @@
 namespace leitstand {
 namespace {
 
+constexpr std::chrono::seconds NewsFor(5);  ///< that the link is back
 constexpr std::array<std::pair<DriveMode, std::string_view>, 6> Names = {
     {{DriveMode::Stopped, "stopped"},
      {DriveMode::Teleoperation, "teleoperation"},
@@ -159,7 +160,12 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
     if (m_mode == DriveMode::Stopped || m_mode == DriveMode::Remote) return;
     const bool lost = !m_heard || now - *m_heard > m_settings.lostAfter;
     if (!lost) {
-        if (m_link == Link::Good) return;
+        if (m_link == Link::Good) {
+            const bool told = m_reason == robot_says::LinkBack || m_reason == robot_says::LinkBackGoesOn;
+            if (told && now - m_backAt > NewsFor) say(m_reasonBeforeLoss);
+            return;
+        }
+        m_backAt = now;
         // Whatever moved on, moves on; what stands, waits.
         if (m_link == Link::Finishing) {
             say(robot_says::LinkBackGoesOn);
@@ -173,6 +179,9 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
     }
     if (m_link == Link::Good) {
         m_lostAt = now;
+        const bool told = m_reason == robot_says::LinkBack || m_reason == robot_says::LinkBackGoesOn ||
+                          m_reason == robot_says::NeutralFirst;
+        if (!told) m_reasonBeforeLoss = m_reason;
         needNeutral();
         if (!m_heard) {
             m_link = Link::Standing;

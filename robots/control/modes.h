@@ -125,7 +125,8 @@ private:
     bool m_neutral = false;  ///< sticks were neutral since the last reason to ask for it
     bool m_cue = false;
     Link m_link = Link::Good;
-    Time m_lostAt{};
+    Time m_lostAt{}, m_backAt{};     ///< of the link
+    std::string m_reasonBeforeLoss;  ///< of the mode: told again once the link's return is no news
     std::optional<Time> m_heard, m_commandAt, m_remoteAt;
     DriveVelocity m_command, m_remote;
 };

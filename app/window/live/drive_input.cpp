@@ -149,8 +149,20 @@ bool DriveInput::take(const QKeyEvent& event, bool held) {
     return true;
 }
 
+bool DriveInput::isInVain(const QWidget& widget, const QKeyEvent& event) const {
+    const bool letter = event.key() >= Qt::Key_A && event.key() <= Qt::Key_Z;
+    return letter && m_bindings.contains(event.key()) && event.modifiers() == Qt::NoModifier &&
+           !event.isAutoRepeat() && widget.window() == &m_window && !isWrittenInto(widget);
+}
+
 bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
-    if (!hasFocus()) return false;
+    if (!hasFocus()) {
+        const auto* const widget = qobject_cast<QWidget*>(watched);
+        if (event->type() == QEvent::KeyPress && widget != nullptr &&
+            isInVain(*widget, static_cast<const QKeyEvent&>(*event)))
+            emit pressedInVain();
+        return false;
+    }
     switch (event->type()) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease: {

@@ -53,11 +53,14 @@ signals:
     void halted();  ///< Space
     /// What the gamepad holds counts no more: its trigger and sticks have to be let go first.
     void padMustLetGo();
+    /// A letter that drives was pressed while the keys do not.
+    void pressedInVain();
 
 private:
     /// Whether the key is one of driving, and was taken.
     bool take(const QKeyEvent& event, bool held);
     [[nodiscard]] bool isTaken(int key) const;
+    [[nodiscard]] bool isInVain(const QWidget& widget, const QKeyEvent& event) const;
     /// The key that went down there: modifiers that come and go meanwhile change what a release is called.
     int keyOf(const QKeyEvent& event, bool held);
     void take(bool keys, bool pad);  ///< who has the sticks from now on

@@ -11,6 +11,7 @@
 #include "core/mapping/live/live_map.h"
 #include "core/mapping/map.h"
 #include "core/robot/robot_description.h"
+#include "widgets/models/message_list_model.h"
 
 namespace leitstand {
 
@@ -26,6 +27,8 @@ public:
     [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
     /// As of the newest tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
+    /// What the operator was told, also by a window before this one: it is made anew in another language.
+    [[nodiscard]] MessageListModel& messages() { return m_messages; }
 
 signals:
     void told(const QString& text);                        ///< for the operator, in English
@@ -39,6 +42,9 @@ signals:
 protected:
     using QObject::QObject;
     LiveMoment m_moment;
+
+private:
+    MessageListModel m_messages;
 };
 
 }  // namespace leitstand

@@ -170,7 +170,7 @@ void judgeNetwork(Page& page, const PreflightFacts& facts) {
              joined(used));
     for (const std::string& limit : facts.limits) page.add(Kind::Limits, CheckState::Attention, limit);
     for (const WireComplaint& complaint : facts.complaints) page.add(complaint);
-    for (const std::string& robot : facts.strangers) page.add(Kind::Stranger, CheckState::Ok, robot);
+    for (const std::string& robot : facts.strangers) page.add(Kind::Stranger, CheckState::Note, robot);
 }
 
 void judgeDisk(Page& page, const PreflightFacts& facts) {
@@ -198,11 +198,12 @@ std::vector<PreflightCheck> preflight(const PreflightFacts& facts) {
     judgeNetwork(page, facts);
     judgeDisk(page, facts);
     const bool pad = !facts.gamepad.empty();
-    page.add(pad ? Kind::Gamepad : Kind::GamepadNone, CheckState::Ok, facts.gamepad);
+    page.add(pad ? Kind::Gamepad : Kind::GamepadNone, pad ? CheckState::Ok : CheckState::Note, facts.gamepad);
     const bool heard = facts.soundProblem.empty();
     page.add(heard ? Kind::Sound : Kind::SoundNone, heard ? CheckState::Ok : CheckState::Attention,
              facts.soundProblem);
-    page.add(facts.secured ? Kind::Secured : Kind::Open, CheckState::Ok, facts.security);
+    page.add(facts.secured ? Kind::Secured : Kind::Open, facts.secured ? CheckState::Ok : CheckState::Note,
+             facts.security);
     page.add(Kind::Versions, CheckState::Ok, joined(facts.versions));
     return checks;
 }

@@ -53,7 +53,8 @@ struct PreflightFacts {
     Time now{};                         ///< station's clock
 };
 
-enum class CheckState : std::uint8_t { Ok, Attention, Fail };
+/// A note is neither in order nor wrong: it says how things are.
+enum class CheckState : std::uint8_t { Ok, Note, Attention, Fail };
 
 /// One line of the page. Core finds what is so; widgets find the words for it by its kind.
 struct PreflightCheck {

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QFileDialog>
 
@@ -18,6 +19,7 @@
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
 #include "widgets/drive/gas_cell.h"
+#include "widgets/messages_panel.h"
 
 namespace leitstand::test {
 namespace {
@@ -56,6 +58,14 @@ protected:
         }
         return std::max(0, most - least) / (cell.width() - Margins);
     }
+    /// What the pane of messages lists.
+    [[nodiscard]] QStringList messages() const {
+        const QAbstractItemModel* const list =
+            m_window->findChild<MessagesPanel*>("messagesPane")->findChild<QAbstractItemView*>()->model();
+        QStringList all;
+        for (int row = 0; row < list->rowCount(); ++row) all += list->index(row, 0).data().toString();
+        return all;
+    }
     [[nodiscard]] fs::file_time_type reported() const {
         std::error_code none;
         return fs::last_write_time(m_out / "SHA256SUMS", none);
@@ -80,6 +90,8 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
     const auto elapsed = station().clock().now().elapsed;
     EXPECT_TRUE(soon([&] { return gasCurve() > 0.07; })) << "8 s of two minutes";
     const double measured = gasCurve();
+    const QStringList told = messages();
+    EXPECT_FALSE(told.isEmpty());
     QString wanted;
     QObject::connect(m_window.get(), &LiveWindow::languageWanted, m_window.get(),
                      [&](const QString& code) { wanted = code; });
@@ -89,6 +101,7 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
 
     EXPECT_EQ(command("mission.report").text().toStdString(), "&Bericht in einen Ordner…");
     EXPECT_GE(gasCurve(), measured - 0.01) << "what was measured before is known, all of it";
+    for (const QString& one : told) EXPECT_TRUE(messages().contains(one)) << one.toStdString();
     EXPECT_TRUE(command("language.de").isChecked());
     EXPECT_FALSE(command("language.en").isChecked());
     EXPECT_EQ(&station(), before);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSignalSpy>
@@ -71,6 +72,24 @@ TEST_F(DriveInputTest, KeysDriveOnlyInTheDriveFocus) {
     EXPECT_EQ(sticks().forward, 0.0);
     let(Qt::Key_A);
     EXPECT_TRUE(isZero(sticks()));
+}
+
+TEST_F(DriveInputTest, ALetterThatWouldDriveIsNotSwallowedWithoutAWord) {
+    QSignalSpy vain(&m_input, &DriveInput::pressedInVain);
+    hold(Qt::Key_W);
+    let(Qt::Key_W);
+    EXPECT_EQ(vain.size(), 1);
+    QTest::keyPress(&m_window, Qt::Key_W, Qt::ControlModifier);
+    hold(Qt::Key_X);
+    hold(Qt::Key_Up);
+    EXPECT_EQ(vain.size(), 1) << "others are of lists and shortcuts";
+    QLineEdit field(&m_window);
+    field.show();
+    QTest::keyPress(&field, Qt::Key_W);
+    EXPECT_EQ(vain.size(), 1) << "it is a letter there";
+    m_input.setFocus(true);
+    hold(Qt::Key_W);
+    EXPECT_EQ(vain.size(), 1);
 }
 
 TEST_F(DriveInputTest, AKeyThatIsLetGoIntoAMenuIsLetGo) {

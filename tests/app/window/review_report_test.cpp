@@ -39,10 +39,9 @@ protected:
     [[nodiscard]] bool busy() const { return m_bridge->report().writing(); }
     /// What the pane of messages lists.
     [[nodiscard]] QString messages() const {
-        const auto* list = m_window->findChild<MessageListModel*>();
+        const MessageListModel& list = m_bridge->messages();
         QStringList all;
-        for (int row = 0; list != nullptr && row < list->rowCount(); ++row)
-            all.append(list->index(row).data().toString());
+        for (int row = 0; row < list.rowCount(); ++row) all.append(list.index(row).data().toString());
         return all.join(QLatin1Char('\n'));
     }
     /// The list of victims of the hand-in @p name.

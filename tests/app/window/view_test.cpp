@@ -122,7 +122,7 @@ TEST_F(ViewTest, TwoClicksMeasureAndEscapeEnds) {
     const auto measurement = m_page->map().measurement();
     ASSERT_TRUE(measurement.has_value());
     EXPECT_NEAR((measurement->to - measurement->from).norm(), (ends[1] - ends[0]).norm(), 0.01);
-    EXPECT_THAT(m_page->label("measurement"), testing::MatchesRegex(".* m · dx .*  dy .*  dz .*"));
+    EXPECT_THAT(m_page->label("measurement"), testing::MatchesRegex(".* m · dx .* m  dy .* m  dz .* m"));
     m_page->press(Qt::Key_Escape);
     EXPECT_FALSE(m_page->map().measurement().has_value());
     EXPECT_FALSE(m_page->action("measure").isChecked());

@@ -161,6 +161,8 @@ TEST(LinkMonitor, AStreamThatIsSwitchedOffIsNoMatterOfTheLink) {
     scene.run(70.0);  // by itself, and for good: told of the stream, no longer of the link
     EXPECT_EQ(scene.status().state, LinkState::Connected);
     EXPECT_TRUE(scene.status().stream("/kurt3d/left/image/compressed")->stale);
+    EXPECT_GT(scene.status().stream("/kurt3d/left/image/compressed")->lossRatio, 0.99)
+        << "none of what has to come";
 }
 
 TEST(LinkMonitor, LossOverATenthIsTold) {

@@ -191,6 +191,19 @@ TEST(Modes, SticksThatAreHeldOverALostLinkAreToldUntilTheyAreLetGoOf) {
     EXPECT_EQ(free.reason, "the link is back");
 }
 
+TEST(Modes, ThatTheLinkIsBackIsNewsForSomeSecondsOnly) {
+    Robot robot;
+    const std::string usual = robot.drive().reason;
+    for (int loss = 0; loss < 2; ++loss) {
+        robot.link = false;
+        robot.run(5.0);
+        robot.link = true;
+        EXPECT_EQ(robot.drive().reason, "the link is back");
+        EXPECT_EQ(robot.run(3.0).reason, "the link is back");
+        EXPECT_EQ(robot.run(5.0).reason, usual) << "it drives as before";
+    }
+}
+
 TEST(Modes, ALostLinkStopsTeleoperationAndNeedsNeutralSticks) {
     for (const DriveMode mode : {Teleoperation, SafeTeleoperation}) {
         Robot robot = robotIn(mode);

@@ -42,6 +42,8 @@ TEST_F(PreflightListTest, EveryKindHasWordsAndWhatIsWrongARemedy) {
 TEST_F(PreflightListTest, StatesDifferByShapeAndWords) {
     EXPECT_NE(stateMark(CheckState::Ok), stateMark(CheckState::Fail));
     EXPECT_NE(stateMark(CheckState::Ok), stateMark(CheckState::Attention));
+    EXPECT_NE(stateMark(CheckState::Note), stateMark(CheckState::Ok)) << "\"not secured\" is not ticked";
+    EXPECT_EQ(verdictText({{Kind::Open, CheckState::Note}}), "All in order");
     EXPECT_EQ(verdictText({}), "All in order");
     EXPECT_EQ(verdictText({{Kind::Deaf, CheckState::Fail}, {Kind::BrakeUntested, CheckState::Attention}}),
               "1 to be mended, 1 to be looked at");

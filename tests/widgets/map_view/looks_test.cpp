@@ -166,6 +166,27 @@ TEST(MapLooks, ColoursByRobotAreThoseOfTheTeam) {
     }
 }
 
+/// CIE 1976 L*a*b* of a colour (D65), in which distances are as people see them.
+Eigen::Vector3d labOf(const QColor& colour) {
+    const auto linear = [](double c) { return c > 0.04045 ? std::pow((c + 0.055) / 1.055, 2.4) : c / 12.92; };
+    const double r = linear(colour.redF()), g = linear(colour.greenF()), b = linear(colour.blueF());
+    const auto root = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+    const double x = root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047),
+                 y = root(0.2126 * r + 0.7152 * g + 0.0722 * b),
+                 z = root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883);
+    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+TEST(MapLooks, EightRobotsAreToldApartByTheirColours) {
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        const ThemeColours& colours = coloursOf(theme);
+        for (int a = 0; a < 8; ++a) {
+            for (int b = 0; b < a; ++b)
+                EXPECT_GT((labOf(colours.robot(a)) - labOf(colours.robot(b))).norm(), 20.0) << a << " " << b;
+        }
+    }
+}
+
 TEST(MapLooks, ColoursByIntensityAndAgeGoFromDarkVioletToYellow) {
     for (const MapLook look : {MapLook::Points, MapLook::Voxels}) {
         ShownView view(twoRobots(), settingsOf(look, MapColouring::Intensity));

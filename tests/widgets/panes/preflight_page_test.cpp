@@ -36,7 +36,7 @@ std::vector<PreflightCheck> checks() {
             {Kind::Disk, State::Ok, {}, "/missions/one", 18, 210e6},
             {Kind::GamepadNone, State::Ok},
             {Kind::SoundNone, State::Attention, {}, "No sound device: alarms are seen, not heard."},
-            {Kind::Open, State::Ok},
+            {Kind::Open, State::Note},
             {Kind::Versions, State::Ok, {}, "Leitstand 0.4"}};
 }
 

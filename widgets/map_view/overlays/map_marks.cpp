@@ -44,7 +44,7 @@ Pose levelled(const Pose& pose) {
 QString measurementText(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const QLocale& locale) {
     const Eigen::Vector3d step = to - from;
     const auto number = [&locale](double value) { return numberText(value, 2, locale); };
-    return QCoreApplication::translate("leitstand::MapView", "%1 m  dx %2 dy %3 dz %4",
+    return QCoreApplication::translate("leitstand::MapView", "%1 m  dx %2 m dy %3 m dz %4 m",
                                        "length of a measurement and its parts along the map's axes")
         .arg(number(step.norm()), number(step.x()), number(step.y()), number(step.z()));
 }

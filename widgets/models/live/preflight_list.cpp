@@ -55,7 +55,7 @@ QVariant PreflightList::data(const QModelIndex& index, int role) const {
                                        (column == State ? Qt::AlignHCenter : Qt::AlignLeft));
         case ToneRole:
             if (column == Remedy) return static_cast<int>(Tone::Muted);
-            if (column == Who || check.state == CheckState::Ok)
+            if (column == Who || check.state <= CheckState::Note)
                 return static_cast<int>(column == State ? Tone::Muted : Tone::Normal);
             return static_cast<int>(toneOf(check.state));
         default:

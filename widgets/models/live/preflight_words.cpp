@@ -213,7 +213,7 @@ QString checkText(const PreflightCheck& check) {
 }
 
 QString remedyText(const PreflightCheck& check) {
-    if (check.state == CheckState::Ok) {
+    if (check.state <= CheckState::Note) {
         return check.kind == Kind::Stranger ? Words::tr("Add it below") : QString();
     }
     switch (check.kind) {
@@ -260,18 +260,27 @@ QString remedyText(const PreflightCheck& check) {
 }
 
 QString stateMark(CheckState state) {
-    return state == CheckState::Ok     ? QStringLiteral("✓")
-           : state == CheckState::Fail ? QStringLiteral("✗")
-                                       : QStringLiteral("!");
+    switch (state) {
+        case CheckState::Ok:
+            return QStringLiteral("✓");
+        case CheckState::Note:
+            return QStringLiteral("–");
+        case CheckState::Attention:
+            return QStringLiteral("!");
+        case CheckState::Fail:
+            break;
+    }
+    return QStringLiteral("✗");
 }
 
 QString stateText(CheckState state) {
     if (state == CheckState::Ok) return Words::tr("in order");
+    if (state == CheckState::Note) return Words::tr("to know");
     return state == CheckState::Fail ? Words::tr("must be mended") : Words::tr("needs a look");
 }
 
 Tone toneOf(CheckState state) {
-    if (state == CheckState::Ok) return Tone::Muted;
+    if (state <= CheckState::Note) return Tone::Muted;
     return state == CheckState::Fail ? Tone::Act : Tone::Attention;
 }
 

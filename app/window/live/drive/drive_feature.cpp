@@ -50,6 +50,10 @@ void DriveFeature::addCommands() {
                                  .keys = QKeySequence(Qt::Key_F2),
                                  .checkable = true});
     connect(m_drive, &QAction::triggered, this, &DriveFeature::setDriving);
+    connect(&m_input, &DriveInput::pressedInVain, this, [this] {
+        const QString keys = m_drive->shortcut().toString(QKeySequence::NativeText);
+        emit m_context.source.told(tr("The keys do not drive: %1 lets them").arg(keys));
+    });
 }
 
 void DriveFeature::connectStrip() {

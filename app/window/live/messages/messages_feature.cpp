@@ -4,6 +4,7 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/moment_source.h"
 #include "app/window/live/pane_docks.h"
 #include "widgets/messages_panel.h"
 #include "widgets/models/message_list_model.h"
@@ -11,9 +12,9 @@
 namespace leitstand {
 
 MessagesFeature::MessagesFeature(const ViewContext& context)
-    : QObject(&context.window), m_messages(new MessageListModel(this)) {
+    : QObject(&context.window), m_messages(context.source.messages()) {
     // Delete is the map's in these windows.
-    auto* panel = new MessagesPanel(*m_messages, &context.window, MessagesPanel::Keys::Copy);
+    auto* panel = new MessagesPanel(m_messages, &context.window, MessagesPanel::Keys::Copy);
     panel->setObjectName(QStringLiteral("messagesPane"));
     context.panes.add(QStringLiteral("messages"), tr("Messages"), *panel);
     QAction& opens = context.commands.add({.id = QStringLiteral("messages.open"),
@@ -28,7 +29,7 @@ MessagesFeature::MessagesFeature(const ViewContext& context)
 }
 
 void MessagesFeature::add(const QString& text) {
-    m_messages->tell(text);
+    m_messages.tell(text);
 }
 
 }  // namespace leitstand

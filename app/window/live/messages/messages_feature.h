@@ -9,7 +9,7 @@ namespace leitstand {
 
 class MessageListModel;
 
-/// Pane Messages (F4): what the operator was told since the window is there, each with its time.
+/// Pane Messages (F4): what the operator was told since the program began, each with its time.
 class MessagesFeature final : public QObject {
     Q_OBJECT
 public:
@@ -18,7 +18,7 @@ public:
     void add(const QString& text);
 
 private:
-    MessageListModel* m_messages;
+    MessageListModel& m_messages;
 };
 
 }  // namespace leitstand
