@@ -21,6 +21,7 @@ RadioConditions airOf(const StartSettings& settings) {
     air.bitsPerSecond = 100e6;  // for two that hear everything
     air.delay = 5ms;
     air.loss = settings.loss;
+    air.mtu = 65'535;  // a datagram is lost or not, however large it is
     air.seed = settings.seed;
     return air;
 }
