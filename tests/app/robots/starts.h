@@ -38,11 +38,9 @@ private:
         std::string when;                     ///< who started when, in words
         std::unique_ptr<ChildProcess> robot, recorder;
         std::unique_ptr<Station> station;
+        std::vector<std::string> atDesk, recorded;  ///< topics that station and recorder have not heard yet
     };
     enum class Part : std::uint8_t { Robot, Recorder, Desk, Adding };
-    struct Unheard {
-        std::vector<std::string> atDesk, recorded;  ///< topics
-    };
 
     void once(int number);
     [[nodiscard]] std::vector<Part> order();
@@ -51,7 +49,10 @@ private:
     [[nodiscard]] std::unique_ptr<ChildProcess> recorder(const TestDomain& domain, const Run& run) const;
     [[nodiscard]] std::unique_ptr<Station> desk(const TestDomain& domain, const Run& run, bool alone) const;
     [[nodiscard]] std::vector<std::string> keysOf(const std::string& who) const;
-    [[nodiscard]] Unheard unheard(const Run& run) const;
+    void look(Run& run) const;
+    /// Whether all is heard in twice the time that is asked; @p course: how many topics were not, and since
+    /// when.
+    [[nodiscard]] bool hears(Run& run, std::string& course) const;
 
     const StartSettings m_settings;
     std::mt19937 m_random;

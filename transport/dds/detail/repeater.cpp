@@ -45,7 +45,8 @@ void Repeater::run() {
     for (;;) {
         m_changed.wait(lock, [this] { return m_finished || !m_tasks.empty(); });
         if (m_tasks.empty()) return;
-        m_changed.wait_until(lock, m_tasks.front().due, [this] { return m_finished; });
+        const auto due = m_tasks.front().due;  // a copy: the task may go meanwhile
+        m_changed.wait_until(lock, due, [this] { return m_finished; });
         if (m_tasks.empty()) return;  // by the destructor
         const Task task = std::move(m_tasks.front());
         m_tasks.pop_front();
