@@ -6,7 +6,7 @@ namespace leitstand::screen {
 namespace {
 
 constexpr std::uint32_t LongestText = 1024, LongestUserData = 16'384;
-constexpr std::size_t MostAddresses = 16;
+constexpr std::size_t MostLocators = 16;
 
 /// How long values of a fixed size are at least. What is not here has a content of its own, or none that the
 /// library reads.
@@ -49,8 +49,8 @@ std::size_t leastSize(std::uint16_t id) {
         case 0x0030:
         case pid::UnicastLocator:
         case pid::MetatrafficUnicastLocator:
-        case 0x0033:
-        case 0x0048:
+        case pid::MetatrafficMulticastLocator:
+        case pid::MulticastLocator:
             return 24;
         case 0x001e:  // durability service
             return 28;
@@ -169,6 +169,23 @@ Seconds durationOf(const Parameter& parameter) {
     return whole < 0 ? Seconds{0.0} : Seconds{double(whole) + double(in.u32()) / 4294967296.0};
 }
 
+template <class Value>
+void noteOnce(const Value& value, std::vector<Value>& into) {
+    const bool known = std::find(into.begin(), into.end(), value) != into.end();
+    if (!known && into.size() < MostLocators) into.push_back(value);
+}
+
+void noteLocator(const Parameter& parameter, Announcement& into) {
+    Cursor in(parameter.value, parameter.littleEndian);
+    in.take(4);  // kind
+    const auto port = static_cast<std::uint16_t>(in.u32());
+    const bool samples = parameter.id == pid::UnicastLocator || parameter.id == pid::MulticastLocator;
+    noteOnce(port, samples ? into.samplePorts : into.discoveryPorts);
+    const bool unicast =
+        parameter.id == pid::UnicastLocator || parameter.id == pid::MetatrafficUnicastLocator;
+    if (unicast) noteOnce(in.octets<16>(), into.addresses);
+}
+
 void note(const Parameter& parameter, Announcement& into, bool& named) {
     Cursor in(parameter.value, parameter.littleEndian);
     switch (parameter.id) {
@@ -182,8 +199,9 @@ void note(const Parameter& parameter, Announcement& into, bool& named) {
             break;
         case pid::UnicastLocator:
         case pid::MetatrafficUnicastLocator:
-            in.take(8);  // kind, port
-            if (into.addresses.size() < MostAddresses) into.addresses.push_back(in.octets<16>());
+        case pid::MulticastLocator:
+        case pid::MetatrafficMulticastLocator:
+            noteLocator(parameter, into);
             break;
         default:
             break;

@@ -12,8 +12,9 @@ namespace leitstand::screen {
 /// Parameters by their number on the wire (RTPS 2.3, table 9.12 and 9.14) that the screen reads itself.
 namespace pid {
 constexpr std::uint16_t Sentinel = 0x0001, LeaseDuration = 0x0002, KeyHash = 0x0070, StatusInfo = 0x0071,
-                        UnicastLocator = 0x0031, MetatrafficUnicastLocator = 0x0032, ParticipantGuid = 0x0050,
-                        EndpointGuid = 0x005a;
+                        UnicastLocator = 0x0031, MetatrafficUnicastLocator = 0x0032,
+                        MetatrafficMulticastLocator = 0x0033, MulticastLocator = 0x0048,
+                        ParticipantGuid = 0x0050, EndpointGuid = 0x005a;
 }  // namespace pid
 
 struct Parameter {
@@ -52,6 +53,8 @@ struct Announcement {
     bool ends = false;               ///< it leaves
     Seconds lease{100.0};            ///< the standard's default
     std::vector<Address> addresses;  ///< where it says that it is; at most sixteen
+    std::vector<std::uint16_t> discoveryPorts,
+        samplePorts;  ///< that it hears either on; at most sixteen each
 };
 /// What a participant announces of a writer or reader.
 struct EndpointAnnouncement {

@@ -5,8 +5,9 @@
 namespace leitstand::screen {
 namespace {
 
-bool contains(const std::vector<Address>& addresses, const Address& address) {
-    return std::find(addresses.begin(), addresses.end(), address) != addresses.end();
+template <class Value>
+bool contains(const std::vector<Value>& values, const Value& value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
 }
 
 }  // namespace
@@ -102,6 +103,12 @@ bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, 
     bind(remote, place, speaks, now);
     remote.heard = now;
     return true;
+}
+
+bool Participants::hearDiscoveryOnly(std::uint16_t port) const {
+    const auto one = [&](auto hears) { return std::any_of(m_remotes.begin(), m_remotes.end(), hears); };
+    return one([&](const auto& remote) { return contains(remote.second.discoveryPorts, port); }) &&
+           !one([&](const auto& remote) { return contains(remote.second.samplePorts, port); });
 }
 
 bool Participants::addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes) {

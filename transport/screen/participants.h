@@ -22,9 +22,10 @@ struct Remote {
     Seconds lease{0.0};
     bool refused = false;            ///< it went beyond what a host may have: nothing of it passes
     std::vector<Address> announced;  ///< where it says that it is
-    std::uint64_t announcement = 0;  ///< hash of what it announced last
-    std::vector<Bound> places;       ///< where it sends from
-    std::unordered_map<EntityId, std::size_t> endpoints;  ///< with the bytes of their announcements
+    std::vector<std::uint16_t> discoveryPorts, samplePorts;  ///< that it says it hears on
+    std::uint64_t announcement = 0;                          ///< hash of what it announced last
+    std::vector<Bound> places;                               ///< where it sends from
+    std::unordered_map<EntityId, std::size_t> endpoints;     ///< with the bytes of their announcements
     std::unordered_map<EntityId, WriterWindow> writers;
     struct ReaderWindows {
         CountWindow acknowledgements, fragments;
@@ -53,6 +54,9 @@ public:
     [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
     /// Whether a participant sends from @p place.
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
+
+    /// Whether one of them hears discovery on @p port, and none samples.
+    [[nodiscard]] bool hearDiscoveryOnly(std::uint16_t port) const;
 
     /// Notes an endpoint; false when its host has too many: then the participant is refused.
     [[nodiscard]] bool addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes);

@@ -99,6 +99,8 @@ Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& p
     if (!own) remote->heard = now;
     remote->lease = said.lease;
     remote->announced = said.addresses;
+    remote->discoveryPorts = said.discoveryPorts;
+    remote->samplePorts = said.samplePorts;
     remote->announcement = hash;
     return {};
 }
@@ -195,6 +197,11 @@ bool Screen::passes(std::span<const std::byte> bytes, const Place& place, Moment
     }
     if (tell && m_dropped) m_dropped();
     return verdict.passes;
+}
+
+bool Screen::isDiscoveryPort(std::uint16_t port) const {
+    const std::lock_guard lock(m_mutex);
+    return m_participants.hearDiscoveryOnly(port);
 }
 
 std::vector<ScreenDrop> Screen::drops() const {

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] bool passes(std::span<const std::byte> bytes, const Place& place,
                               Moment now = Clock::now());
 
+    /// Whether participants that were let in hear discovery on @p port, and nothing else.
+    [[nodiscard]] bool isDiscoveryPort(std::uint16_t port) const;
+
     /// What was dropped so far, by reason and sender.
     [[nodiscard]] std::vector<ScreenDrop> drops() const;
     [[nodiscard]] std::uint64_t passed() const;

@@ -46,6 +46,13 @@ void setAddress(int socket, const char* interface, const std::string& address, u
     if (ioctl(socket, what, &request) != 0) fail("address " + address);
 }
 
+void setMtu(int socket, const char* interface, int mtu) {
+    ifreq request{};
+    name(request, interface);
+    request.ifr_mtu = mtu;
+    if (ioctl(socket, SIOCSIFMTU, &request) != 0) fail("SIOCSIFMTU");
+}
+
 }  // namespace
 
 NetworkNamespace::NetworkNamespace() {
@@ -63,7 +70,7 @@ NetworkNamespace::~NetworkNamespace() {
     close(m_descriptor);
 }
 
-int NetworkNamespace::addInterface(const std::string& address) {
+int NetworkNamespace::addInterface(const std::string& address, int mtu) {
     const InNamespace inside(*this);
     const int tun = open("/dev/net/tun", O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (tun < 0) fail("/dev/net/tun");
@@ -74,6 +81,7 @@ int NetworkNamespace::addInterface(const std::string& address) {
     const int control = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     setAddress(control, "radio", address, SIOCSIFADDR);
     setAddress(control, "radio", "255.255.255.0", SIOCSIFNETMASK);
+    setMtu(control, "radio", mtu);
     raise(control, "radio");
     raise(control, "lo");
     close(control);

@@ -14,8 +14,9 @@ public:
     NetworkNamespace& operator=(const NetworkNamespace&) = delete;
 
     /// Gives it an interface "radio" of @p address in a network of 256. Returns the descriptor that whole
-    /// IPv4 packets are read from (sent by those inside) and written to; the caller closes it.
-    [[nodiscard]] int addInterface(const std::string& address);
+    /// IPv4 packets, of @p mtu bytes at most, are read from (sent by those inside) and written to; the caller
+    /// closes it.
+    [[nodiscard]] int addInterface(const std::string& address, int mtu = 1500);
     [[nodiscard]] int descriptor() const { return m_descriptor; }
 
 private:

@@ -24,7 +24,8 @@ struct Packet {
 
 RadioLink::RadioLink(const RadioConditions& conditions)
     : m_conditions(conditions),
-      m_ends{m_station.addInterface("10.99.0.1"), m_robots.addInterface("10.99.0.2")} {
+      m_ends{m_station.addInterface("10.99.0.1", conditions.mtu),
+             m_robots.addInterface("10.99.0.2", conditions.mtu)} {
     m_thread = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
 }
 

@@ -16,6 +16,7 @@ struct RadioConditions {
     std::chrono::milliseconds delay{20};          ///< of every packet, each way
     std::chrono::milliseconds jitter{0};          ///< more, from none to that; packets overtake each other
     double loss = 0.05;                           ///< share of packets that never arrive
+    int mtu = 1500;                               ///< of what is larger, several packets are made [B]
     std::chrono::milliseconds longestQueue{200};  ///< what would wait longer for the air is dropped
     std::uint32_t seed = 1;
 };

@@ -134,6 +134,14 @@ public:
                               .append(payload)
                               .bytes);
     }
+    /// Tells of itself, and that it hears on these ports.
+    Packet& announcePorts(const std::vector<unsigned>& discovery, const std::vector<unsigned>& samples) {
+        ByteWriter out = word();
+        out.append(parameters()).parameter(0x0050, ByteWriter().prefix(m_prefix).entity(0x000001c1).bytes);
+        for (const unsigned port : discovery) out.parameter(0x0032, locator(7, port));
+        for (const unsigned port : samples) out.parameter(0x0031, locator(7, port));
+        return data(screen::entity::ParticipantWriter, 1, out.parameter(1, {}).bytes);
+    }
     /// Tells of itself: with @p lease [s], from 10.0.0.@p host; 0: from loopback, where nobody listens.
     Packet& announce(unsigned lease = 100, int host = 7, std::int64_t number = 1,
                      const std::string& name = "robot") {
@@ -156,10 +164,13 @@ public:
         out.parameter(0x0015, word().u8(2).u8(2).u16(0).bytes)
             .parameter(0x0016, word().u8(1).u8(15).u16(0).bytes);
         out.parameter(0x0058, word().u32(0x0c3f).bytes);  // has all that the standard wants
-        ByteWriter locator = word();
-        locator.u32(1).u32(host == 0 ? 9 : 7410).zeros(12).u8(host == 0 ? 127 : 10).u8(0).u8(0);
-        locator.u8(host == 0 ? 1 : static_cast<unsigned>(host));
-        return out.parameter(0x0032, locator.bytes).parameter(1, {}).bytes;
+        return out.parameter(0x0032, locator(host, host == 0 ? 9 : 7410)).parameter(1, {}).bytes;
+    }
+    /// UDP at 10.0.0.@p host; 0: at loopback.
+    [[nodiscard]] Bytes locator(int host, unsigned port) const {
+        ByteWriter out = word();
+        out.u32(1).u32(port).zeros(12).u8(host == 0 ? 127 : 10).u8(0).u8(0);
+        return out.u8(host == 0 ? 1 : static_cast<unsigned>(host)).bytes;
     }
     [[nodiscard]] Bytes parameters() const { return ByteWriter(false).u16(m_little ? 3 : 2).u16(0).bytes; }
     [[nodiscard]] ByteWriter word() const { return ByteWriter(m_little); }

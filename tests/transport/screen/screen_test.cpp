@@ -322,6 +322,28 @@ TEST_F(EncryptedScreen, OnlyDiscoveryAndAuthenticationArePlain) {
                           .submessage(0x32, 0, Bytes(20))));
 }
 
+TEST_F(EncryptedScreen, WhereDiscoveryIsHeardIsWhatParticipantsAnnounceForNothingElse) {
+    EXPECT_FALSE(m_screen.isDiscoveryPort(7410));
+    EXPECT_TRUE(takes(Packet(1).announcePorts({7400, 7410}, {7411})));
+    EXPECT_TRUE(takes(Packet(2).announcePorts({7412, 50'000}, {7413, 50'000})));  // one port for all
+    for (const std::uint16_t port : std::vector<std::uint16_t>{7400, 7410, 7412})
+        EXPECT_TRUE(m_screen.isDiscoveryPort(port)) << port;
+    for (const std::uint16_t port : std::vector<std::uint16_t>{7411, 7413, 50'000})
+        EXPECT_FALSE(m_screen.isDiscoveryPort(port)) << port;
+    EXPECT_TRUE(takes(Packet(3).announcePorts({7414}, {7412})));  // what two say that differ is no port of it
+    EXPECT_FALSE(m_screen.isDiscoveryPort(7412));
+}
+
+TEST_F(ScreenTest, WhatComesTwicePassesTwice) {
+    const auto twice = [this](const Packet& packet) { return takes(packet) && takes(packet); };
+    EXPECT_TRUE(twice(Packet().announce()));
+    EXPECT_TRUE(twice(Packet().announceEndpoint(0x00000203, true, 2)));
+    EXPECT_TRUE(twice(Packet().heartbeat(screen::entity::PublicationsWriter, 1, 2, 5)));
+    EXPECT_TRUE(twice(Packet().acknowledge(0x000003c7, 0x000003c2, 2, 9)));
+    EXPECT_TRUE(twice(Packet().gap(screen::entity::SubscriptionsWriter, 1, 5)));
+    EXPECT_EQ(m_screen.drops().size(), 0U);
+}
+
 TEST_F(ScreenTest, SendersAreToldApartAndInBounds) {
     for (int host = 1; host <= 200; ++host) {
         for (int i = 0; i < 3; ++i)

@@ -12,6 +12,7 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 
 #include "core/robot/screen_report.h"
+#include "transport/dds/detail/discovery_sender.h"
 
 namespace leitstand::detail {
 namespace {
@@ -28,19 +29,27 @@ struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenPtr screen;
 };
 
-/// A transport whose datagrams pass the screen before the library sees them.
+/// A transport whose datagrams pass the screen before the library sees them, and which sends discovery twice.
 class ScreenedTransport final : public efr::ChainingTransport {
 public:
     explicit ScreenedTransport(const ScreenedDescriptor& descriptor)
-        : ChainingTransport(descriptor), m_descriptor(descriptor) {}
+        : ChainingTransport(descriptor), m_descriptor(descriptor), m_sender(descriptor.screen) {}
 
     efr::TransportDescriptorInterface* get_configuration() override { return &m_descriptor; }
-    void shutdown() override { low_level_transport_->shutdown(); }
+    void shutdown() override {
+        m_sender.finish();  // what it sends by is gone soon
+        low_level_transport_->shutdown();
+    }
 
     bool send(rtps::SenderResource* low, const rtps::octet* bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
-        return low->send(bytes, size, first, last, until);
+        const auto send = [low](std::span<const std::byte> what, rtps::LocatorsIterator& to,
+                                rtps::LocatorsIterator& end, DiscoverySender::Moment atMost) {
+            return low->send(reinterpret_cast<const rtps::octet*>(what.data()),
+                             static_cast<uint32_t>(what.size()), &to, &end, atMost);
+        };
+        return m_sender.send(std::as_bytes(std::span(bytes, size)), *first, *last, until, send);
     }
 
     void receive(efr::TransportReceiverInterface* next, const rtps::octet* bytes, uint32_t size,
@@ -54,6 +63,7 @@ public:
 
 private:
     ScreenedDescriptor m_descriptor;
+    DiscoverySender m_sender;
 };
 
 efr::TransportInterface* ScreenedDescriptor::create_transport() const {
