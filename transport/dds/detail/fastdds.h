@@ -14,7 +14,13 @@
 #include <fastdds/rtps/common/Guid.hpp>
 #include <fastdds/rtps/common/SequenceNumber.hpp>
 #include <fastdds/rtps/common/Time_t.hpp>
+#include <fastdds/rtps/transport/ChainingTransport.hpp>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.hpp>
+#include <fastdds/rtps/transport/NetworkBuffer.hpp>
+#include <fastdds/rtps/transport/TCPv4TransportDescriptor.hpp>
+#include <fastdds/rtps/transport/UDPTransportDescriptor.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.hpp>
 #include <fastdds/utils/IPLocator.hpp>
 #else
 #define LEITSTAND_FASTDDS_3 0
@@ -25,7 +31,12 @@
 #include <fastdds/rtps/common/Guid.h>
 #include <fastdds/rtps/common/SequenceNumber.h>
 #include <fastdds/rtps/common/Time_t.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastdds/rtps/transport/TCPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
@@ -61,6 +72,8 @@ inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
 using ParticipantData = rtps::ParticipantBuiltinTopicData;
 using WriterData = rtps::PublicationBuiltinTopicData;
 using ReaderData = rtps::SubscriptionBuiltinTopicData;
+/// A datagram that a transport is to send, in one piece or several.
+using Outgoing = const std::vector<rtps::NetworkBuffer>&;
 #else
 namespace rtps = eprosima::fastrtps::rtps;
 using Duration = eprosima::fastrtps::Duration_t;
@@ -71,6 +84,7 @@ inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com/XMLSch
 using ParticipantData = rtps::ParticipantProxyData;
 using WriterData = rtps::WriterProxyData;
 using ReaderData = rtps::ReaderProxyData;
+using Outgoing = const rtps::octet*;
 #endif
 
 /// 0 when @p duration is infinite [s].

@@ -5,19 +5,14 @@
 #include <fstream>
 #include <iterator>
 
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-
 #include "core/robot/screen_report.h"
+#include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::detail {
 namespace {
 
 namespace efr = eprosima::fastdds::rtps;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 using ScreenPtr = std::shared_ptr<screen::Screen>;
 
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
@@ -37,7 +32,7 @@ public:
     efr::TransportDescriptorInterface* get_configuration() override { return &m_descriptor; }
     void shutdown() override { low_level_transport_->shutdown(); }
 
-    bool send(rtps::SenderResource* low, const rtps::octet* bytes, uint32_t size,
+    bool send(rtps::SenderResource* low, fastdds::Outgoing bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
         return low->send(bytes, size, first, last, until);
