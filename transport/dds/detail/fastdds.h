@@ -87,6 +87,20 @@ using ReaderData = rtps::ReaderProxyData;
 using Outgoing = const rtps::octet*;
 #endif
 
+/// Whether participants may have flow controllers. Those of 3.1 that have some announce themselves by a
+/// thread, and assertions, which Debian leaves in, end the process when that is due again before the thread
+/// was there: when two others appear at once. 3.2 announces as 2.9 does.
+#if LEITSTAND_FASTDDS_3
+inline constexpr bool HasFlowControllers = FASTDDS_VERSION_MAJOR > 3 || FASTDDS_VERSION_MINOR > 1;
+#else
+inline constexpr bool HasFlowControllers = true;
+#endif
+
+/// Where there are none: samples leave in messages of @p bytes at most.
+inline void limitMessages(dds::DomainParticipantQos& qos, int bytes) {
+    qos.properties().properties().emplace_back("fastdds.max_message_size", std::to_string(bytes));
+}
+
 /// 0 when @p duration is infinite [s].
 [[nodiscard]] inline double secondsOf(const Duration& duration) {
     return duration == Infinite

@@ -26,7 +26,8 @@ using fastdds::ProfilesVariable;
 constexpr const char* MulticastGroup = "239.255.0.1";  // of discovery: RTPS 2.2, section 9.6.1.4
 constexpr std::uint16_t ServerPort = 11811;
 constexpr std::uint32_t PeersPerHost = 10;
-constexpr int SecurePiece = 7500;  // [B] smaller ones spend the link on signatures
+constexpr int LargestUnfragmented = 1472;  // [B] of an Ethernet frame, without the headers of IP and UDP
+constexpr int SecurePiece = 7500;          // [B] smaller ones spend the link on signatures
 
 rtps::Locator_t locator(const std::string& address, std::uint32_t port) {
     rtps::Locator_t made;
@@ -99,6 +100,17 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
     controller->max_bytes_per_period = limit.bytes;
     controller->period_ms = static_cast<std::uint64_t>(limit.milliseconds);
     qos.flow_controllers().push_back(controller);
+}
+
+void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
+    const bool secure = settings.security.has_value();
+    if constexpr (fastdds::HasFlowControllers) {
+        addFlow(Flow::Telemetry, settings.telemetryLimit, secure, qos);
+        addFlow(Flow::Scans, settings.scanLimit, secure, qos);
+        addFlow(Flow::Pictures, settings.pictureLimit, secure, qos);
+    } else {
+        fastdds::limitMessages(qos, secure ? SecurePiece : LargestUnfragmented);
+    }
 }
 
 Result<void> addSecurity(const SecurityFiles& files, efd::DomainParticipantQos& qos) {
@@ -178,9 +190,7 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     }
     if (auto added = addPeers(settings, qos); !added) return added.error();
     if (auto added = addServers(settings, qos); !added) return added.error();
-    addFlow(Flow::Telemetry, settings.telemetryLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Scans, settings.scanLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Pictures, settings.pictureLimit, settings.security.has_value(), qos);
+    addFlows(settings, qos);
     if (settings.security) {
         if (auto added = addSecurity(*settings.security, qos); !added) return added.error();
     }
