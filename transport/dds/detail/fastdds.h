@@ -96,11 +96,6 @@ inline constexpr bool HasFlowControllers = FASTDDS_VERSION_MAJOR > 3 || FASTDDS_
 inline constexpr bool HasFlowControllers = true;
 #endif
 
-/// Where there are none: samples leave in messages of @p bytes at most.
-inline void limitMessages(dds::DomainParticipantQos& qos, int bytes) {
-    qos.properties().properties().emplace_back("fastdds.max_message_size", std::to_string(bytes));
-}
-
 /// 0 when @p duration is infinite [s].
 [[nodiscard]] inline double secondsOf(const Duration& duration) {
     return duration == Infinite

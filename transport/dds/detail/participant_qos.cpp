@@ -26,8 +26,7 @@ using fastdds::ProfilesVariable;
 constexpr const char* MulticastGroup = "239.255.0.1";  // of discovery: RTPS 2.2, section 9.6.1.4
 constexpr std::uint16_t ServerPort = 11811;
 constexpr std::uint32_t PeersPerHost = 10;
-constexpr int LargestUnfragmented = 1472;  // [B] of an Ethernet frame, without the headers of IP and UDP
-constexpr int SecurePiece = 7500;          // [B] smaller ones spend the link on signatures
+constexpr int SecurePiece = 7500;  // [B] smaller ones spend the link on signatures
 
 rtps::Locator_t locator(const std::string& address, std::uint32_t port) {
     rtps::Locator_t made;
@@ -103,14 +102,11 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
 }
 
 void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
+    if constexpr (!fastdds::HasFlowControllers) return;
     const bool secure = settings.security.has_value();
-    if constexpr (fastdds::HasFlowControllers) {
-        addFlow(Flow::Telemetry, settings.telemetryLimit, secure, qos);
-        addFlow(Flow::Scans, settings.scanLimit, secure, qos);
-        addFlow(Flow::Pictures, settings.pictureLimit, secure, qos);
-    } else {
-        fastdds::limitMessages(qos, secure ? SecurePiece : LargestUnfragmented);
-    }
+    addFlow(Flow::Telemetry, settings.telemetryLimit, secure, qos);
+    addFlow(Flow::Scans, settings.scanLimit, secure, qos);
+    addFlow(Flow::Pictures, settings.pictureLimit, secure, qos);
 }
 
 Result<void> addSecurity(const SecurityFiles& files, efd::DomainParticipantQos& qos) {
