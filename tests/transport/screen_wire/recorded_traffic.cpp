@@ -101,6 +101,7 @@ RecordingParticipant::RecordingParticipant(const NodeSettings& settings, std::si
         one = detail::screened(one, m_screen);
         one = std::make_shared<TapDescriptor>(one, m_tap, false);
     }
+    detail::fastdds::turnOffShortcuts();  // a node does so too; 3.1 obeys while there is no participant yet
     m_participant = efd::DomainParticipantFactory::get_instance()->create_participant(
         static_cast<efd::DomainId_t>(settings.domain), qos);
     if (m_participant == nullptr) throw std::runtime_error("no participant");
