@@ -44,6 +44,10 @@ if(NOT LEITSTAND_CORE_ONLY)
     set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
     find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features registration io)
     unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
+    # PCL 1.15 has all who link it compiled with OpenMP, 1.13 nobody. Headers that are read once must be read alike.
+    if(TARGET OpenMP::OpenMP_CXX)
+        set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_COMPILE_OPTIONS)
+    endif()
     if(LEITSTAND_TESTS)
         # For a test; VTK brings them.
         pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -60,7 +61,7 @@ std::vector<std::vector<std::size_t>> things(const std::vector<Low>& points, con
             const auto near = std::partition(left.begin(), left.end(), [&](std::size_t other) {
                 return (points[other].place - here).squaredNorm() > reach * reach;
             });
-            thing.insert(thing.end(), near, left.end());
+            std::copy(near, left.end(), std::back_inserter(thing));
             left.erase(near, left.end());
         }
         found.push_back(std::move(thing));

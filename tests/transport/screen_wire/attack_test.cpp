@@ -123,6 +123,12 @@ TEST_F(Attack, NobodySendsTheRobotAwayOrTakesItsPlace) {
     EXPECT_NE(robotsPrefix(), screen::Prefix{});
 }
 
+TEST_F(Attack, ManyWhoAppearAtOnceHarmNobody) {
+    for (int i = 0; i < 60; ++i) m_attacker.announce(Packet(100 + i).announce(100, 0).bytes());
+    EXPECT_TRUE(waitUntil([&] { return m_station->participants().size() > 60; }, 10s));
+    EXPECT_TRUE(hearsAgain()) << m_robot.out();
+}
+
 TEST_F(Attack, MutatedTrafficOfTheDomainHarmsNobody) {
     std::vector<RecordedPacket> recorded;
     {

@@ -5,13 +5,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
 #include "transport/dds/detail/endpoint_qos.h"
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/participant_qos.h"
 #include "transport/dds/detail/raw_type.h"
 #include "transport/dds/detail/screened_transport.h"
@@ -20,7 +19,7 @@
 namespace leitstand::test {
 namespace efd = eprosima::fastdds::dds;
 namespace efr = eprosima::fastdds::rtps;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = detail::fastdds::rtps;
 
 /// Told of each datagram below the screen and above it, by the thread that received it.
 struct RecordingParticipant::Tap {
@@ -69,7 +68,7 @@ public:
     explicit TapTransport(const TapDescriptor& descriptor)
         : ChainingTransport(descriptor), m_descriptor(descriptor) {}
     efr::TransportDescriptorInterface* get_configuration() override { return &m_descriptor; }
-    bool send(rtps::SenderResource* low, const rtps::octet* bytes, uint32_t size,
+    bool send(rtps::SenderResource* low, detail::fastdds::Outgoing bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
         return low->send(bytes, size, first, last, until);
@@ -102,6 +101,7 @@ RecordingParticipant::RecordingParticipant(const NodeSettings& settings, std::si
         one = detail::screened(one, m_screen);
         one = std::make_shared<TapDescriptor>(one, m_tap, false);
     }
+    detail::fastdds::turnOffShortcuts();  // a node does so too; 3.1 obeys while there is no participant yet
     m_participant = efd::DomainParticipantFactory::get_instance()->create_participant(
         static_cast<efd::DomainId_t>(settings.domain), qos);
     if (m_participant == nullptr) throw std::runtime_error("no participant");

@@ -1,15 +1,12 @@
 #include <gmock/gmock.h>
 
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-#include <fastdds/rtps/transport/TCPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/screen/packets.h"
 #include "tests/transport/screen_wire/mutations.h"
+#include "transport/dds/detail/fastdds.h"
 #include "transport/dds/detail/screened_transport.h"
 
 namespace leitstand::test {
@@ -48,12 +45,13 @@ TEST(ScreenedTransports, ARobotWithAProfileFileWithstands) {
     const TestDomain domain;
     const TemporaryFolder folder;
     writeText(folder / "profiles.xml",
-              R"(<?xml version="1.0" encoding="UTF-8"?>
-<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles"><participant profile_name="mine"
-is_default_profile="true"><rtps><name>from the file</name></rtps></participant></profiles>)");
-    const ChildProcess robot(program("dds_peer"),
-                             {"talk", std::to_string(domain.number()), "/k/odom", "reliable=0"},
-                             {"FASTRTPS_DEFAULT_PROFILES_FILE=" + (folder / "profiles.xml").string()});
+              std::string(R"(<?xml version="1.0" encoding="UTF-8"?><profiles xmlns=")") +
+                  detail::fastdds::ProfilesNamespace +
+                  R"("><participant profile_name="mine" is_default_profile="true">
+<rtps><name>from the file</name></rtps></participant></profiles>)");
+    const ChildProcess robot(
+        program("dds_peer"), {"talk", std::to_string(domain.number()), "/k/odom", "reliable=0"},
+        {std::string(detail::fastdds::ProfilesVariable) + "=" + (folder / "profiles.xml").string()});
     const auto station = nodeIn(domain);
     Inbox inbox;
     const auto listening = must(station->subscribe({"/k/odom", TestType, bestEffort()}, inbox.callback()));

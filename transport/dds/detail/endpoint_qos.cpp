@@ -82,7 +82,8 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
         made.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
     } else {
         made.publish_mode().kind = efd::ASYNCHRONOUS_PUBLISH_MODE;
-        made.publish_mode().flow_controller_name = flowControllerName(flow);
+        if constexpr (fastdds::HasFlowControllers)
+            made.publish_mode().flow_controller_name = flowControllerName(flow);
     }
     keepSound(made);
     return made;

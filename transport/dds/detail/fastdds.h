@@ -14,7 +14,13 @@
 #include <fastdds/rtps/common/Guid.hpp>
 #include <fastdds/rtps/common/SequenceNumber.hpp>
 #include <fastdds/rtps/common/Time_t.hpp>
+#include <fastdds/rtps/transport/ChainingTransport.hpp>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.hpp>
+#include <fastdds/rtps/transport/NetworkBuffer.hpp>
+#include <fastdds/rtps/transport/TCPv4TransportDescriptor.hpp>
+#include <fastdds/rtps/transport/UDPTransportDescriptor.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.hpp>
 #include <fastdds/utils/IPLocator.hpp>
 #else
 #define LEITSTAND_FASTDDS_3 0
@@ -25,13 +31,21 @@
 #include <fastdds/rtps/common/Guid.h>
 #include <fastdds/rtps/common/SequenceNumber.h>
 #include <fastdds/rtps/common/Time_t.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastdds/rtps/transport/TCPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #endif
 
+#include <chrono>
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +75,27 @@ inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
 using ParticipantData = rtps::ParticipantBuiltinTopicData;
 using WriterData = rtps::PublicationBuiltinTopicData;
 using ReaderData = rtps::SubscriptionBuiltinTopicData;
+/// A datagram that a transport is to send, in one piece or several.
+using Outgoing = const std::vector<rtps::NetworkBuffer>&;
+/// The bytes of @p datagram in one piece, in @p joined where there were several.
+[[nodiscard]] inline std::span<const std::byte> inOnePiece(Outgoing datagram, uint32_t /*size*/,
+                                                           std::vector<std::byte>& joined) {
+    const auto bytesOf = [](const rtps::NetworkBuffer& one) {
+        return std::span(static_cast<const std::byte*>(one.buffer), one.size);
+    };
+    if (datagram.size() == 1) return bytesOf(datagram.front());
+    for (const rtps::NetworkBuffer& one : datagram) {
+        const auto bytes = bytesOf(one);
+        joined.insert(joined.end(), bytes.begin(), bytes.end());
+    }
+    return joined;
+}
+[[nodiscard]] inline bool sendBy(rtps::SenderResource& low, std::span<const std::byte> bytes,
+                                 rtps::LocatorsIterator& first, rtps::LocatorsIterator& last,
+                                 const std::chrono::steady_clock::time_point& until) {
+    const auto size = static_cast<uint32_t>(bytes.size());
+    return low.send({rtps::NetworkBuffer(bytes.data(), size)}, size, &first, &last, until);
+}
 #else
 namespace rtps = eprosima::fastrtps::rtps;
 using Duration = eprosima::fastrtps::Duration_t;
@@ -71,6 +106,26 @@ inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com/XMLSch
 using ParticipantData = rtps::ParticipantProxyData;
 using WriterData = rtps::WriterProxyData;
 using ReaderData = rtps::ReaderProxyData;
+using Outgoing = const rtps::octet*;
+[[nodiscard]] inline std::span<const std::byte> inOnePiece(Outgoing datagram, uint32_t size,
+                                                           std::vector<std::byte>& /*joined*/) {
+    return std::as_bytes(std::span(datagram, size));
+}
+[[nodiscard]] inline bool sendBy(rtps::SenderResource& low, std::span<const std::byte> bytes,
+                                 rtps::LocatorsIterator& first, rtps::LocatorsIterator& last,
+                                 const std::chrono::steady_clock::time_point& until) {
+    return low.send(reinterpret_cast<const rtps::octet*>(bytes.data()), static_cast<uint32_t>(bytes.size()),
+                    &first, &last, until);
+}
+#endif
+
+/// Whether participants may have flow controllers. Those of 3.1 that have some announce themselves by a
+/// thread, and assertions, which Debian leaves in, end the process when that is due again before the thread
+/// was there: when two others appear at once. 3.2 announces as 2.9 does.
+#if LEITSTAND_FASTDDS_3
+inline constexpr bool HasFlowControllers = FASTDDS_VERSION_MAJOR > 3 || FASTDDS_VERSION_MINOR > 1;
+#else
+inline constexpr bool HasFlowControllers = true;
 #endif
 
 /// 0 when @p duration is infinite [s].

@@ -101,6 +101,14 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
     qos.flow_controllers().push_back(controller);
 }
 
+void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
+    if constexpr (!fastdds::HasFlowControllers) return;
+    const bool secure = settings.security.has_value();
+    addFlow(Flow::Telemetry, settings.telemetryLimit, secure, qos);
+    addFlow(Flow::Scans, settings.scanLimit, secure, qos);
+    addFlow(Flow::Pictures, settings.pictureLimit, secure, qos);
+}
+
 Result<void> addSecurity(const SecurityFiles& files, efd::DomainParticipantQos& qos) {
     auto& properties = qos.properties().properties();
     const auto add = [&](const char* name, const std::string& value) {
@@ -178,9 +186,7 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     }
     if (auto added = addPeers(settings, qos); !added) return added.error();
     if (auto added = addServers(settings, qos); !added) return added.error();
-    addFlow(Flow::Telemetry, settings.telemetryLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Scans, settings.scanLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Pictures, settings.pictureLimit, settings.security.has_value(), qos);
+    addFlows(settings, qos);
     if (settings.security) {
         if (auto added = addSecurity(*settings.security, qos); !added) return added.error();
     }

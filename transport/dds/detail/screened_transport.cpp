@@ -4,21 +4,18 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <span>
+#include <vector>
 
 #include "core/robot/screen_report.h"
 #include "transport/dds/detail/discovery_sender.h"
+#include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::detail {
 namespace {
 
 namespace efr = eprosima::fastdds::rtps;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = fastdds::rtps;
 using ScreenPtr = std::shared_ptr<screen::Screen>;
 
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
@@ -41,15 +38,15 @@ public:
         low_level_transport_->shutdown();
     }
 
-    bool send(rtps::SenderResource* low, const rtps::octet* bytes, uint32_t size,
+    bool send(rtps::SenderResource* low, fastdds::Outgoing bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
         const auto send = [low](std::span<const std::byte> what, rtps::LocatorsIterator& to,
                                 rtps::LocatorsIterator& end, DiscoverySender::Moment atMost) {
-            return low->send(reinterpret_cast<const rtps::octet*>(what.data()),
-                             static_cast<uint32_t>(what.size()), &to, &end, atMost);
+            return fastdds::sendBy(*low, what, to, end, atMost);
         };
-        return m_sender.send(std::as_bytes(std::span(bytes, size)), *first, *last, until, send);
+        std::vector<std::byte> joined;
+        return m_sender.send(fastdds::inOnePiece(bytes, size, joined), *first, *last, until, send);
     }
 
     void receive(efr::TransportReceiverInterface* next, const rtps::octet* bytes, uint32_t size,

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = PadControl::Kind;
+using ControlKind = PadControl::Kind;
 
 struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::PadCallouts)
@@ -46,7 +46,7 @@ PadCallout calloutOf(const PadSpot& spot, const QString& control, const std::vec
     QStringList texts;
     const auto belongs = [&](const PadControl& one) {
         return std::any_of(of.begin(), of.end(), [&](const PadControl& other) {
-            return one.kind != Kind::None && one.kind == other.kind && one.index == other.index;
+            return one.kind != ControlKind::None && one.kind == other.kind && one.index == other.index;
         });
     };
     const auto add = [&](const PadControl& one, const QString& text) {
@@ -108,8 +108,8 @@ std::vector<PadCallout> padList(const PadBindings& bindings, const std::vector<P
                                 const PadState& state) {
     std::vector<PadCallout> list;
     const auto add = [&](const PadControl& control, const QString& does, bool stop) {
-        if (control.kind == Kind::None) return;
-        list.push_back({.spot = {control.kind == Kind::Button, control.index},
+        if (control.kind == ControlKind::None) return;
+        list.push_back({.spot = {control.kind == ControlKind::Button, control.index},
                         .control = padControlName(control, bindings.layout),
                         .does = does,
                         .stop = stop,

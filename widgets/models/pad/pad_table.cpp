@@ -65,8 +65,7 @@ void PadTable::setState(const PadState& state) {
 void PadTable::capture(int row) {
     if (row == m_row) return;
     const int before = std::exchange(m_row, row);
-    m_capture.reset();
-    if (row >= 0) m_capture.emplace(m_state);
+    m_capture = row >= 0 ? std::optional<PadCapture>(m_state) : std::nullopt;
     for (const int one : {before, row}) {
         if (one >= 0) emit dataChanged(index(one, Control), index(one, Control));
     }

@@ -4,6 +4,8 @@
 //     a station that holds the grant of TERM from the start and drives
 // control_peer listen DOMAIN TOPIC TYPE
 //     a reliable reader; says "heard" once
+// control_peer pinged DOMAIN AHEAD
+//     a robot "kurt3d" that says odometry and answers pings, with a clock that is so many seconds ahead
 // All run until they are killed. CLOCK_AHEAD: seconds that their clock is ahead (clock_shift.cpp).
 #include <cstdio>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
+#include "tests/transport/link/link_robot.h"
 #include "transport/convert/decode.h"
 
 namespace {
@@ -59,6 +62,11 @@ void say(const char* word) {
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.size() < 2) return 2;
+    if (words[0] == "pinged" && words.size() == 3) {
+        LinkRobot robot(std::stoi(words[1]), pingableRobot());
+        robot.setAhead(std::chrono::seconds(std::stoi(words[2])));
+        waitForTheEnd();
+    }
     NodeSettings settings;
     settings.domain = std::stoi(words[1]);
     const auto node = Node::create(settings);
