@@ -1,5 +1,6 @@
 #include "transport/dds/detail/participant_qos.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -89,6 +90,14 @@ Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos&
     }
 }
 
+/// Nothing leaves this computer.
+bool staysHere(const NodeSettings& settings) {
+    const auto addresses = addressesOf(settings.interfaces);
+    return addresses && !addresses->empty() &&
+           std::all_of(addresses->begin(), addresses->end(),
+                       [](const std::string& address) { return address.starts_with("127."); });
+}
+
 void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos& qos) {
     if (secure && limit.bytes > 0 && limit.bytes < SecurePiece) {
         limit.milliseconds = limit.milliseconds * SecurePiece / limit.bytes;
@@ -155,6 +164,10 @@ bool usesProfiles(const NodeSettings& settings) {
     return settings.useXmlProfiles && file != nullptr && *file != '\0';
 }
 
+int largestDatagram(const NodeSettings& settings) {
+    return settings.security || staysHere(settings) ? 0 : settings.datagram;
+}
+
 Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     if (settings.domain < 0 || settings.domain > 232) {
         return Error{fmt::format("domain: {}: expected 0 to 232", settings.domain)};
@@ -178,9 +191,12 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     }
     if (auto added = addPeers(settings, qos); !added) return added.error();
     if (auto added = addServers(settings, qos); !added) return added.error();
-    addFlow(Flow::Telemetry, settings.telemetryLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Scans, settings.scanLimit, settings.security.has_value(), qos);
-    addFlow(Flow::Pictures, settings.pictureLimit, settings.security.has_value(), qos);
+    const std::pair<Flow, FlowLimit> flows[] = {{Flow::Telemetry, settings.telemetryLimit},
+                                                {Flow::Scans, settings.scanLimit},
+                                                {Flow::Pictures, settings.pictureLimit}};
+    const bool here = staysHere(settings);
+    for (const auto& [flow, limit] : flows)
+        addFlow(flow, here ? FlowLimit{.bytes = 0} : limit, settings.security.has_value(), qos);
     if (settings.security) {
         if (auto added = addSecurity(*settings.security, qos); !added) return added.error();
     }
