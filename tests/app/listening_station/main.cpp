@@ -1,8 +1,7 @@
-// listening_station FOLDER DOMAIN [--explore] [--thin MEGABITS] [ROBOT...]
-//     an operator's station on shipped robots (kurt3d and crawler), on the loopback device, that records into
-//     FOLDER. Says twice a second for each robot "link ROBOT STATE" and for each of its steady streams
-//     "stream TOPIC ARRIVED LOST RATE", ends with "told". --explore: it asks both to explore. --thin: the
-//     link is thin, and has so much.
+// listening_station FOLDER DOMAIN [--interface NAME] [--explore] [--thin MEGABITS] [ROBOT...]
+//     an operator's station on shipped robots (kurt3d and crawler) that records into FOLDER. Says twice a
+//     second for each robot "link ROBOT STATE" and for each of its steady streams "stream TOPIC ARRIVED LOST
+//     RATE", ends with "told". --explore: it asks both to explore. --thin: the link is thin, and has so much.
 // Runs until SIGTERM.
 #include <chrono>
 #include <csignal>
@@ -29,6 +28,7 @@ volatile std::sig_atomic_t ended = 0;
 struct Arguments {
     std::filesystem::path folder;
     int domain = 0;
+    std::vector<std::string> interfaces = {};  ///< none: all
     bool explore = false;
     double thin = 0.0;  ///< [Mbit/s]; 0: the link is not thin
     std::vector<std::string> robots = {};
@@ -39,6 +39,8 @@ Arguments parse(const std::vector<std::string>& words) {
     for (std::size_t i = 2; i < words.size(); ++i) {
         if (words[i] == "--explore") {
             all.explore = true;
+        } else if (words[i] == "--interface") {
+            all.interfaces = {words.at(++i)};
         } else if (words[i] == "--thin") {
             all.thin = std::stod(words.at(++i));
         } else {
@@ -52,7 +54,7 @@ Arguments parse(const std::vector<std::string>& words) {
 StationSettings settingsFor(const Arguments& arguments) {
     StationSettings settings;
     settings.domain.domain = arguments.domain;
-    settings.domain.interfaces = {"lo"};
+    settings.domain.interfaces = arguments.interfaces;
     settings.mission.folder = arguments.folder / "mission";
     for (const std::string& name : arguments.robots) {
         settings.mission.robots.push_back(
