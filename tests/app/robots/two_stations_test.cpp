@@ -1,5 +1,6 @@
 // Several stations beside two robots, each a process: what they lose of what robots send, and how soon they
 // hear.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/app/recording.h"
 #include "tests/app/robots/listening_station.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/process.h"
@@ -71,6 +73,30 @@ protected:
         EXPECT_TRUE(hearAll(*one)) << one->out();
         return std::chrono::duration<double>(Clock::now() - began).count();
     }
+    /// A recorder is killed, and another one started: when that has of all streams [s after its start].
+    [[nodiscard]] double recorderAnew() {
+        const auto record = [&] {
+            return Recording(m_domain, m_folder / ("recorded" + std::to_string(++m_recorders)),
+                             {"--robot", "kurt3d", "crawler", "--interface", "lo"});
+        };
+        const auto hears = [&] {
+            return waitUntil(
+                [&] {
+                    const auto mission = m_folder / ("recorded" + std::to_string(m_recorders));
+                    return std::all_of(Topics.begin(), Topics.end(), [&](const std::string& topic) {
+                        return !recordedOn(mission, topic).empty();
+                    });
+                },
+                60s);
+        };
+        Recording killed = record();
+        EXPECT_TRUE(hears()) << killed.out();
+        EXPECT_EQ(killed.stop(SIGKILL), -1);
+        const auto began = Clock::now();
+        const Recording anew = record();
+        EXPECT_TRUE(hears()) << anew.out();
+        return std::chrono::duration<double>(Clock::now() - began).count();
+    }
     /// The Crawler is killed, and begins anew: when its laser and camera are heard again [s after it is
     /// there].
     [[nodiscard]] double crawlerAnew(const ListeningStation& listening) {
@@ -90,22 +116,26 @@ protected:
         robots();
         auto one = station();
         const auto other = station();  // that stays
-        double worst = 0.0, worstRobot = 0.0;
+        double worst = 0.0, worstRecorder = 0.0, worstRobot = 0.0;
         for (int i = 0; i < times; ++i) {
             worst = std::max(worst, killedAndAnew(one));
+            worstRecorder = std::max(worstRecorder, recorderAnew());
             worstRobot = std::max(worstRobot, crawlerAnew(*other));
         }
         std::printf(
-            "worst of %d: station hears all %.2f s after its start, robot is heard %.2f s after its\n", times,
-            worst, worstRobot);
+            "worst of %d: a station hears all %.2f s after its start, a recorder %.2f s, a robot is heard "
+            "%.2f s "
+            "after its\n",
+            times, worst, worstRecorder, worstRobot);
         EXPECT_LT(worst, 5.0);
+        EXPECT_LT(worstRecorder, 5.0);
         EXPECT_LT(worstRobot, 5.0);
     }
 
     const TestDomain m_domain;
     const TemporaryFolder m_folder;
     std::unique_ptr<RobotProcess> m_kurt3d, m_crawler;
-    int m_stations = 0;
+    int m_stations = 0, m_recorders = 0;
 };
 
 TEST_F(TwoStationsAndRobots, EachHearsAllAndSoDoesOneThatIsOpenedAnew) {
