@@ -22,13 +22,16 @@ using ScreenPtr = std::shared_ptr<screen::Screen>;
 
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> low, ScreenPtr before, int largest)
-        : ChainingTransportDescriptor(std::move(low)), screen(std::move(before)) {
-        // What is sent is cut by this figure, what is received is taken by that of the transport below.
-        if (largest > 0) maxMessageSize = std::min(maxMessageSize, static_cast<uint32_t>(largest));
+        : ChainingTransportDescriptor(std::move(low)), screen(std::move(before)), datagram(largest) {}
+    /// What is sent is cut by this figure; what is received is taken by that of the transport below.
+    [[nodiscard]] uint32_t max_message_size() const override {
+        const uint32_t below = ChainingTransportDescriptor::max_message_size();
+        return datagram > 0 ? std::min(below, static_cast<uint32_t>(datagram)) : below;
     }
     [[nodiscard]] efr::TransportInterface* create_transport() const override;
 
     ScreenPtr screen;
+    int datagram;  ///< largest that is sent [B]; 0: no limit of ours
 };
 
 /// A transport whose datagrams pass the screen before the library sees them.
