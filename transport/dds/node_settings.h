@@ -16,8 +16,9 @@ enum class Flow : std::uint8_t {
     Pictures,
 };
 
-/// At most @p bytes leave in each period. A period begins when the last one is over *and* the thread that
-/// sends gets its turn: short ones stretch to a multiple on a busy computer, and the limit sinks with them.
+/// At most @p bytes leave in each period; larger samples are cut into pieces of that size. A period begins
+/// when the last one is over *and* the thread that sends gets its turn: short ones stretch to a multiple on a
+/// busy computer, and the limit sinks with them.
 struct FlowLimit {
     int bytes = 7000;       ///< [B]; 0: no limit
     int milliseconds = 10;  ///< length of the period
@@ -57,11 +58,8 @@ struct NodeSettings {
     double lease = 100.0;
     /// Set for a link of 10 Mbit/s that two robots share, where p99 of odometry and commands stays below
     /// 60 ms beside scans and pictures. Where all interfaces are loopback, nothing is limited.
+    /// With security on, pieces are 7500 B at least.
     FlowLimit telemetryLimit = {7000, 10}, scanLimit = {7000, 20}, pictureLimit = {7000, 15};
-    /// Larger messages leave in pieces, each a datagram of at most so many bytes: one that IP would have to
-    /// cut is lost with any of its parts. 0: no limit. With security on, pieces are 7500 B: smaller ones
-    /// spend the link on signatures.
-    int datagram = 1400;
 };
 
 }  // namespace leitstand

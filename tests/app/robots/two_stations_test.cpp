@@ -138,7 +138,10 @@ protected:
     int m_stations = 0, m_recorders = 0;
 };
 
-TEST_F(TwoStationsAndRobots, EachHearsAllAndSoDoesOneThatIsOpenedAnew) {
+/// What is lost is measured alone: on a computer that is too busy for its robots, they lose by themselves.
+using TwoStationsAndRobotsLatency = TwoStationsAndRobots;
+
+TEST_F(TwoStationsAndRobotsLatency, EachHearsAllAndSoDoesOneThatIsOpenedAnew) {
     robots();
     auto first = station(), second = station();
     ASSERT_TRUE(hearAll(*first) && hearAll(*second)) << first->out() << second->out();

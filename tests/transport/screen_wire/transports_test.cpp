@@ -44,15 +44,6 @@ TEST(ScreenedTransports, ThoseOfAProfileFileAreScreenedAndTcpIsTold) {
     EXPECT_FALSE(isScreened(qos.transport().user_transports[1]));
 }
 
-TEST(ScreenedTransports, DatagramsThatAreSentAreSmallAndThoseOfOthersMayBeLarge) {
-    const auto udp = std::make_shared<efr::UDPv4TransportDescriptor>();
-    const auto made = detail::screened(udp, detail::screenFor({}), 1400);
-    EXPECT_EQ(made->max_message_size(), 1400U);
-    const std::unique_ptr<efr::TransportInterface> transport(made->create_transport());
-    ASSERT_TRUE(transport->init());
-    EXPECT_EQ(transport->max_recv_buffer_size(), udp->max_message_size());
-}
-
 TEST(ScreenedTransports, ARobotWithAProfileFileWithstands) {
     const TestDomain domain;
     const TemporaryFolder folder;

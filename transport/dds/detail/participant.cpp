@@ -97,7 +97,7 @@ Result<void> Participant::enter() {
     auto made = participantQos(m_settings);
     if (!made) return made.error();
     efd::DomainParticipantQos qos = std::move(made).value();
-    m_unscreened = putBefore(qos, m_screen, largestDatagram(m_settings));
+    m_unscreened = putBefore(qos, m_screen);
     m_factory = efd::DomainParticipantFactory::get_shared_instance();
     m_participant = m_factory->create_participant(static_cast<efd::DomainId_t>(m_settings.domain), qos,
                                                   &m_discovery, efd::StatusMask::none());

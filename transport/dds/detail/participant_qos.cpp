@@ -164,10 +164,6 @@ bool usesProfiles(const NodeSettings& settings) {
     return settings.useXmlProfiles && file != nullptr && *file != '\0';
 }
 
-int largestDatagram(const NodeSettings& settings) {
-    return settings.security || staysHere(settings) ? 0 : settings.datagram;
-}
-
 Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
     if (settings.domain < 0 || settings.domain > 232) {
         return Error{fmt::format("domain: {}: expected 0 to 232", settings.domain)};

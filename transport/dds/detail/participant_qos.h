@@ -7,9 +7,6 @@
 
 namespace leitstand::detail {
 
-/// What the node sends at most in one datagram [B]; 0: no limit but the transport's.
-[[nodiscard]] int largestDatagram(const NodeSettings& settings);
-
 /// The name of @p flow's queue of asynchronous samples; not for Immediate.
 [[nodiscard]] const char* flowControllerName(Flow flow);
 

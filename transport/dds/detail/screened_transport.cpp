@@ -21,17 +21,11 @@ namespace rtps = eprosima::fastrtps::rtps;
 using ScreenPtr = std::shared_ptr<screen::Screen>;
 
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
-    ScreenedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> low, ScreenPtr before, int largest)
-        : ChainingTransportDescriptor(std::move(low)), screen(std::move(before)), datagram(largest) {}
-    /// What is sent is cut by this figure; what is received is taken by that of the transport below.
-    [[nodiscard]] uint32_t max_message_size() const override {
-        const uint32_t below = ChainingTransportDescriptor::max_message_size();
-        return datagram > 0 ? std::min(below, static_cast<uint32_t>(datagram)) : below;
-    }
+    ScreenedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> low, ScreenPtr before)
+        : ChainingTransportDescriptor(std::move(low)), screen(std::move(before)) {}
     [[nodiscard]] efr::TransportInterface* create_transport() const override;
 
     ScreenPtr screen;
-    int datagram;  ///< largest that is sent [B]; 0: no limit of ours
 };
 
 /// A transport whose datagrams pass the screen before the library sees them.
@@ -98,18 +92,17 @@ ScreenPtr screenFor(const NodeSettings& settings, std::function<void()> dropped)
 }
 
 std::shared_ptr<efr::TransportDescriptorInterface> screened(
-    std::shared_ptr<efr::TransportDescriptorInterface> transport, ScreenPtr screen, int largest) {
-    return std::make_shared<ScreenedDescriptor>(std::move(transport), std::move(screen), largest);
+    std::shared_ptr<efr::TransportDescriptorInterface> transport, ScreenPtr screen) {
+    return std::make_shared<ScreenedDescriptor>(std::move(transport), std::move(screen));
 }
 
-std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos, ScreenPtr screen,
-                                   int largest) {
+std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos, ScreenPtr screen) {
     std::vector<std::string> warnings;
     auto& transport = qos.transport();
     spellOutBuiltin(transport);
     for (auto& one : transport.user_transports) {
         if (std::dynamic_pointer_cast<efr::UDPTransportDescriptor>(one)) {
-            one = screened(one, screen, largest);
+            one = screened(one, screen);
         } else {
             const bool memory = std::dynamic_pointer_cast<efr::SharedMemTransportDescriptor>(one) != nullptr;
             warnings.push_back(worded(memory ? Unscreened::SharedMemory : Unscreened::Tcp));

@@ -17,14 +17,13 @@ namespace leitstand::detail {
                                                         std::function<void()> dropped = {});
 
 /// Puts @p screen before every transport of @p qos that takes datagrams, those of the library's own choice
-/// and of XML profiles too. No datagram that they send has more than @p largest bytes (0: as they like).
-/// Returns what cannot be screened, in words for the operator.
+/// and of XML profiles too. Returns what cannot be screened, in words for the operator.
 [[nodiscard]] std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos,
-                                                 std::shared_ptr<screen::Screen> screen, int largest = 0);
+                                                 std::shared_ptr<screen::Screen> screen);
 
 /// Puts @p screen before one transport.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> screened(
     std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport,
-    std::shared_ptr<screen::Screen> screen, int largest = 0);
+    std::shared_ptr<screen::Screen> screen);
 
 }  // namespace leitstand::detail
