@@ -30,8 +30,9 @@ public:
         : m_process(program("leitstandctl"), arguments(domain, mission, std::move(more))) {
         EXPECT_TRUE(says("recording domain")) << m_process.out();
     }
-    int stop() {
-        m_process.signal(SIGINT);
+    /// With the signal @p number; its exit code, -1 when the signal ended it.
+    int stop(int number = SIGINT) {
+        m_process.signal(number);
         return m_process.wait();
     }
     [[nodiscard]] std::string out() const { return m_process.out(); }

@@ -1,6 +1,7 @@
 #include "app/session/station/station_streams.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/base/words.h"
@@ -8,6 +9,8 @@
 namespace leitstand {
 namespace {
 
+/// After which rates, taken over 5 s, are those of a wish.
+constexpr std::chrono::seconds Settling{6};
 constexpr std::uint64_t Enough = 20;  ///< samples, after which a stream's cost is believed
 
 bool comesFrom(const RobotDescription& robot, const std::string& topic) {
@@ -151,16 +154,41 @@ void StationStreams::share() {
     }
 }
 
+bool StationStreams::isSettled(Line& line, const std::string& topic, const StreamWish& wish) {
+    const SteadyTime now = std::chrono::steady_clock::now();
+    const auto [standing, isNew] = line.standing.try_emplace(topic, Standing{wish, now});
+    if (standing->second.wish != wish) standing->second = {wish, now};
+    return now - standing->second.since > Settling;
+}
+
+bool StationStreams::correct(Line& line, const StreamStatus& stream, const StreamWish& wish) {
+    if (!wish.enabled || !isFollowed(wish, stream)) return false;
+    const auto known = line.costs.find(stream.topic);
+    StreamCost cost = known == line.costs.end() ? usualCost(stream.role, stream.topic) : known->second;
+    const double expected = costUnder(cost, wish),
+                 measured = onTheWire(stream.megabitsPerSecond, stream.rate);
+    if (expected <= 0.0 || measured <= 1.05 * expected) return false;
+    cost.megabits *= measured / expected;
+    line.costs[stream.topic] = cost;
+    return true;
+}
+
 bool StationStreams::learn(Line& line, const LinkStatus& link) {
     bool news = false;
     for (const StreamStatus& stream : link.streams) {
-        const bool plain = line.wishes.effective(stream.topic).isPlain();
-        if (!plain || stream.samples < Enough || stream.rate <= 0.0) continue;
+        const StreamWish wish = line.wishes.effective(stream.topic);
+        const bool settled = isSettled(line, stream.topic, wish);
+        if (stream.samples < Enough || stream.rate <= 0.0) continue;
+        if (!wish.isPlain()) {
+            news = (settled && correct(line, stream, wish)) || news;
+            continue;
+        }
         const auto [known, isNew] = line.costs.try_emplace(stream.topic);
         StreamCost& cost = known->second;
         // What a thin link just gave back is still on its way up to what it costs.
         const double before = std::max(cost.megabits, 0.0);
-        const double now = line.thin ? std::max(before, stream.megabitsPerSecond) : stream.megabitsPerSecond;
+        const double measured = onTheWire(stream.megabitsPerSecond, stream.rate);
+        const double now = line.thin ? std::max(before, measured) : measured;
         news = news || isNew || now > 1.3 * before + 0.05;
         cost = {stream.role, stream.topic, std::max(stream.rate, stream.expectedRate), now};
     }

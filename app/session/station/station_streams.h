@@ -51,15 +51,25 @@ public:
     void add(const RobotDescription& robot);  ///< one more
 
 private:
+    /// A wish, and since when it stands.
+    struct Standing {
+        StreamWish wish;
+        SteadyTime since;
+    };
     struct Line {
         RobotDescription robot;
         WishBook wishes = WishBook();
         bool thin = false, there = false;
-        std::string camera = {};                       ///< sensor that is looked through
-        std::map<std::string, StreamCost> costs = {};  ///< by topic, as measured while nothing was wished
+        std::string camera = {};                        ///< sensor that is looked through
+        std::map<std::string, StreamCost> costs = {};   ///< by topic, of what comes while nothing is wished
+        std::map<std::string, Standing> standing = {};  ///< by topic
     };
     [[nodiscard]] Line* find(const std::string& robot);
     [[nodiscard]] const Line* find(const std::string& robot) const;
+    /// Whether what is measured of @p topic is what comes under @p wish.
+    [[nodiscard]] static bool isSettled(Line& line, const std::string& topic, const StreamWish& wish);
+    /// What a reduced stream costs more than was thought; true when it does.
+    [[nodiscard]] static bool correct(Line& line, const StreamStatus& stream, const StreamWish& wish);
     /// True when a thin link has to be shared anew.
     [[nodiscard]] static bool learn(Line& line, const LinkStatus& link);
     void share();  ///< the thin link anew

@@ -12,9 +12,10 @@ namespace leitstand {
 /// What a stream costs while nobody wishes anything of it.
 struct StreamCost {
     StreamRole role = StreamRole::Points;
-    std::string topic;       ///< ROS name
-    double rate = 0.0;       ///< [Hz]; 0: not known
-    double megabits = -1.0;  ///< a second; negative: not known, then what is usual of the role counts
+    std::string topic;  ///< ROS name
+    double rate = 0.0;  ///< [Hz]; 0: not known
+    /// A second, onTheWire(); negative: not known, then what is usual of the role counts.
+    double megabits = -1.0;
 };
 
 /// A robot on a link that shrinks.
@@ -48,6 +49,10 @@ struct ThinSettings {
 /// What a stream costs under @p wish [Mbit/s]: an estimate, coarser pictures are taken to shrink with their
 /// quality and with their area.
 [[nodiscard]] double costUnder(const StreamCost& stream, const StreamWish& wish);
+
+/// What @p megabits of samples, @p rate [Hz] of them, take of the link with the headers of their datagrams
+/// [Mbit/s].
+[[nodiscard]] double onTheWire(double megabits, double rate);
 
 /// What a stream of @p role usually costs [Mbit/s] and how often it comes [Hz].
 [[nodiscard]] StreamCost usualCost(StreamRole role, const std::string& topic);

@@ -32,10 +32,10 @@
 namespace leitstand::simulation {
 namespace {
 
-/// Kurt3D's slices are 280 kB a second. At 1400 B in 4 ms, 240 kB a second pass a link of 10 Mbit/s with 5 %
-/// loss, at 2 ms 435: what a busy computer or a radio gap kept back is caught up, and who joins hears slices
+/// Kurt3D's slices are 280 kB a second. At 7000 B in 20 ms, 240 kB a second pass a link of 10 Mbit/s with 5 %
+/// loss, at 10 ms 435: what a busy computer or a radio gap kept back is caught up, and who joins hears slices
 /// at once.
-constexpr FlowLimit ScanLimit{.bytes = 1400, .milliseconds = 2};
+constexpr FlowLimit ScanLimit{.bytes = 7000, .milliseconds = 10};
 
 volatile std::sig_atomic_t stopped = 0, frozen = 0;
 

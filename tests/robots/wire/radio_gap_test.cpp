@@ -24,7 +24,7 @@ protected:
         m_radio.emplace();
         {
             const InNamespace there(m_radio->robots());
-            m_there = nodeIn(m_domain, {.scanLimit = {1400, 2}});
+            m_there = nodeIn(m_domain, {.scanLimit = {7000, 10}});
             m_wire = must(RobotWire::create(*m_there, m_robot));
         }
         const InNamespace here(m_radio->station());

@@ -178,6 +178,31 @@ TEST(TurningScanner, LabelsAndRangesAreThoseOfTheRoom) {
     EXPECT_NEAR(std::sqrt(squares / walls), 0.016, 0.006);
 }
 
+TEST(TurningScanner, AtALowerRateTurnsStayWholeAndHaveFewerColumns) {
+    RoomBuilder room;
+    room.walls(4, 3, 2);
+    for (const int rate : {5, 2, 1}) {
+        const auto world = room.world();
+        const int robot = addBareRobot(*world);
+        TurningScanner scanner(mountedScanDrive(), Noise(1, "scanner"), world->now());
+        EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {.rate = static_cast<double>(rate)}));
+        TurnAssembler assembler;
+        int scans = 0;
+        std::size_t points = 0;
+        const auto slices = clouds(*world, robot, scanner, 7s, 20ms);
+        for (const CloudSample& slice : slices) {
+            points += slice.points.size();
+            const auto scan = assembler.add(slice, std::nullopt);
+            if (!scan) continue;
+            ++scans;
+            EXPECT_EQ(scan->rows, 180 * rate / 10 + 1) << rate << " Hz";
+        }
+        EXPECT_EQ(scans, 3) << rate << " Hz";
+        EXPECT_LE(slices.size(), 7U * static_cast<unsigned>(rate) + 4U) << "one more ends each turn";
+        EXPECT_LE(points, 29'141U * 7U / 2U * static_cast<unsigned>(rate) / 10U) << rate << " Hz";
+    }
+}
+
 TEST(TurningScanner, CanBeSwitchedOffAndGoesOnWithItsTurn) {
     RoomBuilder room;
     room.walls(4, 3, 2);

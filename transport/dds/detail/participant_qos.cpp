@@ -1,5 +1,6 @@
 #include "transport/dds/detail/participant_qos.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -89,6 +90,14 @@ Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos&
     }
 }
 
+/// Nothing leaves this computer.
+bool staysHere(const NodeSettings& settings) {
+    const auto addresses = addressesOf(settings.interfaces);
+    return addresses && !addresses->empty() &&
+           std::all_of(addresses->begin(), addresses->end(),
+                       [](const std::string& address) { return address.starts_with("127."); });
+}
+
 void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos& qos) {
     if (secure && limit.bytes > 0 && limit.bytes < SecurePiece) {
         limit.milliseconds = limit.milliseconds * SecurePiece / limit.bytes;
@@ -103,10 +112,11 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
 
 void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
     if constexpr (!fastdds::HasFlowControllers) return;
-    const bool secure = settings.security.has_value();
-    addFlow(Flow::Telemetry, settings.telemetryLimit, secure, qos);
-    addFlow(Flow::Scans, settings.scanLimit, secure, qos);
-    addFlow(Flow::Pictures, settings.pictureLimit, secure, qos);
+    const bool secure = settings.security.has_value(), here = staysHere(settings);
+    const std::pair<Flow, FlowLimit> flows[] = {{Flow::Telemetry, settings.telemetryLimit},
+                                                {Flow::Scans, settings.scanLimit},
+                                                {Flow::Pictures, settings.pictureLimit}};
+    for (const auto& [flow, limit] : flows) addFlow(flow, here ? FlowLimit{.bytes = 0} : limit, secure, qos);
 }
 
 Result<void> addSecurity(const SecurityFiles& files, efd::DomainParticipantQos& qos) {

@@ -1,6 +1,7 @@
 #include "robots/simulation/sensors/laser/turning_scanner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace leitstand::simulation {
@@ -101,8 +102,9 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
     for (; startOf(m_rawScan) + rawScanTime <= world.now(); ++m_rawScan) {
         const bool ranges = m_rangesEnabled && !m_settings.fanFrame.empty();
         const bool begins = pattern.row(m_rawScan) == 0;
+        const bool kept = m_enabled && pattern.row(m_rawScan) % m_every == 0;
         std::span<const LaserEcho> echoes;
-        if (m_enabled || ranges) {
+        if (kept || ranges) {
             aim(world, robot);
             echoes = m_head.measure(m_rays, cast);
         }
@@ -110,15 +112,21 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
         // What begins a turn has closed the one before: its last slice waits for it.
         if (begins && m_enabled && m_slice.rows > 0) append(echoes, pattern.rawScans);
         if (begins) emitSlice(samples);
-        if (m_enabled) append(echoes, pattern.row(m_rawScan));
+        if (kept) append(echoes, pattern.row(m_rawScan));
         const bool ends = pattern.row(m_rawScan + 1) == 0;
-        if (!ends && pattern.sliceOf(m_rawScan + 1) != pattern.sliceOf(m_rawScan)) emitSlice(samples);
+        if (!ends && pattern.sliceOf(m_rawScan + 1) / m_every != pattern.sliceOf(m_rawScan) / m_every)
+            emitSlice(samples);
     }
 }
 
 bool TurningScanner::configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) {
     if (role == StreamRole::Points && sensor == m_settings.sensor) {
-        m_enabled = settings.enabled;  // it turns as it turns: no other rate
+        m_enabled = settings.enabled;
+        // It turns as it turns. At a lower rate slices are longer, and raw scans are left out of them, so
+        // that turns stay whole and have fewer columns.
+        const double usual = 1.0 / std::chrono::duration<double>(m_settings.pattern.slice).count();
+        m_every =
+            settings.rate > 0.0 ? std::max(1, static_cast<int>(std::ceil(usual / settings.rate - 1e-6))) : 1;
         return true;
     }
     if (role == StreamRole::Ranges && !m_settings.fanFrame.empty() && sensor == m_settings.rangesSensor) {

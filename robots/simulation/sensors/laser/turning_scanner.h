@@ -49,6 +49,7 @@ private:
     Time m_start;
     std::int64_t m_rawScan = 0;  ///< next one
     bool m_enabled = true, m_rangesEnabled = true;
+    int m_every = 1;      ///< of so many raw scans one is sent, and so many slices as one
     CloudSample m_slice;  ///< being filled
     std::vector<Ray> m_rays;
 };

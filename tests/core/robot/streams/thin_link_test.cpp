@@ -42,6 +42,14 @@ TEST(ThinLink, WhatFitsIsLeftAsItIs) {
     EXPECT_THAT(thinWishes({}, {.budget = 0.0}), IsEmpty());
 }
 
+TEST(ThinLink, HeadersAreCountedWithWhatTheyCarry) {
+    EXPECT_EQ(onTheWire(0.0, 10.0), 0.0);
+    EXPECT_EQ(onTheWire(0.1, 0.0), 0.0);
+    // 40 transforms of 120 B a second take more than twice of that, 10 slices of 28 kB an eighth more.
+    EXPECT_NEAR(onTheWire(40 * 120 * 8e-6, 40.0), 40 * 280 * 8e-6, 1e-9);
+    EXPECT_NEAR(onTheWire(10 * 28'060 * 8e-6, 10.0), 10 * (28'060 + 23 * 160) * 8e-6, 1e-9);
+}
+
 TEST(ThinLink, TheRestGoesFirstAndComesBackAsAGlimpse) {
     const std::vector<ThinRobot> robots = {kurt("k", true)};
     const auto wishes = thinWishes(robots, {.budget = 3.2});
