@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scan/scan.h"
@@ -24,9 +26,15 @@ public:
     /// Bytes that it takes.
     [[nodiscard]] std::size_t memory() const;
 
+    /// All of it in a row, for this computer to read again.
+    [[nodiscard]] std::vector<std::byte> bytes() const;
+    /// Empty where @p bytes are none of a cloud.
+    [[nodiscard]] static std::optional<PackedCloud> fromBytes(std::span<const std::byte> bytes);
+
 private:
     using Packed = std::array<std::int16_t, 3>;
 
+    PackedCloud() = default;
     static std::vector<Packed> packed(const std::vector<Eigen::Vector3f>& vectors, float step);
     static std::vector<Eigen::Vector3f> unpacked(const std::vector<Packed>& vectors, float step);
 

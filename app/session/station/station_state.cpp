@@ -10,6 +10,7 @@
 #include "app/session/log/sequencer.h"
 #include "app/session/station/mission_map.h"
 #include "core/base/words.h"
+#include "core/io/page_file.h"
 #include "core/io/settings/alarm_file.h"
 #include "core/mission/station_topics.h"
 #include "core/robot/preflight/brake_says.h"
@@ -117,6 +118,9 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
     listening.onMessage = [this](const std::string& text) { say(text); };
     listening.onMap = listener.onMap;
     listening.onScans = listener.onScans;
+    // Where there can be no such file there can be no log either, which is told.
+    if (auto pages = PageFile::open(settings.mission.folder))
+        settings.mapping.pages = std::move(pages).value();
     mapping = std::make_unique<StationMapping>(
         *mission, [this] { return grants->mayAct(MapGrant); },
         StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,

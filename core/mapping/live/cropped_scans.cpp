@@ -26,16 +26,21 @@ void keep(std::vector<T>& list, const std::vector<std::size_t>& kept) {
     list.resize(kept.size());
 }
 
-std::shared_ptr<const PackedCloud> insideCrop(const std::shared_ptr<const PackedCloud>& packed,
-                                              const MapCrop& crop, const Pose& scanInMap) {
-    if (!packed) return nullptr;
-    PointCloud cloud = packed->unpacked();
+PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInMap) {
     const std::vector<std::size_t> kept = pointsInside(cloud.points, crop, scanInMap);
-    if (kept.size() == cloud.points.size()) return packed;
     keep(cloud.points, kept);
     keep(cloud.normals, kept);
     keep(cloud.labels, kept);
-    return std::make_shared<const PackedCloud>(cloud);
+    return cloud;
+}
+
+MatchedCloudPtr insideCrop(const MatchedCloudPtr& whole, const MapCrop& crop, const Pose& scanInMap,
+                           const MatchedClouds& clouds) {
+    if (!whole) return nullptr;
+    const PointCloud inside = insideCrop(whole->unpacked(), crop, scanInMap);
+    if (inside.size() == whole->size()) return whole;
+    return clouds.keep(inside,
+                       [whole, crop, scanInMap] { return insideCrop(whole->unpacked(), crop, scanInMap); });
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ void CroppedScans::setCrop(MapCrop crop) {
     for (auto& [id, fitted] : m_fitted) fitted.scan.reset();
 }
 
-void CroppedScans::fit(LiveKeyScan& scan) {
+void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto known = m_fitted.find(scan.id);
     if (m_crop.open()) {
         if (known == m_fitted.end()) return;
@@ -69,8 +74,8 @@ void CroppedScans::fit(LiveKeyScan& scan) {
     if (!fitted.scan || fitted.scanInMap.matrix() != here.matrix()) {
         fitted.scanInMap = here;
         fitted.scan = insideCrop(fitted.whole, m_crop, here);
-        fitted.reduced =
-            fitted.scan == fitted.whole ? fitted.wholeReduced : insideCrop(fitted.wholeReduced, m_crop, here);
+        fitted.reduced = fitted.scan == fitted.whole ? fitted.wholeReduced
+                                                     : insideCrop(fitted.wholeReduced, m_crop, here, clouds);
     }
     scan.scan = fitted.scan;
     scan.reduced = fitted.reduced;

@@ -20,8 +20,9 @@ public:
     void setCrop(MapCrop crop);
     [[nodiscard]] const MapCrop& crop() const { return m_crop; }
     /// Puts into @p scan what of it is inside, from where it stands now: its points, and what is matched of
-    /// them, where it has that. The same key scan at the same place gets the same pointers again.
-    void fit(LiveKeyScan& scan);
+    /// them, where it has that, which is one of @p clouds then. The same key scan at the same place gets the
+    /// same pointers again.
+    void fit(LiveKeyScan& scan, const MatchedClouds& clouds = MatchedClouds());
 
     /// The key scan @p id is no more: the next of its number is another.
     void forget(std::uint64_t id) { m_fitted.erase(id); }
@@ -30,9 +31,9 @@ private:
     /// A key scan that was looked at.
     struct Fitted {
         ScanPtr whole;
-        std::shared_ptr<const PackedCloud> wholeReduced;
+        MatchedCloudPtr wholeReduced;
         ScanPtr scan;  ///< inside ...
-        std::shared_ptr<const PackedCloud> reduced;
+        MatchedCloudPtr reduced;
         Pose scanInMap = Pose::Identity();  ///< ... from here
     };
 

@@ -8,8 +8,8 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/mapping/live/matched_clouds.h"
 #include "core/robot/samples/map_samples.h"
-#include "core/scan/packed_cloud.h"
 #include "core/scan/scan.h"
 
 namespace leitstand {
@@ -24,7 +24,7 @@ struct LiveKeyScan {
     Time entered{};                     ///< station's clock; another one for each scan
     std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
     int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
-    std::shared_ptr<const PackedCloud> reduced;  ///< for registration, with normals; scan's frame
+    MatchedCloudPtr reduced;            ///< for registration, with normals; scan's frame
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
 };

@@ -83,6 +83,10 @@ bool LiveMapper::State::awaitsDecision(const std::string& robot) const {
     return newest != map.scans.rend() && newest->pose.trust == ScanTrust::Uncertain;
 }
 
+MatchedCloudPtr LiveMapper::State::matchedOf(const ScanPtr& scan, const PointCloud& reduced) const {
+    return clouds.keep(reduced, [scan, match = settings.match] { return reducedAgain(*scan, match); });
+}
+
 Time LiveMapper::State::entering(Time now) {
     const bool behind = now <= entered && entered - now < ClockStep;
     entered = behind ? entered + std::chrono::nanoseconds(1) : now;
@@ -102,7 +106,7 @@ void LiveMapper::setBody(const std::string& robot, RobotBody body) {
 void LiveMapper::setCrop(MapCrop crop) {
     m_state->cropped.setCrop(crop);
     m_state->settings.crop = std::move(crop);
-    for (LiveKeyScan& scan : m_state->map.scans) m_state->cropped.fit(scan);
+    for (LiveKeyScan& scan : m_state->map.scans) m_state->cropped.fit(scan, m_state->clouds);
     m_state->localStale = true;
 }
 
@@ -181,8 +185,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         key.entered = state.entering(now);
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
-        key.reduced = std::make_shared<const PackedCloud>(ready.reduced);
-        state.cropped.fit(key);  // what was cropped before was seen from the guess
+        key.reduced = state.matchedOf(key.scan, ready.reduced);
+        state.cropped.fit(key, state.clouds);  // what was cropped before was seen from the guess
         update.keyScan =
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};

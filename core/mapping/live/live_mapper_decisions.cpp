@@ -62,7 +62,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
         LiveKeyScan* scan = find(pose.scan);
         if (scan == nullptr || same(scan->pose, pose)) continue;
         scan->pose = pose;
-        cropped.fit(*scan);
+        cropped.fit(*scan, clouds);
         localStale = true;
         const std::string& robot = scan->scan->robot;
         if (newest[robot] == scan->id) moved.push_back(robot);
@@ -140,8 +140,8 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
     key.matched = sample.matched;
     key.entered = sample.stamp;
-    key.reduced = std::make_shared<const PackedCloud>(reducedAgain(*sample.scan, state.settings.match));
-    state.cropped.fit(key);
+    key.reduced = state.matchedOf(key.scan, reducedAgain(*sample.scan, state.settings.match));
+    state.cropped.fit(key, state.clouds);
     const std::string robot = sample.scan->robot;
     const auto place =
         std::upper_bound(state.map.scans.begin(), state.map.scans.end(), key.id,

@@ -34,7 +34,8 @@ struct RobotTrack {
 
 /// Insides of LiveMapper.
 struct LiveMapper::State {
-    State(std::string name, LiveSettings chosen) : station(std::move(name)), settings(std::move(chosen)) {
+    State(std::string name, LiveSettings chosen)
+        : station(std::move(name)), settings(std::move(chosen)), clouds(settings.pages, settings.inMemory) {
         cropped.setCrop(settings.crop);
     }
 
@@ -56,11 +57,14 @@ struct LiveMapper::State {
     void apply(std::span<const ScanPose> poses);
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
     void goOn(const std::string& robot);
+    /// What is matched of @p scan, of the points @p reduced.
+    [[nodiscard]] MatchedCloudPtr matchedOf(const ScanPtr& scan, const PointCloud& reduced) const;
 
     std::string station;
     LiveSettings settings;
     std::map<std::string, RobotTrack> robots;
     LiveMap map;
+    MatchedClouds clouds;  ///< of the map's scans
     CroppedScans cropped;  ///< what of its scans is in the map
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/pose.h"
 #include "core/mapping/live/local_map.h"
+#include "core/mapping/live/matched_clouds.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/live/turn_refinement.h"
 
@@ -54,7 +56,9 @@ struct LiveSettings {
     MapCrop crop;
     double kept = 0.02;                 ///< key scans are thinned to this for the map [m]
     TurnRefinementSettings refinement;  ///< of turns that fit, before they enter the map
-    std::set<std::string> refined;      ///< robots whose turns are refined also where refinement is not on
+    std::shared_ptr<PageStore> pages;   ///< for what is matched of scans far from robots; null: in memory
+    std::size_t inMemory = MatchedClouds::Usual;  ///< of how many scans that is in memory then
+    std::set<std::string> refined;  ///< robots whose turns are refined also where refinement is not on
 };
 
 }  // namespace leitstand

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,18 @@
 #include "tests/support/process.h"
 
 namespace leitstand::test {
+namespace {
+
+int entriesOf(const std::string& folder) {
+    std::error_code ended;
+    int count = 0;
+    for (std::filesystem::directory_iterator one(folder, ended), end; !ended && one != end;
+         one.increment(ended))
+        ++count;
+    return count;
+}
+
+}  // namespace
 
 StationProcess::StationProcess(const std::filesystem::path& folder, int domain)
     : m_folder(folder),
@@ -25,6 +38,14 @@ double StationProcess::residentMegabytes() const {
         if (word == "VmRSS:" && status >> kibibytes) return kibibytes * 1024.0 / 1e6;
     }
     return 0.0;
+}
+
+int StationProcess::threads() const {
+    return entriesOf(fmt::format("/proc/{}/task", m_process.id()));
+}
+
+int StationProcess::descriptors() const {
+    return entriesOf(fmt::format("/proc/{}/fd", m_process.id()));
 }
 
 double StationProcess::processorSeconds() const {

@@ -1,7 +1,7 @@
 #include "widgets/map_view/render/actors.h"
 
-#include <span>
 #include <utility>
+#include <vector>
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -28,7 +28,7 @@ static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Rgba) == 4)
 // VTK's arrays look at our memory and never write or free it, though their interface knows no const.
 constexpr int KeepMemory = 1;
 
-vtkNew<vtkPoints> pointsOver(std::span<const Eigen::Vector3f> positions) {
+vtkNew<vtkPoints> pointsOver(const std::vector<Eigen::Vector3f>& positions) {
     vtkNew<vtkFloatArray> array;
     array->SetNumberOfComponents(3);
     array->SetArray(const_cast<float*>(positions.data()->data()),
@@ -78,7 +78,7 @@ vtkNew<vtkMatrix4x4> matrixOf(const Pose& pose) {
 
 }  // namespace
 
-ScanActor::ScanActor()
+PointsActor::PointsActor()
     : m_mapper(vtkSmartPointer<RangeMapper>::New()), m_actor(vtkSmartPointer<vtkActor>::New()) {
     useColoursAsTheyAre(m_mapper);
     m_mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
@@ -88,46 +88,50 @@ ScanActor::ScanActor()
     m_actor->VisibilityOff();
 }
 
-ScanActor::~ScanActor() = default;
+PointsActor::~PointsActor() = default;
 
-void ScanActor::update(const SceneScan& scan) {
-    if (scan.points != m_points || scan.look.colours != m_look.colours || scan.look.shown != m_look.shown) {
-        const ScanPointsPtr points = std::exchange(m_points, scan.points);
-        const PointCloudLook look = std::exchange(m_look, scan.look);
-        rebuild();  // the former memory goes only after VTK has let go of it
-    }
-    m_visible = scan.visible;
-    m_actor->SetVisibility(m_visible && shownPoints() > 0);
-    m_actor->SetUserMatrix(matrixOf(scan.poseInMap));
-}
-
-void ScanActor::rebuild() {
+void PointsActor::update(DrawnPointsPtr points) {
+    if (points == m_points) return;
+    const DrawnPointsPtr former = std::exchange(m_points, std::move(points));
     if (shownPoints() == 0) {
         m_mapper->SetInputDataObject(nullptr);
         return;
     }
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOver(m_points->points));
-    data->GetPointData()->SetScalars(coloursOver(*m_look.colours));
-    m_mapper->setOrder(m_look.shown);
+    data->GetPointData()->SetScalars(coloursOver(m_points->colours));
     m_mapper->SetInputData(data);
     m_mapper->Update();
+    // The former memory goes only now, after VTK has let go of it.
 }
 
-void ScanActor::setClip(vtkPlaneCollection* planesInMap) {
+void PointsActor::setPose(const Pose& poseInMap) {
+    m_actor->SetUserMatrix(matrixOf(poseInMap));
+}
+
+void PointsActor::setVisible(bool visible) {
+    m_actor->SetVisibility(visible && shownPoints() > 0);
+}
+
+void PointsActor::setClip(vtkPlaneCollection* planesInMap) {
     m_mapper->SetClippingPlanes(planesInMap);
 }
 
-void ScanActor::setPointSize(double devicePixels) {
+void PointsActor::setPointSize(double devicePixels) {
     m_actor->GetProperty()->SetPointSize(static_cast<float>(devicePixels));
 }
 
-void ScanActor::setRange(double from, double to) {
+void PointsActor::setRange(double from, double to) {
     m_mapper->setRange(from, to);
 }
 
-std::size_t ScanActor::shownPoints() const {
-    return m_points && m_look.colours && m_look.shown ? m_look.shown->size() : 0;
+void ScanActor::update(const SceneScan& scan) {
+    if (scan.points != m_scan || *scan.look != m_look) {
+        m_scan = scan.points;
+        m_look = *scan.look;
+        m_points.update(drawnPoints(scan));
+    }
+    m_points.setPose(scan.poseInMap);
 }
 
 VoxelActor::VoxelActor() : m_actor(vtkSmartPointer<vtkActor>::New()) {

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
-#include <vector>
 
 #include <vtkSmartPointer.h>
 
-#include "widgets/map_view/scene/scene_content.h"
+#include "widgets/map_view/scene/drawn_points.h"
 
 class vtkActor;
 class vtkMapper;
@@ -15,33 +15,43 @@ namespace leitstand {
 
 class RangeMapper;
 
-/// A scan's points in VTK. Points and colours stay where they are; only their pose changes. Render thread
-/// only.
-class ScanActor {
+/// Points in VTK. They stay where they are; only their pose changes. Render thread only.
+class PointsActor {
 public:
-    ScanActor();
-    ~ScanActor();
-    ScanActor(ScanActor&&) noexcept = default;
-    ScanActor& operator=(ScanActor&&) noexcept = default;
+    PointsActor();
+    ~PointsActor();
+    PointsActor(PointsActor&&) noexcept = default;
+    PointsActor& operator=(PointsActor&&) noexcept = default;
 
-    /// Shows @p scan from now on; what has not changed costs nothing.
-    void update(const SceneScan& scan);
+    /// Shows @p points from now on, or nothing; what has not changed costs nothing.
+    void update(DrawnPointsPtr points);
+    void setPose(const Pose& poseInMap);
+    void setVisible(bool visible);
     void setClip(vtkPlaneCollection* planesInMap);
     void setPointSize(double devicePixels);
     /// The share of the points drawn next, as fractions.
     void setRange(double from, double to);
 
     [[nodiscard]] vtkActor* actor() const { return m_actor; }
-    [[nodiscard]] std::size_t shownPoints() const;
+    [[nodiscard]] std::size_t shownPoints() const { return m_points ? m_points->size() : 0; }
 
 private:
-    void rebuild();
-
-    ScanPointsPtr m_points;  ///< these three own the memory that VTK draws from
-    PointCloudLook m_look;
-    bool m_visible = false;
+    DrawnPointsPtr m_points;  ///< owns the memory that VTK draws from
     vtkSmartPointer<RangeMapper> m_mapper;
     vtkSmartPointer<vtkActor> m_actor;
+};
+
+/// A scan's points in VTK. Render thread only.
+class ScanActor {
+public:
+    /// Shows @p scan from now on, of which points are to be seen; what has not changed costs nothing.
+    void update(const SceneScan& scan);
+    [[nodiscard]] PointsActor& points() { return m_points; }
+
+private:
+    ScanPointsPtr m_scan;   ///< whose points these are ...
+    PointCloudLook m_look;  ///< ... and how they look
+    PointsActor m_points;
 };
 
 /// The voxels in VTK. Render thread only.

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,6 +20,7 @@
 #include "widgets/map_view/render/detail_budget.h"
 #include "widgets/map_view/render/egl_context.h"
 #include "widgets/map_view/render/render_window.h"
+#include "widgets/map_view/scene/drawn_points.h"
 #include "widgets/map_view/scene/scene_sample.h"
 
 namespace leitstand {
@@ -32,6 +32,9 @@ constexpr double PointSize = 2.0;  ///< [logical px]
 constexpr DetailBudget::Seconds QuickPicture(0.02);
 constexpr std::size_t Many = 40;              ///< scans; of more, a sample is drawn first
 constexpr std::size_t MostSampled = 300'000;  ///< points of it
+/// Of a map of many scans OpenGL holds no more than the sample and so many points: where it draws in software
+/// an hour's map would take 300 MB there.
+constexpr std::size_t MostAtOnce = 500'000;
 
 void addPlane(vtkPlaneCollection* planes, double height, double direction) {
     vtkNew<vtkPlane> plane;
@@ -60,8 +63,8 @@ void apply(const MapCamera& camera, vtkRenderer* renderer) {
 }
 
 bool alike(const SceneScan& a, const SceneScan& b) {
-    return a.visible == b.visible && a.points == b.points && a.look.colours == b.look.colours &&
-           a.look.shown == b.look.shown && a.poseInMap.matrix() == b.poseInMap.matrix();
+    return a.visible == b.visible && a.points == b.points && a.look == b.look &&
+           a.poseInMap.matrix() == b.poseInMap.matrix();
 }
 
 /// Whether @p now shows what @p before does, and scans that came after them.
@@ -78,79 +81,79 @@ struct Whole {
     double nearest = 0.0, farthest = 0.0;  ///< of its depths [m]
 };
 
-std::size_t pointsOf(const std::vector<ScanActor*>& scans) {
-    return std::accumulate(scans.begin(), scans.end(), std::size_t{0},
-                           [](std::size_t sum, const ScanActor* scan) { return sum + scan->shownPoints(); });
-}
-
 }  // namespace
 
 struct Scene::State {
+    using Clock = std::chrono::steady_clock;
+
     std::unique_ptr<EglContext> context;  // outlives all that VTK has in it
     vtkNew<RenderWindow> window;
     vtkNew<vtkRenderer> renderer;
-    std::vector<ScanActor> scans;
-    std::vector<ScanActor*> shown;  ///< those of the scans that are to be seen
-    bool many = false;              ///< the first pass draws the sample, not the scans
-    ScanActor sample;
-    double sampled = 1.0;  ///< the share of every scan's points that is in the sample
-    VoxelActor voxels;
     SceneContentPtr content = std::make_shared<const SceneContent>();
+    std::vector<std::size_t> shown;  ///< those of its scans that are to be seen
+    bool many = false;               ///< they are: the first pass draws a sample of them
+    std::vector<ScanActor> few;      ///< those shown, when they are not many
+    PointsActor sample;
+    double sampled = 1.0;  ///< the share of every scan's points that is in the sample
+    PointsActor some;      ///< of many scans, while the rest of their points is drawn
+    VoxelActor voxels;
     /// Of the first pass, in which each scan that is drawn by itself costs something however few its points.
     DetailBudget budget{QuickPicture};
     DetailBudget refining;  ///< of a pass over some
     bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
     std::optional<Whole> whole;
 
-    using Clock = std::chrono::steady_clock;
-
-    void addScans(std::size_t count);
     void choose();
     double begin(bool full);
-    bool refine(double from, std::vector<ScanActor*>::const_iterator first,
-                const std::function<bool()>& interrupted);
+    bool refine(double from, std::size_t first, const std::function<bool()>& interrupted);
+    bool refineFew(double from, std::size_t first, const std::function<bool()>& interrupted);
+    bool refineMany(double from, std::size_t first, const std::function<bool()>& interrupted);
+    void drawSome(std::size_t points, Clock::time_point since);
     bool canContinue(const DrawOrder& order);
     bool continueWhole(const std::function<bool()>& interrupted);
     void keep(const MapPicture& picture);
 };
 
-void Scene::State::addScans(std::size_t count) {
-    while (scans.size() > count) {
-        renderer->RemoveActor(scans.back().actor());
-        scans.pop_back();
-    }
-    while (scans.size() < count) {
-        scans.emplace_back();
-        renderer->AddActor(scans.back().actor());
-    }
-}
-
 /// Which scans are to be seen, and whether the first pass draws them or a sample of them.
 void Scene::State::choose() {
+    const auto clip = clipPlanes(content->settings);
     shown.clear();
-    for (ScanActor& scan : scans) {
-        if (scan.actor()->GetVisibility() != 0) shown.push_back(&scan);
+    for (std::size_t i = 0; i < content->scans.size(); ++i) {
+        if (isShown(content->scans[i])) shown.push_back(i);
     }
     many = shown.size() > Many;
-    SceneSample drawn;
-    drawn.scan.visible = false;
-    if (many) drawn = sampleOf(content->scans, MostSampled);
+    const std::size_t alone = many ? 0 : shown.size();
+    while (few.size() > alone) {
+        renderer->RemoveActor(few.back().points().actor());
+        few.pop_back();
+    }
+    while (few.size() < alone) renderer->AddActor(few.emplace_back().points().actor());
+    for (std::size_t i = 0; i < alone; ++i) {
+        few[i].update(content->scans[shown[i]]);
+        few[i].points().setClip(clip);
+        few[i].points().setVisible(true);
+    }
+    const SceneSample drawn = many ? sampleOf(content->scans, MostSampled) : SceneSample();
     sampled = drawn.share;
-    sample.update(drawn.scan);
-    for (ScanActor* scan : shown) scan->actor()->SetVisibility(!many);
+    sample.update(drawn.points);
+    sample.setClip(clip);
+    sample.setVisible(many);
+    some.setClip(clip);
 }
 
 /// Draws the share of every scan's points that can be drawn quickly, and returns it. Of many scans a sample
 /// is drawn instead: all of it where the picture is to be @p full.
 double Scene::State::begin(bool full) {
     const Clock::time_point start = Clock::now();
-    const auto points = static_cast<double>(many ? sample.shownPoints() : pointsOf(shown));
+    std::size_t all = sample.shownPoints();
+    for (ScanActor& scan : few) all += scan.points().shownPoints();
+    const auto points = static_cast<double>(all);
     double share = std::min(1.0, static_cast<double>(budget.points()) / std::max(points, 1.0));
     if (many && full) share = 1.0;
     renderer->SetPreserveColorBuffer(false);
     renderer->SetPreserveDepthBuffer(false);
     sample.setRange(0.0, share);
-    for (ScanActor* scan : shown) scan->setRange(0.0, share);
+    for (ScanActor& scan : few) scan.points().setRange(0.0, share);
     window->Render();
     window->WaitForCompletion();
     if (!std::exchange(fresh, false))
@@ -158,38 +161,66 @@ double Scene::State::begin(bool full) {
     return share * sampled;
 }
 
-/// Draws the rest on top of what is there, of the @p first scan and those after it, some at a time; false
-/// when it was interrupted.
-bool Scene::State::refine(double from, std::vector<ScanActor*>::const_iterator first,
-                          const std::function<bool()>& interrupted) {
+/// Draws the rest on top of what is there, of the @p first of those shown and the scans after it, some at a
+/// time; false when it was interrupted.
+bool Scene::State::refine(double from, std::size_t first, const std::function<bool()>& interrupted) {
     renderer->SetPreserveColorBuffer(true);
     renderer->SetPreserveDepthBuffer(true);
-    for (ScanActor* scan : shown) scan->actor()->VisibilityOff();
-    sample.actor()->VisibilityOff();
+    for (ScanActor& scan : few) scan.points().setVisible(false);
+    sample.setVisible(false);
     const bool hasVoxels = voxels.actor()->GetVisibility() != 0;
     voxels.actor()->VisibilityOff();  // are there already
-    auto next = first;
-    while (next != shown.end() && !interrupted()) {
-        const Clock::time_point start = Clock::now();
-        std::vector<ScanActor*> some;
-        double points = 0.0;
-        for (; next != shown.end() && points < static_cast<double>(refining.points()); ++next) {
-            some.push_back(*next);
-            points += (1.0 - from) * static_cast<double>((*next)->shownPoints());
-        }
-        for (ScanActor* scan : some) {
-            scan->setRange(from, 1.0);
-            scan->actor()->VisibilityOn();
-        }
-        window->Render();
-        window->WaitForCompletion();
-        for (ScanActor* scan : some) scan->actor()->VisibilityOff();
-        refining.drawn(static_cast<std::size_t>(points), Clock::now() - start);
-    }
-    for (ScanActor* scan : shown) scan->actor()->SetVisibility(!many);
-    sample.actor()->SetVisibility(many);
+    const bool done = many ? refineMany(from, first, interrupted) : refineFew(from, first, interrupted);
+    for (ScanActor& scan : few) scan.points().setVisible(true);
+    sample.setVisible(many);
     voxels.actor()->SetVisibility(hasVoxels);
-    return next == shown.end();
+    return done;
+}
+
+bool Scene::State::refineFew(double from, std::size_t first, const std::function<bool()>& interrupted) {
+    auto next = few.begin() + static_cast<std::ptrdiff_t>(first);
+    while (next != few.end() && !interrupted()) {
+        const Clock::time_point start = Clock::now();
+        double points = 0.0;
+        auto end = next;
+        for (; end != few.end() && points < static_cast<double>(refining.points()); ++end) {
+            end->points().setRange(from, 1.0);
+            end->points().setVisible(true);
+            points += (1.0 - from) * static_cast<double>(end->points().shownPoints());
+        }
+        drawSome(static_cast<std::size_t>(points), start);
+        for (; next != end; ++next) next->points().setVisible(false);
+    }
+    return next == few.end();
+}
+
+bool Scene::State::refineMany(double from, std::size_t first, const std::function<bool()>& interrupted) {
+    std::size_t next = first;
+    some.setRange(0.0, 1.0);
+    while (next < shown.size() && !interrupted()) {
+        const Clock::time_point start = Clock::now();
+        const auto drawn = std::make_shared<DrawnPoints>();
+        for (; next < shown.size() && drawn->size() < std::min(refining.points(), MostAtOnce); ++next) {
+            const SceneScan& scan = content->scans[shown[next]];
+            const auto before = static_cast<std::size_t>(from * static_cast<double>(scan.look->shown));
+            ShownPoints points(scan);
+            points.skip(before);
+            points.append(scan.look->shown - before, scan.poseInMap, *drawn);
+        }
+        some.update(drawn);
+        some.setVisible(true);
+        drawSome(drawn->size(), start);
+        some.setVisible(false);
+    }
+    some.update(nullptr);
+    return next >= shown.size();
+}
+
+/// Draws what is visible now, @p points that were made ready from @p since on.
+void Scene::State::drawSome(std::size_t points, Clock::time_point since) {
+    window->Render();
+    window->WaitForCompletion();
+    refining.drawn(points, Clock::now() - since);
 }
 
 /// Whether a whole picture is there, seen as @p order says, on top of which the scans that came since can be
@@ -212,10 +243,8 @@ bool Scene::State::canContinue(const DrawOrder& order) {
 
 /// Draws the scans that came since the whole picture on top of it; false when it was interrupted.
 bool Scene::State::continueWhole(const std::function<bool()>& interrupted) {
-    const ScanActor* came = scans.data() + whole->scans;
-    const auto first =
-        std::find_if(shown.cbegin(), shown.cend(), [came](const ScanActor* scan) { return scan >= came; });
-    return refine(0.0, first, interrupted);
+    const auto first = std::lower_bound(shown.begin(), shown.end(), whole->scans);
+    return refine(0.0, static_cast<std::size_t>(first - shown.begin()), interrupted);
 }
 
 /// Notes whether the frame buffer holds a whole picture.
@@ -223,7 +252,7 @@ void Scene::State::keep(const MapPicture& picture) {
     whole.reset();
     if (!picture.complete || !picture.order.full) return;
     const double* range = renderer->GetActiveCamera()->GetClippingRange();
-    whole = {picture.order, scans.size(), range[0], range[1]};
+    whole = {picture.order, content->scans.size(), range[0], range[1]};
 }
 
 Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
@@ -233,7 +262,10 @@ Result<std::unique_ptr<Scene>> Scene::create(const EglDisplay& display) {
     state->context = std::move(context).value();
     state->window->start(*state->context);
     state->renderer->AddActor(state->voxels.actor());
-    state->renderer->AddActor(state->sample.actor());
+    for (PointsActor* points : {&state->sample, &state->some}) {
+        points->setPose(Pose::Identity());
+        state->renderer->AddActor(points->actor());
+    }
     state->window->AddRenderer(state->renderer);
     state->window->OpenGLInitContext();
     if (!state->window->ready()) return Error{"OpenGL 3.2 is not available"};
@@ -255,13 +287,6 @@ void Scene::setContent(SceneContentPtr content) {
     const SceneContentPtr former = std::exchange(state.content, std::move(content));
     state.fresh = true;
     if (!continues(*former, *state.content)) state.whole.reset();
-    state.addScans(state.content->scans.size());
-    const auto planes = clipPlanes(state.content->settings);
-    for (std::size_t i = 0; i < state.scans.size(); ++i) {
-        state.scans[i].update(state.content->scans[i]);
-        state.scans[i].setClip(planes);
-    }
-    state.sample.setClip(planes);
     state.choose();
     state.voxels.update(state.content->voxels);
     const Rgba background = mapColours(state.content->settings.theme).background;
@@ -274,16 +299,17 @@ MapPicture Scene::draw(const DrawOrder& order, const std::function<bool()>& inte
     const QSize size = (QSizeF(order.size) * order.pixelRatio).toSize().expandedTo(QSize(1, 1));
     state.window->SetSize(size.width(), size.height());
     apply(order.camera, state.renderer);
-    for (ScanActor& scan : state.scans) scan.setPointSize(PointSize * order.pixelRatio);
-    state.sample.setPointSize(PointSize * order.pixelRatio);
+    const double pointSize = PointSize * order.pixelRatio;
+    for (ScanActor& scan : state.few) scan.points().setPointSize(pointSize);
+    state.sample.setPointSize(pointSize);
+    state.some.setPointSize(pointSize);
 
     MapPicture picture{{}, order, state.content, false};
     if (state.canContinue(order)) {
         picture.complete = state.continueWhole(interrupted);
     } else {
         const double share = state.begin(order.full);
-        picture.complete =
-            share >= 1.0 || (order.full && state.refine(share, state.shown.cbegin(), interrupted));
+        picture.complete = share >= 1.0 || (order.full && state.refine(share, 0, interrupted));
     }
     state.keep(picture);
     picture.image = state.window->read();

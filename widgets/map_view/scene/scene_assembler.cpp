@@ -15,27 +15,6 @@ constexpr std::chrono::milliseconds PartInterval(150);
 
 /// Amber in the points of a scan that does not fit, and in those of the one that stands out.
 constexpr double UncertainTint = 0.7, HighlightTint = 0.9;
-/// One of so many points of an uncertain scan is drawn: what is behind shines through.
-constexpr std::size_t UncertainOneOf = 3;
-
-std::shared_ptr<const PointOrder> shownPoints(const ScanPoints& points, bool withCeiling, bool thinned) {
-    const std::size_t ceiling = points.labelCounts[static_cast<std::size_t>(Label::Ceiling)];
-    if (!thinned && (withCeiling || ceiling == 0)) return points.order;
-    std::vector<std::uint32_t> shown;
-    const std::size_t count = points.points.size() / (thinned ? UncertainOneOf : 1);
-    shown.reserve(thinned ? count : count - ceiling);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (withCeiling || points.labelOfSample(i) != Label::Ceiling) {
-            shown.push_back(static_cast<std::uint32_t>((*points.order)[i]));
-        }
-    }
-    return std::make_shared<const PointOrder>(shown);
-}
-
-Rgba onRamp(double value, const ColourRamp& ramp) {
-    return viridis((value - ramp.low) / (ramp.high - ramp.low));
-}
-
 /// Of all points of @p scan, the @p index -th of @p content, where the scan decides their colour.
 Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
     switch (content.settings.colouring) {
@@ -50,41 +29,23 @@ Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& cont
     }
 }
 
-std::vector<Rgba> coloursOf(const ScanPoints& points, const MapViewSettings& settings, const Pose& poseInMap,
-                            const ColourRamp& ramp, Rgba one) {
-    const Eigen::RowVector3d heightAxis = poseInMap.linear().row(2);
-    const double heightOffset = poseInMap.translation().z();
-    const bool top = settings.look == MapLook::Top;
-    const Rgba ground = mapColours(settings.theme).ground;
-    std::vector<Rgba> colours(points.points.size());
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const Eigen::Vector3f& point = points.points[i];
-        if (top && points.labels[i] == Label::Floor) {
-            colours[i] = ground;
-            continue;
-        }
-        switch (settings.colouring) {
-            case MapColouring::Label:
-                colours[i] = labelColour(points.labels[i]);
-                break;
-            case MapColouring::Scan:
-            case MapColouring::Robot:
-            case MapColouring::Age:
-                colours[i] = one;
-                break;
-            case MapColouring::Height:
-                colours[i] = onRamp(heightAxis.dot(point.cast<double>()) + heightOffset, ramp);
-                break;
-            case MapColouring::Range:
-                colours[i] = onRamp(point.norm(), ramp);
-                break;
-            case MapColouring::Intensity:
-                colours[i] =
-                    points.shades ? onRamp((*points.shades)[i], ramp) : labelColour(Label::Unlabelled);
-                break;
-        }
+/// How the points of @p scan, the @p index -th of @p content, are drawn; it has them.
+PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneContent& content,
+                      std::uint64_t highlighted) {
+    const MapViewSettings& settings = content.settings;
+    const bool standsOut = scan.id != 0 && scan.id == highlighted;
+    PointPaint paint;
+    paint.colouring = settings.colouring;
+    paint.theme = settings.theme;
+    paint.paleFloor = settings.look == MapLook::Top;
+    paint.ramp = content.ramp.value_or(ColourRamp{});
+    paint.one = colourOf(scan, index, content);
+    paint.tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
+    if (settings.colouring == MapColouring::Height) {
+        paint.up = scan.poseInMap.linear().row(2);
+        paint.height = scan.poseInMap.translation().z();
     }
-    return colours;
+    return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !standsOut);
 }
 
 /// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
@@ -155,14 +116,13 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
                            ? rampOfAges(content)
                            : rampOf(sample, order.settings.colouring);
         for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
-            addLook(content.scans[i], readyFor(order.map->scans[i].scan, order.settings), i, content,
-                    order.highlighted);
+            content.scans[i].look = lookOf(content.scans[i], i, content, order.highlighted);
         }
     };
     Clock::time_point lastPart = Clock::now();
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         if (interrupted()) return nullptr;
-        content.scans[i].points = readyFor(order.map->scans[i].scan, order.settings).points;
+        content.scans[i].points = pointsFor(order.map->scans[i].scan, order.settings);
         if (i + 1 == content.scans.size() || Clock::now() - lastPart < PartInterval) continue;
         finish(i + 1);
         content.complete = false;
@@ -181,7 +141,7 @@ void SceneAssembler::forgetAllBut(const Map& map) {
     std::erase_if(m_ready, [&kept](const auto& ready) { return !kept.contains(ready.first); });
 }
 
-SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapViewSettings& settings) {
+const ScanPointsPtr& SceneAssembler::pointsFor(const ScanPtr& scan, const MapViewSettings& settings) {
     Ready& ready = m_ready[scan.get()];
     if (!ready.points || ready.minRange != settings.minRange || ready.maxRange != settings.maxRange) {
         ready = Ready();
@@ -191,43 +151,7 @@ SceneAssembler::Ready& SceneAssembler::readyFor(const ScanPtr& scan, const MapVi
         ready.points =
             std::make_shared<const ScanPoints>(drawablePoints(scan, settings.minRange, settings.maxRange));
     }
-    return ready;
-}
-
-void SceneAssembler::addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content,
-                             std::uint64_t highlighted) {
-    const MapViewSettings& settings = content.settings;
-    const bool withCeiling = settings.withCeiling();
-    const bool standsOut = scan.id != 0 && scan.id == highlighted;
-    const bool thinned = scan.uncertain && !standsOut;
-    if (!ready.shown || ready.withCeiling != withCeiling || ready.thinned != thinned) {
-        ready.withCeiling = withCeiling;
-        ready.thinned = thinned;
-        ready.shown = shownPoints(*ready.points, withCeiling, thinned);
-    }
-    const double tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
-    const ColourRamp ramp = content.ramp.value_or(ColourRamp{});
-    const Rgba one = colourOf(scan, index, content);
-    const bool same =
-        ready.colours && ready.settings.colouring == settings.colouring &&
-        ready.settings.look == settings.look && ready.tint == tint &&
-        ready.settings.theme == settings.theme && ready.one == one &&
-        (settings.colouring != MapColouring::Height || ready.poseInMap.isApprox(scan.poseInMap, 0.0)) &&
-        (!content.ramp || ready.ramp == ramp);
-    if (!same) {
-        ready.settings = settings;
-        ready.poseInMap = scan.poseInMap;
-        ready.ramp = ramp;
-        ready.one = one;
-        ready.tint = tint;
-        auto colours = coloursOf(*ready.points, settings, scan.poseInMap, ramp, one);
-        const Rgba amber = mapColours(settings.theme).uncertain;
-        if (tint > 0.0) {
-            for (Rgba& colour : colours) colour = mixed(colour, amber, tint);
-        }
-        ready.colours = std::make_shared<const std::vector<Rgba>>(std::move(colours));
-    }
-    scan.look = {ready.colours, ready.shown};
+    return ready.points;
 }
 
 bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()>& interrupted) {

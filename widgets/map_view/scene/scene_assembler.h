@@ -34,20 +34,10 @@ private:
         ScanPtr scan;
         double minRange = 0.0, maxRange = 0.0;
         ScanPointsPtr points;
-        bool withCeiling = true, thinned = false;
-        std::shared_ptr<const PointOrder> shown;
-        MapViewSettings settings;  ///< of the colours
-        Pose poseInMap = Pose::Identity();
-        ColourRamp ramp;
-        Rgba one;  ///< colour of all points, where the scan decides it
-        double tint = 0.0;
-        std::shared_ptr<const std::vector<Rgba>> colours;
     };
 
     void forgetAllBut(const Map& map);
-    Ready& readyFor(const ScanPtr& scan, const MapViewSettings& settings);
-    void addLook(SceneScan& scan, Ready& ready, std::size_t index, const SceneContent& content,
-                 std::uint64_t highlighted);
+    const ScanPointsPtr& pointsFor(const ScanPtr& scan, const MapViewSettings& settings);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
     std::unordered_map<const Scan*, Ready> m_ready;  ///< which hold the scans

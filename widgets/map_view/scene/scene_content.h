@@ -11,15 +11,10 @@
 #include "core/base/pose.h"
 #include "widgets/map_view/map_view_settings.h"
 #include "widgets/map_view/scene/map_colours.h"
+#include "widgets/map_view/scene/point_paint.h"
 #include "widgets/map_view/scene/scan_points.h"
 
 namespace leitstand {
-
-/// How the points of a scan are drawn.
-struct PointCloudLook {
-    std::shared_ptr<const std::vector<Rgba>> colours;  ///< one per point
-    std::shared_ptr<const PointOrder> shown;           ///< the points drawn
-};
 
 /// A scan as it is drawn.
 struct SceneScan {
@@ -31,8 +26,8 @@ struct SceneScan {
     bool uncertain = false;
     Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
     bool visible = true;
-    ScanPointsPtr points;  ///< null until made ready
-    PointCloudLook look;   ///< empty until made ready, and while voxels are shown
+    ScanPointsPtr points;                ///< null until made ready
+    std::optional<PointCloudLook> look;  ///< empty until made ready, and while voxels are shown
 };
 
 /// The exposed faces of the occupied voxels; colours carry the shading.
@@ -55,13 +50,6 @@ struct SceneRobot {
 enum class SceneAges : std::uint8_t {
     Minutes,
     Scans,  ///< in their order: nobody told times
-};
-
-/// The numbers at the ends of a colour ramp: [m] of height and range, shades of intensity, SceneAges.
-struct ColourRamp {
-    double low = 0.0, high = 1.0;
-
-    bool operator==(const ColourRamp&) const = default;
 };
 
 /// All that a picture of the map shows, but for the camera. Immutable once shared.

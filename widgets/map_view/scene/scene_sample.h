@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "widgets/map_view/scene/scene_content.h"
+#include "widgets/map_view/scene/drawn_points.h"
 
 namespace leitstand {
 
 /// A fair sample of the points of many scans.
 struct SceneSample {
-    /// As one scan, in the map's frame; every beginning of what it shows is a fair sample, too.
-    SceneScan scan;
+    DrawnPointsPtr points;  ///< in the map's frame; every beginning of them is a fair sample, too
     /// The share of each scan's shown points that is in it, which are the first of each.
     double share = 1.0;
 };

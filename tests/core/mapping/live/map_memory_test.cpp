@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "core/mapping/live/scan_work.h"
 #include "tests/core/mapping/live/mapped_room.h"
+#include "tests/core/mapping/live/page_memory.h"
 
 namespace leitstand::test {
 namespace {
@@ -47,6 +50,38 @@ TEST(MapMemory, NorDoesOneThatIsTakenBackFromTheLog) {
     const LiveMapPtr map = again.map();
     ASSERT_EQ(map->scans.size(), 1U);
     EXPECT_LE(memoryOf(map->scans.front()), mostOf(map->scans.front()));
+}
+
+TEST(MapMemory, OfScansFarFromEveryRobotOnlyThePointsAreLeft) {
+    MappedRoom room;
+    LiveSettings settings;
+    const auto store = std::make_shared<PageMemory>();
+    settings.pages = store;
+    room.mapper = LiveMapper("station", settings);
+    constexpr unsigned Scans = 200;
+    for (unsigned i = 0; i < Scans; ++i) {  // there and back again, with a scan each 10 degrees or 0.3 m
+        const double along = 1.6 * std::sin(0.4 * i);
+        const LiveScan scan =
+            scanAt(poseFrom({along, 0.3 * std::cos(0.7 * i), 0.9}, 0, 0, degrees(11.0 * i)), i + 1);
+        (void)room.add(withIntensities(scan));
+    }
+    const LiveMapPtr map = room.mapper.map();
+    ASSERT_GT(map->scans.size(), 150U);
+    std::size_t bytes = 0, points = 0, matched = 0;
+    for (const LiveKeyScan& scan : map->scans) {
+        bytes += memoryOf(scan);
+        points += scan.scan->points.size();
+        matched += scan.reduced->memory();
+    }
+    const auto scans = static_cast<double>(map->scans.size());
+    std::printf("[          ] %.0f key scans of %.0f points: %.1f kB each, %.1f kB of them what is matched\n",
+                scans, static_cast<double>(points) / scans, 1e-3 * static_cast<double>(bytes) / scans,
+                1e-3 * static_cast<double>(matched) / scans);
+    EXPECT_LE(bytes, 14 * points + matched + 1'024 * map->scans.size());
+    const auto inMemory = std::count_if(map->scans.begin(), map->scans.end(),
+                                        [](const LiveKeyScan& scan) { return scan.reduced->memory() > 0; });
+    EXPECT_LE(static_cast<std::size_t>(inMemory), MatchedClouds::Usual);
+    EXPECT_GE(store->pages.size(), map->scans.size() - MatchedClouds::Usual);
 }
 
 TEST(MapMemory, SnapshotsShareThePoints) {

@@ -25,7 +25,7 @@ struct Beside {
     Beside() {
         LiveKeyScan scan;
         scan.id = 1;
-        scan.reduced = std::make_shared<const PackedCloud>(world.map().cloud);
+        scan.reduced = std::make_shared<const MatchedCloud>(world.map().cloud);
         auto live = std::make_shared<LiveMap>();
         live->scans.push_back(scan);
         map = live;

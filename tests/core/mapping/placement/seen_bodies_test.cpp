@@ -117,7 +117,7 @@ struct Sought {
     Sought() {
         LiveKeyScan scan;
         scan.id = 1;
-        scan.reduced = std::make_shared<const PackedCloud>(world.map().cloud);
+        scan.reduced = std::make_shared<const MatchedCloud>(world.map().cloud);
         auto live = std::make_shared<LiveMap>();
         live->scans.push_back(scan);
         map = live;
