@@ -6,6 +6,7 @@
 
 #if __has_include(<fastdds/LibrarySettings.hpp>)
 #define LEITSTAND_FASTDDS_3 1
+#define LEITSTAND_FLOW_CONTROLLERS (FASTDDS_VERSION_MAJOR > 3 || FASTDDS_VERSION_MINOR > 1)
 #include <fastdds/LibrarySettings.hpp>
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.hpp>
 #include <fastdds/rtps/builtin/data/ParticipantBuiltinTopicData.hpp>
@@ -24,6 +25,7 @@
 #include <fastdds/utils/IPLocator.hpp>
 #else
 #define LEITSTAND_FASTDDS_3 0
+#define LEITSTAND_FLOW_CONTROLLERS true
 #include <fastdds/rtps/attributes/ServerAttributes.h>
 #include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
 #include <fastdds/rtps/builtin/data/ReaderProxyData.h>
@@ -122,11 +124,7 @@ using Outgoing = const rtps::octet*;
 /// Whether participants may have flow controllers. Those of 3.1 that have some announce themselves by a
 /// thread, and assertions, which Debian leaves in, end the process when that is due again before the thread
 /// was there: when two others appear at once. 3.2 announces as 2.9 does.
-#if LEITSTAND_FASTDDS_3
-inline constexpr bool HasFlowControllers = FASTDDS_VERSION_MAJOR > 3 || FASTDDS_VERSION_MINOR > 1;
-#else
-inline constexpr bool HasFlowControllers = true;
-#endif
+inline constexpr bool HasFlowControllers = LEITSTAND_FLOW_CONTROLLERS;
 
 /// 0 when @p duration is infinite [s].
 [[nodiscard]] inline double secondsOf(const Duration& duration) {
