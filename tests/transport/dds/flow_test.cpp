@@ -56,6 +56,23 @@ TEST(Flow, KeepsItsLimitThoughItsThreadGetsTheProcessorLate) {
     EXPECT_EQ(after.lost, before.lost) << "of " << after.samples - before.samples;
 }
 
+TEST(Flow, TelemetryThatWaitsForItsThreadIsNotOverwritten) {
+    const TestDomain domain;
+    const auto robot = nodeIn(domain), station = nodeIn(domain);
+    Inbox ear;
+    const auto heard = must(station->subscribe({"/k/tf", TestType, bestEffort(100)}, ear.callback()));
+    const auto said = must(robot->publisher({"/k/tf", TestType, bestEffort(10), Flow::Telemetry}));
+    ASSERT_TRUE(waitUntil([&] {
+        static_cast<void>(said->write(testPayload(100, 0)));
+        return ear.size() > 0;
+    }));
+    std::this_thread::sleep_for(100ms);  // nothing waits any more
+    const std::size_t before = ear.size();
+    // 0.6 s of a stream of 100 Hz, as a thread writes them that did not get the processor for so long.
+    for (std::uint32_t i = 1; i <= 60; ++i) ASSERT_TRUE(said->write(testPayload(500, i)));
+    EXPECT_TRUE(waitUntil([&] { return ear.size() == before + 60; })) << ear.size() - before << " of 60";
+}
+
 TEST(Flow, IsWithoutLimitOnTheLoopbackDevice) {
     const TestDomain domain;
     const auto station = nodeIn(domain, {.interfaces = {"lo"}});

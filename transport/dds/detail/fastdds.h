@@ -44,10 +44,7 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #endif
 
-#include <chrono>
-#include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,25 +76,6 @@ using WriterData = rtps::PublicationBuiltinTopicData;
 using ReaderData = rtps::SubscriptionBuiltinTopicData;
 /// A datagram that a transport is to send, in one piece or several.
 using Outgoing = const std::vector<rtps::NetworkBuffer>&;
-/// The bytes of @p datagram in one piece, in @p joined where there were several.
-[[nodiscard]] inline std::span<const std::byte> inOnePiece(Outgoing datagram, uint32_t /*size*/,
-                                                           std::vector<std::byte>& joined) {
-    const auto bytesOf = [](const rtps::NetworkBuffer& one) {
-        return std::span(static_cast<const std::byte*>(one.buffer), one.size);
-    };
-    if (datagram.size() == 1) return bytesOf(datagram.front());
-    for (const rtps::NetworkBuffer& one : datagram) {
-        const auto bytes = bytesOf(one);
-        joined.insert(joined.end(), bytes.begin(), bytes.end());
-    }
-    return joined;
-}
-[[nodiscard]] inline bool sendBy(rtps::SenderResource& low, std::span<const std::byte> bytes,
-                                 rtps::LocatorsIterator& first, rtps::LocatorsIterator& last,
-                                 const std::chrono::steady_clock::time_point& until) {
-    const auto size = static_cast<uint32_t>(bytes.size());
-    return low.send({rtps::NetworkBuffer(bytes.data(), size)}, size, &first, &last, until);
-}
 #else
 namespace rtps = eprosima::fastrtps::rtps;
 using Duration = eprosima::fastrtps::Duration_t;
@@ -109,16 +87,6 @@ using ParticipantData = rtps::ParticipantProxyData;
 using WriterData = rtps::WriterProxyData;
 using ReaderData = rtps::ReaderProxyData;
 using Outgoing = const rtps::octet*;
-[[nodiscard]] inline std::span<const std::byte> inOnePiece(Outgoing datagram, uint32_t size,
-                                                           std::vector<std::byte>& /*joined*/) {
-    return std::as_bytes(std::span(datagram, size));
-}
-[[nodiscard]] inline bool sendBy(rtps::SenderResource& low, std::span<const std::byte> bytes,
-                                 rtps::LocatorsIterator& first, rtps::LocatorsIterator& last,
-                                 const std::chrono::steady_clock::time_point& until) {
-    return low.send(reinterpret_cast<const rtps::octet*>(bytes.data()), static_cast<uint32_t>(bytes.size()),
-                    &first, &last, until);
-}
 #endif
 
 /// Whether participants may have flow controllers. Those of 3.1 that have some announce themselves by a

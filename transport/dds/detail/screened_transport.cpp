@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/robot/screen_report.h"
@@ -17,6 +18,36 @@ namespace {
 namespace efr = eprosima::fastdds::rtps;
 namespace rtps = fastdds::rtps;
 using ScreenPtr = std::shared_ptr<screen::Screen>;
+/// A datagram that is to be sent: its bytes, or the pieces that it consists of.
+using Datagram = std::remove_cvref_t<fastdds::Outgoing>;
+
+std::span<const std::byte> inOnePiece(const rtps::octet* bytes, uint32_t size, std::vector<std::byte>&) {
+    return std::as_bytes(std::span(bytes, size));
+}
+
+/// In @p joined where there are several.
+template <class Piece>
+std::span<const std::byte> inOnePiece(const std::vector<Piece>& pieces, uint32_t,
+                                      std::vector<std::byte>& joined) {
+    const auto bytesOf = [](const Piece& one) {
+        return std::span(static_cast<const std::byte*>(one.buffer), one.size);
+    };
+    if (pieces.size() == 1) return bytesOf(pieces.front());
+    for (const Piece& one : pieces) {
+        const auto bytes = bytesOf(one);
+        joined.insert(joined.end(), bytes.begin(), bytes.end());
+    }
+    return joined;
+}
+
+template <class Made = Datagram>
+Made datagramOf(std::span<const std::byte> bytes) {
+    if constexpr (std::is_pointer_v<Made>) {
+        return reinterpret_cast<Made>(bytes.data());
+    } else {
+        return {typename Made::value_type(bytes.data(), static_cast<uint32_t>(bytes.size()))};
+    }
+}
 
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> low, ScreenPtr before)
@@ -43,10 +74,10 @@ public:
               const std::chrono::steady_clock::time_point& until) override {
         const auto send = [low](std::span<const std::byte> what, rtps::LocatorsIterator& to,
                                 rtps::LocatorsIterator& end, DiscoverySender::Moment atMost) {
-            return fastdds::sendBy(*low, what, to, end, atMost);
+            return low->send(datagramOf(what), static_cast<uint32_t>(what.size()), &to, &end, atMost);
         };
         std::vector<std::byte> joined;
-        return m_sender.send(fastdds::inOnePiece(bytes, size, joined), *first, *last, until, send);
+        return m_sender.send(inOnePiece(bytes, size, joined), *first, *last, until, send);
     }
 
     void receive(efr::TransportReceiverInterface* next, const rtps::octet* bytes, uint32_t size,
