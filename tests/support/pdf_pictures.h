@@ -12,7 +12,7 @@ struct PdfPicture {
     int acrossPerInch = 0, downPerInch = 0;  ///< as it is printed [px]
 };
 
-/// The pictures of @p file, without masks; fails the test where pdfimages is missing or fails.
+/// The pictures of @p file, without masks; throws where pdfimages is missing or fails.
 [[nodiscard]] std::vector<PdfPicture> pdfPictures(const std::filesystem::path& file);
 
 }  // namespace leitstand::test
