@@ -43,7 +43,7 @@ TEST_F(LinkAndPreflight, TThinsTheLinkAndThePreflightPageTellsHowThingsAre) {
     press(Qt::Key_T);
     EXPECT_TRUE(badge->isVisible());
     EXPECT_TRUE(soon([&] { return rate(Right) < 2.0; })) << "the other camera gives way";
-    EXPECT_GT(rate("/kurt3d/points"), 5.0) << "scans stay";
+    EXPECT_GT(rate("/kurt3d/points"), 0.5) << "scans stay, in longer slices";
 
     QAction* const visible = m_window->panes().visibility(QStringLiteral("link"));
     if (!visible->isChecked()) visible->trigger();

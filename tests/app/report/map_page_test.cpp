@@ -55,12 +55,16 @@ bool has(const PrintedPage& page, const std::string& text) {
     return std::any_of(page.begin(), page.end(), [&](const PrintedWord& word) { return word.text == text; });
 }
 
-/// The names of finds on @p page.
+/// The names of finds on @p page below the caption of its map: the end of a table may stand above.
 std::vector<PrintedWord> namesOn(const PrintedPage& page) {
     static const std::regex Name("[VHQO][0-9]+");
+    const auto caption = std::find_if(page.begin(), page.end(), [](const PrintedWord& word) {
+        return word.text == "RoboCup2013-Deutschland1-Final_1:";
+    });
     std::vector<PrintedWord> names;
-    std::copy_if(page.begin(), page.end(), std::back_inserter(names),
-                 [](const PrintedWord& word) { return std::regex_match(word.text, Name); });
+    std::copy_if(page.begin(), page.end(), std::back_inserter(names), [&](const PrintedWord& word) {
+        return std::regex_match(word.text, Name) && word.top > caption->bottom;
+    });
     return names;
 }
 
