@@ -1,22 +1,14 @@
 #include "core/base/heap.h"
 
-#include <fstream>
 #include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-namespace leitstand {
-namespace {
+#include "tests/support/resident_memory.h"
 
-double residentMegabytes() {
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;) {
-        double kibibytes = 0.0;
-        if (word == "VmRSS:" && status >> kibibytes) return kibibytes * 1024.0 / 1e6;
-    }
-    return 0.0;
-}
+namespace leitstand::test {
+namespace {
 
 TEST(Heap, WhatIsFreeBetweenWhatStaysIsGivenBack) {
 #if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -36,4 +28,4 @@ TEST(Heap, WhatIsFreeBetweenWhatStaysIsGivenBack) {
 }
 
 }  // namespace
-}  // namespace leitstand
+}  // namespace leitstand::test

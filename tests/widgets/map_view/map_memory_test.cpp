@@ -1,12 +1,11 @@
 // Memory of the process, that of OpenGL included where it draws in software.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <string>
 
 #include <gtest/gtest.h>
 
 #include "core/base/heap.h"
+#include "tests/support/resident_memory.h"
 #include "tests/widgets/map_view/shown_view.h"
 
 namespace leitstand::test {
@@ -14,15 +13,6 @@ namespace {
 
 constexpr std::size_t PointsOfScan = 13'400;  ///< as a simulated Kurt3D's key scans have
 constexpr double MostMegabytesAScan = 0.3;    ///< with its points: the live map has more of it
-
-double residentMegabytes() {
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;) {
-        double kibibytes = 0.0;
-        if (word == "VmRSS:" && status >> kibibytes) return kibibytes * 1024.0 / 1e6;
-    }
-    return 0.0;
-}
 
 /// What a live map keeps of a scan: points in upright rows around the scanner, all of them within its range.
 MapScan keyScan(unsigned number) {
