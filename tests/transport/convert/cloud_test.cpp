@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -207,6 +208,18 @@ TEST(Clouds, AnEmptyOneIsNoFault) {
     CloudBuilder none(0, 0, 12);
     none.cloud.fields = {{"x", 0, 7, 1}, {"y", 4, 7, 1}, {"z", 8, 7, 1}};
     const auto empty = none.decoded();
+    ASSERT_TRUE(empty) << empty.error().text;
+    EXPECT_TRUE(empty->points.empty());
+}
+
+TEST(Clouds, RowsWithoutPointsCostNothing) {
+    CloudBuilder builder(2, 2, 16);
+    builder.xyz().field<std::uint32_t>("t", PointField::UINT32_, 12, {0, 1, 2, 3});
+    builder.cloud.height = 4'294'967'295;
+    builder.cloud.width = 0;
+    const auto began = std::chrono::steady_clock::now();
+    const auto empty = builder.decoded();
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(1));
     ASSERT_TRUE(empty) << empty.error().text;
     EXPECT_TRUE(empty->points.empty());
 }

@@ -35,7 +35,7 @@ void checkSizes(const PointCloud2& from, Checks& checks) {
                    "width", "expected less than 2^31, found {} x {}", width, height);
 }
 
-/// The field of that name; empty when there is none.
+/// The field of that name; empty when there is none, or no point.
 CloudColumn column(const PointCloud2& from, std::string_view name, Checks& checks) {
     for (const PointField& field : from.fields) {
         if (field.name != name) continue;
@@ -46,7 +46,9 @@ CloudColumn column(const PointCloud2& from, std::string_view name, Checks& check
                        field.count);
         checks.require(end <= from.point_step, "fields", "{}: ends at byte {} of {} a point", name, end,
                        from.point_step);
-        if (!checks.ok() || from.data.empty()) return {};
+        // Nobody goes through four thousand million rows of nothing.
+        const bool none = from.width == 0 || from.height == 0 || from.data.empty();
+        if (!checks.ok() || none) return {};
         return {from.data.data() + field.offset,
                 from.height,
                 from.width,
