@@ -335,6 +335,11 @@ TEST_F(LiveWords, ALogDoesNotTellWhatWasLost) {
     EXPECT_TRUE(lossShareText(link).isEmpty()) << lossShareText(link).toStdString();
     link.streams[1].lossRatio = 0.04;
     EXPECT_EQ(lossShareText(link).toStdString(), "4\u202f% loss");
+    StreamStatus& silent = link.streams.emplace_back();
+    silent.lossRatio = 1.0;
+    silent.stale = true;
+    EXPECT_EQ(lossShareText(link).toStdString(), "4\u202f% loss") << "a silent camera is not the link's loss";
+    link.streams.pop_back();
     link.streams[1].lossRatio = 0.0;
     EXPECT_EQ(lossShareText(link).toStdString(), "0\u202f% loss");
 }

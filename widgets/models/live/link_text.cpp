@@ -117,7 +117,8 @@ QString roundTripText(const LinkStatus& link) {
 QString lossShareText(const LinkStatus& link) {
     double worst = -1.0;  // a log does not tell
     for (const StreamStatus& stream : link.streams) {
-        if (stream.lossRatio > worst) worst = stream.lossRatio;
+        // A camera that went silent is no loss of the link: its own row and the alarms tell it.
+        if (!stream.stale && stream.lossRatio > worst) worst = stream.lossRatio;
     }
     return worst < 0.0 ? QString() : LinkTexts::tr("%1 loss").arg(percentText(worst));
 }
