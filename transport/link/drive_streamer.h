@@ -55,10 +55,10 @@ struct DriveStatus {
     friend bool operator==(const DriveStatus&, const DriveStatus&) = default;
 };
 
-/// Sends drive commands to one robot from a thread of its own (design, section 4): on change and at 20 Hz, as
+/// Sends drive commands to one robot from a thread of its own (design, section 4): on change and at 40 Hz, as
 /// Twist, TwistStamped (with the stamp that the robot's file wants) or, when the robot has no drive_command,
 /// as speeds of its tracks [m/s] in a JointState. Zero when the sticks were not told for 200 ms, without
-/// focus, grant, or while a stop stands; twenty zeros after driving, and then nothing more. Whatever the
+/// focus, grant, or while a stop stands; zeros for a second after driving, and then nothing more. Whatever the
 /// input device, the speed is capped by what the driver sees; sticks that were held while nothing was seen
 /// must be neutral before the robot moves again. Any thread; no call waits for the network, for the log, or
 /// for anybody else.

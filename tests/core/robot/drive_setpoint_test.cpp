@@ -153,15 +153,21 @@ std::vector<std::int64_t> sent(DriveSchedule& schedule, const DriveVelocity& vel
     return moments;
 }
 
-TEST(DriveSchedule, RepeatsAtTwentyHertzEvenWhenItWakesLate) {
+TEST(DriveSchedule, RepeatsAtFortyHertzEvenWhenItWakesLate) {
     DriveSchedule punctual;
-    EXPECT_EQ(sent(punctual, Forward, true, 0, 1'000).size(), 20U);
+    EXPECT_EQ(sent(punctual, Forward, true, 0, 1'000).size(), 40U);
     DriveSchedule late;
-    EXPECT_NEAR(static_cast<double>(sent(late, Forward, true, 0, 10'000, 7).size()), 200.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(sent(late, Forward, true, 0, 10'000, 7).size()), 400.0, 4.0);
     DriveSchedule overslept;
     static_cast<void>(overslept.decide(Forward, true, at(0)));
     EXPECT_TRUE(overslept.decide(Forward, true, at(5'000)).send);
     EXPECT_FALSE(overslept.decide(Forward, true, at(5'001)).send) << "no burst for what was missed";
+}
+
+TEST(DriveSchedule, FiveCommandsLostInARowStarveNoWatchdog) {
+    DriveSchedule schedule;
+    constexpr std::int64_t Watchdog = 200, Delay = 50;  // [ms]
+    EXPECT_GE(sent(schedule, Forward, true, 0, Watchdog - Delay).size(), 6U);
 }
 
 TEST(DriveSchedule, ChangesGoOutAtOnceButNoFloodOfThem) {
@@ -185,23 +191,23 @@ TEST(DriveSchedule, SaysWhetherMoreCommandsFollow) {
     EXPECT_TRUE(schedule.decide(Forward, true, at(100)).speaks);
     EXPECT_TRUE(schedule.decide(Forward, true, at(110)).speaks) << "nothing is due, but soon";
     int zeros = 0;
-    for (std::int64_t now = 150; now < 2'000; now += 50) {
+    for (std::int64_t now = 150; now < 2'000; now += 25) {
         const auto decision = schedule.decide(Zero, false, at(now));
         zeros += decision.send ? 1 : 0;
-        EXPECT_EQ(decision.speaks, zeros < 20) << now;
+        EXPECT_EQ(decision.speaks, zeros < 40) << now;
     }
-    EXPECT_EQ(zeros, 20);
+    EXPECT_EQ(zeros, 40);
 }
 
-TEST(DriveSchedule, AfterDrivingTwentyZerosAndThenSilence) {
+TEST(DriveSchedule, AfterDrivingASecondOfZerosAndThenSilence) {
     DriveSchedule schedule;
     EXPECT_TRUE(sent(schedule, Zero, false, 0, 1'000).empty()) << "who never drove says nothing";
     EXPECT_FALSE(sent(schedule, Forward, true, 1'000, 2'000).empty());
     const auto zeros = sent(schedule, Zero, false, 2'000, 10'000);
-    EXPECT_EQ(zeros.size(), 20U);
+    EXPECT_EQ(zeros.size(), 40U);
     EXPECT_EQ(zeros.front(), 2'000);
     EXPECT_LT(zeros.back(), 3'000);
-    EXPECT_EQ(sent(schedule, Zero, true, 10'000, 11'000).size(), 20U) << "neutral sticks in hand speak on";
+    EXPECT_EQ(sent(schedule, Zero, true, 10'000, 11'000).size(), 40U) << "neutral sticks in hand speak on";
 }
 
 }  // namespace

@@ -285,32 +285,6 @@ TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     EXPECT_NEAR(stateOf(robot).attitude.pitch, 0.0, 1e-9);
 }
 
-TEST_F(LiveWords, BatteryTellsMinutesAndWarnsWhenLow) {
-    EXPECT_EQ(stateOf(robot).battery.charge.value.toStdString(), "71");
-    EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "38 min at this load");
-    EXPECT_EQ(stateOf(robot).battery.leftBrief.toStdString(), "38 min");
-    const auto toneOf = [this](double share, double current, const AlarmLimits& limits = {}) {
-        robot.said.battery->sample.fraction = share;
-        robot.said.battery->sample.current = current;
-        return driveStateOf(robot.face, robot.description, robot.view, robot.said, robot.gas, at(0), limits)
-            .battery.charge.tone;
-    };
-    EXPECT_EQ(toneOf(0.24, -1.0), Tone::Normal) << "as the alarms have it";
-    EXPECT_EQ(toneOf(0.2, -1.0), Tone::Attention);
-    EXPECT_EQ(toneOf(0.09, -0.1), Tone::Attention);
-    EXPECT_EQ(toneOf(0.08, -0.1), Tone::Act);
-    EXPECT_EQ(toneOf(0.5, -40.0), Tone::Attention) << "7 minutes are left";
-    EXPECT_EQ(stateOf(robot).battery.leftTone, Tone::Attention);
-    EXPECT_EQ(toneOf(0.5, -120.0), Tone::Act) << "of both, the worse counts";
-    AlarmLimits own;
-    own.batteryShare = 0.6;
-    EXPECT_EQ(toneOf(0.5, -1.0, own), Tone::Attention) << "limits are the operator's";
-    robot.said.battery->sample.current = Unknown;
-    EXPECT_TRUE(stateOf(robot).battery.left.isEmpty());
-    robot.said.battery.reset();
-    EXPECT_EQ(stateOf(robot).battery.left.toStdString(), "not told");
-}
-
 TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
     EXPECT_EQ(stateOf(robot).gas.arrow.toStdString(), "↑");
     EXPECT_EQ(stateOf(robot).gas.value.value.toStdString(), "1,180");
@@ -379,22 +353,6 @@ TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBatteryOfARobotThatTalks) {
     EXPECT_EQ(lost.figures, QStringList({"4.2 s · 71\u202f%", "4.2 s"})) << "what it said last is old";
     EXPECT_EQ(lost.modes, QStringList({"link lost", "lost"}));
     EXPECT_THAT(lost.details.toStdString(), HasSubstr("silent for 4.2 s"));
-}
-
-TEST_F(LiveWords, ABatteryThatIsNotToldAnyMoreIsADashInTheBarAndGreyInTheStrip) {
-    const RobotChip fresh = robotChipOf(robot.face, robot.view, robot.said, at(9.0));
-    EXPECT_THAT(fresh.figures.first().toStdString(), HasSubstr("71\u202f%"));
-    EXPECT_THAT(fresh.details.toStdString(), HasSubstr("battery 71\u202f%"));
-    const RobotChip old = robotChipOf(robot.face, robot.view, robot.said, at(12.0));
-    for (const QString& text : old.figures) {
-        EXPECT_THAT(text.toStdString(), Not(HasSubstr("71")));
-        EXPECT_THAT(text.toStdString(), HasSubstr("–\u202f%"));
-    }
-    EXPECT_THAT(old.details.toStdString(), HasSubstr("battery 71\u202f%, no data for 12 s"));
-    EXPECT_EQ(stateOf(robot, 9.0).battery.charge.tone, Tone::Normal);
-    EXPECT_EQ(stateOf(robot, 12.0).battery.charge.tone, Tone::Muted);
-    robot.said.battery->sample.fraction = 0.05;
-    EXPECT_EQ(stateOf(robot, 12.0).battery.charge.tone, Tone::Muted) << "not the alarm of now";
 }
 
 }  // namespace
