@@ -52,12 +52,13 @@ Starts::Starts(const StartSettings& settings)
     if (made.exitCode != 0) throw std::runtime_error(made.err);
 }
 
-void Starts::run() {
+double Starts::run() {
     for (int i = 0; i < m_settings.runs; ++i) once(i);
-    if (m_seconds.empty()) return;
+    if (m_seconds.empty()) return 0.0;
     std::sort(m_seconds.begin(), m_seconds.end());
     std::printf("%d starts: all heard after %.2f s (median), %.2f s at most\n", m_settings.runs,
                 m_seconds.at(m_seconds.size() / 2), m_seconds.back());
+    return m_seconds.at(m_seconds.size() / 2);
 }
 
 std::vector<Starts::Part> Starts::order() {
@@ -164,6 +165,7 @@ bool Starts::hears(Run& run, std::string& course) const {
 
 void Starts::once(int number) {
     const TestDomain domain;
+    const auto meanwhile = m_settings.meanwhile ? m_settings.meanwhile(domain.number()) : nullptr;
     Run run;
     run.mission = m_folder / ("recorded" + std::to_string(number));
     run.desk = m_folder / ("desk" + std::to_string(number));

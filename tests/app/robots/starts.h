@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
@@ -22,6 +23,9 @@ struct StartSettings {
     double loss = 0.0;   ///< share of all datagrams between the robot and the others, both ways
     bool stock = false;  ///< a stock robot, on Cyclone DDS
     bool added = false;  ///< the recorder is told no robot, and the station takes the robot in meanwhile
+    /// What goes on in a start's domain from before the first starts until all ended; it ends with what is
+    /// returned.
+    std::function<std::shared_ptr<void>(int domain)> meanwhile = {};
 };
 
 /// Robot, recorder and station that start in an order and with offsets of chance: who has not heard what, and
@@ -29,7 +33,8 @@ struct StartSettings {
 class Starts {
 public:
     explicit Starts(const StartSettings& settings);
-    void run();
+    /// Returns after how many seconds all was heard, the median.
+    double run();
 
 private:
     /// What of one start runs.
