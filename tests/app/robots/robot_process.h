@@ -60,6 +60,7 @@ public:
     Truth(const TestDomain& domain, const std::string& arena, const std::string& robot = "kurt3d");
 
     [[nodiscard]] RobotListener& listener() { return *m_listener; }
+    [[nodiscard]] const RobotListener& listener() const { return *m_listener; }
     [[nodiscard]] std::string topic(const std::string& leaf) const {
         return "/truth/" + m_arena + "/" + leaf;
     }

@@ -34,6 +34,7 @@ protected:
                 m_robots.push_back(std::make_unique<RobotProcess>(
                     m_domain, kind, std::vector<std::string>{"--arena", "yellow", "--seed", "7"}));
             }
+            m_truth.emplace(m_domain, "yellow_7", "");
         }
     }
     void open(std::vector<std::string> more) {
@@ -45,6 +46,15 @@ protected:
             },
             60s))
             << m_station->out();
+    }
+    /// How far @p robot truly was from where it began, at most [m].
+    [[nodiscard]] double farthest(const std::string& robot) const {
+        const auto poses = m_truth->listener().all<OdometrySample>(m_truth->topic(robot));
+        double most = 0.0;
+        for (const OdometrySample& one : poses)
+            most = std::max(most,
+                            (one.baseInOdom.translation() - poses.front().baseInOdom.translation()).norm());
+        return most;
     }
     /// Mbit/s of each second.
     [[nodiscard]] std::vector<double> measure(int seconds) const {
@@ -64,6 +74,7 @@ protected:
     std::optional<RadioLink> m_radio;
     std::vector<std::unique_ptr<RobotProcess>> m_robots;
     std::unique_ptr<ListeningStation> m_station;
+    std::optional<Truth> m_truth;
 };
 
 TEST_F(ThinLinkOnTheWire, StaysWithinItsBudgetWhileBothRobotsExplore) {
@@ -81,6 +92,10 @@ TEST_F(ThinLinkOnTheWire, StaysWithinItsBudgetWhileBothRobotsExplore) {
     for (const double one : seconds) std::printf("%.2f ", one);
     std::printf("Mbit/s; at most %.2f over %d s\n", worst, Window);
     EXPECT_LE(worst, Budget);
+    for (const char* robot : {"kurt3d", "crawler"}) {
+        std::printf("%s was up to %.1f m from its start\n", robot, farthest(robot));
+        EXPECT_GT(farthest(robot), 0.5) << robot << " explores over a thin link, too";
+    }
     for (const auto& [topic, stream] : m_station->streams())
         std::printf("%-34s %5.1f Hz\n", topic.c_str(), stream.rate);
     EXPECT_GT(m_station->streams().at("/kurt3d/odom").rate, 10.0) << "odometry is never touched";

@@ -14,7 +14,7 @@
 
 namespace leitstand::detail {
 
-/// Sends what is given to it, and discovery twice, the second time a little later: the library would miss a
+/// Sends what is given to it, and discovery three times, a little later each time: the library would miss a
 /// datagram of that which is lost for a second (docs/wire.md). Any thread.
 class DiscoverySender {
 public:
@@ -28,13 +28,15 @@ public:
 
     bool send(std::span<const std::byte> bytes, fastdds::rtps::LocatorsIterator& first,
               fastdds::rtps::LocatorsIterator& last, Moment until, const Send& by);
-    /// Sends what waits now, and from here on twice without a pause. Before what sends is gone.
+    /// Sends what waits now, and from here on three times without a pause. Before what sends is gone.
     void finish();
 
 private:
     using Locators = std::vector<fastdds::rtps::Locator_t>;
     [[nodiscard]] bool isDiscovery(screen::Traffic traffic, const Locators& to) const;
     bool sendOnce(std::span<const std::byte> bytes, const Locators& to, Moment until, const Send& by);
+    struct Datagram;
+    void repeat(std::shared_ptr<const Datagram> datagram, int times);
 
     const std::shared_ptr<const screen::Screen> m_screen;
     std::mutex m_sending;  // the library sends one datagram at a time, and counts on it

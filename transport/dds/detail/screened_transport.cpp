@@ -57,7 +57,7 @@ struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenPtr screen;
 };
 
-/// A transport whose datagrams pass the screen before the library sees them, and which sends discovery twice.
+/// A transport whose datagrams pass the screen before the library sees them, and which sends discovery three times.
 class ScreenedTransport final : public efr::ChainingTransport {
 public:
     explicit ScreenedTransport(const ScreenedDescriptor& descriptor)
