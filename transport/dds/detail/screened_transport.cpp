@@ -21,7 +21,8 @@ using ScreenPtr = std::shared_ptr<screen::Screen>;
 /// A datagram that is to be sent: its bytes, or the pieces that it consists of.
 using Datagram = std::remove_cvref_t<fastdds::Outgoing>;
 
-std::span<const std::byte> inOnePiece(const rtps::octet* bytes, uint32_t size, std::vector<std::byte>&) {
+[[maybe_unused]] std::span<const std::byte> inOnePiece(const rtps::octet* bytes, uint32_t size,
+                                                       std::vector<std::byte>&) {
     return std::as_bytes(std::span(bytes, size));
 }
 
@@ -57,7 +58,8 @@ struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenPtr screen;
 };
 
-/// A transport whose datagrams pass the screen before the library sees them, and which sends discovery three times.
+/// A transport whose datagrams pass the screen before the library sees them, and which sends discovery three
+/// times.
 class ScreenedTransport final : public efr::ChainingTransport {
 public:
     explicit ScreenedTransport(const ScreenedDescriptor& descriptor)
