@@ -99,11 +99,15 @@ TEST(LongSoak, OfEightHoursOfEventsNoneIsLostAndNothingGrowsButTheMap) {
     const Reading first = readingOf(station);
     print("after the first minutes", first);
     const int all = roundsIn(minutes());
+    Reading middle;
     for (int quarter = 1; quarter <= 4; ++quarter) {
         playUntil(std::max(rounds, quarter * all / 4));
         std::printf("%4.1f h of events: %.0f MB in the rush\n", rounds * length / 3600.0,
                     station.residentMegabytes());
         std::fflush(stdout);
+        if (quarter != 2) continue;
+        middle = readingOf(station);
+        print("half-way", middle);
     }
     const Reading last = readingOf(station);
     print("at the end", last);
@@ -127,7 +131,9 @@ TEST(LongSoak, OfEightHoursOfEventsNoneIsLostAndNothingGrowsButTheMap) {
             EXPECT_GE(static_cast<double>(got), LeastHeard * static_cast<double>(sent)) << topic;
         }
     }
-    EXPECT_EQ(last.threads, first.threads);
+    // A library may start one of its threads late; none comes for ever.
+    EXPECT_LE(middle.threads, first.threads + 1);
+    EXPECT_EQ(last.threads, middle.threads);
     EXPECT_EQ(last.descriptors, first.descriptors);
     const auto scans = static_cast<double>(last.log.keyScans - first.log.keyScans);
     std::printf("%.0f key scans more, %.2f MB each\n", scans, (last.megabytes - first.megabytes) / scans);
