@@ -11,6 +11,7 @@
 
 #include "app/language/language.h"
 #include "app/session/review/review_log.h"
+#include "app/window/first_geometry.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
@@ -89,14 +90,12 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
         window.close();
         QCoreApplication::exit(0);  // another window may be registering: it stays
     });
-    window.resize(remembered.firstSize);
-    if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
     QObject::connect(&window, &ReviewWindow::closing, &window, [&] {
         remembered.liveGeometry = window.saveGeometry();
         remembered.view = window.view();
         saveWindowState(remembered);
     });
-    window.show();
+    showAsLeft(window, remembered.liveGeometry, remembered.firstSize);
     return QApplication::exec();
 }
 
