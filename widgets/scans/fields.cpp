@@ -24,7 +24,7 @@ public:
 void addField(QFormLayout& form, const QString& caption, QWidget* field, const QString& hint) {
     auto* label = new QLabel(caption, form.parentWidget());
     label->setProperty("muted", true);
-    label->setBuddy(field);
+    label->setBuddy(field->focusProxy() == nullptr ? field : field->focusProxy());
     if (!hint.isEmpty()) {
         label->setToolTip(hint);
         field->setToolTip(hint);

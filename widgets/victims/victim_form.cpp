@@ -101,7 +101,7 @@ void VictimForm::addHead(QVBoxLayout& rows) {
     done->setObjectName(QStringLiteral("formDone"));
     done->setText(tr("Done"));
     done->setToolTip(tr("Closes the form; what was filled in is kept already"));
-    done->setFocusPolicy(Qt::NoFocus);  // what is typed stays the form's until then
+    done->setFocusPolicy(Qt::TabFocus);  // a click leaves what is typed to the form
     connect(done, &QToolButton::clicked, this, &VictimForm::done);
     head->addWidget(m_title, 1);
     head->addWidget(done);

@@ -50,6 +50,7 @@ bool waitUntil(ReviewBridge& bridge, Holds holds) {
 int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
     window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
+    bridge.player().seek(bridge.player().last());  // what is shown first is not of the beginning
     // The last moment with robots shows most of a mission: all of its map.
     std::optional<Time> wanted;
     const bool shown = waitUntil(bridge, [&] {

@@ -105,9 +105,10 @@ void TimelineFeature::addCommands() {
             tr("Back to where the victim before was filed or changed, from the first to the last"),
             Qt::SHIFT | Qt::Key_F3);
     connect(&before, &QAction::triggered, this, [this] { jumpTo(&isVictim, false); });
-    on(add("review.nextHazard", tr("Next &hazard"),
-           tr("On to the next hazard sign, QR code or object, from the last to the first"), Qt::Key_H),
-       [this] { jumpTo(&isOtherFind, true); });
+    QAction& hazard =  // in the menu alone: the bar has no room for more where words are long
+        add("review.nextHazard", tr("Next &hazard"),
+            tr("On to the next hazard sign, QR code or object, from the last to the first"), Qt::Key_H);
+    connect(&hazard, &QAction::triggered, this, [this] { jumpTo(&isOtherFind, true); });
     QAction& candidate =
         add("review.nextCandidate", tr("Next &candidate"),
             tr("On to what the station believed next to have found, from the last to the first"), Qt::Key_C);
