@@ -1080,6 +1080,41 @@ Die blaue Linie ist der Horizont.</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ClosingQuestion</name>
+    <message>
+        <source>Close the station</source>
+        <translation>Station schließen</translation>
+    </message>
+    <message>
+        <source>Driving by itself: %1</source>
+        <translation>Fährt selbständig: %1</translation>
+    </message>
+    <message>
+        <source>Left driving, it goes on, and this station can stop it no more. Stopped, it stands until a station releases it. Robots that somebody drives from here stand in any case. Esc stops all robots at once.</source>
+        <translation>Bleibt er in Fahrt, fährt er weiter, und diese Station kann ihn nicht mehr anhalten. Angehalten steht er, bis eine Station ihn freigibt. Roboter, die von hier gefahren werden, stehen in jedem Fall. Esc hält alle Roboter sofort an.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>Leave driving and close</source>
+        <translation>Weiterfahren lassen und schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Closes as soon as they stand</source>
+        <translation>Schließt, sobald sie stehen</translation>
+    </message>
+    <message>
+        <source>No answer to the stop. Close all the same?</source>
+        <translation>Keine Antwort auf den Halt. Trotzdem schließen?</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::CommandTable</name>
     <message>
         <source>&amp;Mission</source>
@@ -1138,10 +1173,6 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>M&amp;inimise</source>
         <translation>M&amp;inimieren</translation>
-    </message>
-    <message>
-        <source>Maximum &amp;distance m</source>
-        <translation>Größter Ab&amp;stand m</translation>
     </message>
     <message>
         <source>Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at most the one before: 1.5, 0.5</source>
@@ -1218,6 +1249,10 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>A&amp;gainst</source>
         <translation>&amp;Gegen</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance</source>
+        <translation>Max. Ab&amp;stand</translation>
     </message>
 </context>
 <context>
@@ -2772,6 +2807,21 @@ Funk: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::EvidenceStrip</name>
+    <message>
+        <source>Pictures of the find</source>
+        <translation>Bilder des Fundes</translation>
+    </message>
+    <message>
+        <source>reads the pictures…</source>
+        <translation>liest die Bilder…</translation>
+    </message>
+    <message>
+        <source>no pictures</source>
+        <translation>keine Bilder</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FileCommands</name>
     <message>
         <source>%1 and %2 more</source>
@@ -3140,6 +3190,17 @@ Funk: %4 %5</translation>
     <message>
         <source>Takes back what was written last in reviews</source>
         <translation>Nimmt zurück, was in Auswertungen zuletzt geschrieben wurde</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FormPictures</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 °C</source>
+        <translation>%1: bis %2 °C</translation>
     </message>
 </context>
 <context>
@@ -4094,10 +4155,6 @@ Apache License 2.0</translation>
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>Shows or hides the messages (F9)</source>
-        <translation>Zeigt oder verbirgt die Meldungen (F9)</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -4136,6 +4193,10 @@ Apache License 2.0</translation>
     <message>
         <source>%1: the picture could not be written</source>
         <translation>%1: das Bild konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Shows or hides the messages (F4)</source>
+        <translation>Zeigt oder verbirgt die Meldungen (F4)</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5283,14 @@ F1 listet alle Tasten</translation>
         <source>Hold “%1” first, then push the stick; let it go and the robot stands.</source>
         <translation>Erst „%1“ halten, dann den Stick bewegen; beim Loslassen steht der Roboter.</translation>
     </message>
+    <message>
+        <source>Plug one in, or pair it by Bluetooth, at any time: what SDL knows works at once (Xbox, DualShock, DualSense, Switch Pro, Steam; Logitech and 8BitDo in their X mode). Any other joystick is bound in the menu Robot, Gamepad: STOP first. This is what the controls would do:</source>
+        <translation>Jederzeit einstecken oder über Bluetooth koppeln: was SDL kennt, geht sofort (Xbox, DualShock, DualSense, Switch Pro, Steam; Logitech und 8BitDo im X-Modus). Andere Joysticks werden im Menü Roboter, Gamepad belegt: STOP zuerst. Das täten die Bedienelemente:</translation>
+    </message>
+    <message>
+        <source>Until then keys drive: F2, then W S A D or the arrows; Shift slow, Ctrl fast; Space halts; G held drives without eyes; Esc stops all robots, always.</source>
+        <translation>Bis dahin fahren Tasten: F2, dann W S A D oder die Pfeile; Umschalt langsam, Strg schnell; Leertaste hält an; G gehalten fährt ohne Sicht; Esc hält immer alle Roboter an.</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PlaceRobot</name>
@@ -5811,10 +5880,6 @@ F1 listet alle Tasten</translation>
         <translation>Der gefundene Punkt ist höchstens (1 + ε)-mal so weit entfernt wie der nächste (Arya &amp; Mount 1993); 0: exakt. Gilt für den genäherten Baum und den Wald.</translation>
     </message>
     <message>
-        <source>Maximum &amp;distance m</source>
-        <translation>Max. Ab&amp;stand m</translation>
-    </message>
-    <message>
         <source>Pairs of points farther apart are dropped. Several values are stages, one after another: &quot;1.5, 0.5&quot; comes home from starts that are up to 1 m and 20° wrong.</source>
         <translation>Weiter entfernte Punktpaare werden verworfen. Mehrere Werte sind Stufen nacheinander: &quot;1.5, 0.5&quot; findet aus Startposen zurück, die bis zu 1 m und 20° falsch sind.</translation>
     </message>
@@ -5889,6 +5954,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Puts every setting back to where it was at first.</source>
         <translation>Setzt jede Einstellung auf den Anfangswert zurück.</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance</source>
+        <translation>Max. Ab&amp;stand</translation>
     </message>
 </context>
 <context>
@@ -7835,16 +7904,8 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Es gibt keine solche Marke</translation>
     </message>
     <message>
-        <source>On to the next victim, other find or candidate, from the last to the first</source>
-        <translation>Zum nächsten Opfer, anderen Fund oder Kandidaten, vom letzten zum ersten</translation>
-    </message>
-    <message>
         <source>Previous v&amp;ictim</source>
         <translation>Voriges O&amp;pfer</translation>
-    </message>
-    <message>
-        <source>Back to the victim, other find or candidate before, from the first to the last</source>
-        <translation>Zurück zum vorigen Opfer, anderen Fund oder Kandidaten, vom ersten zum letzten</translation>
     </message>
     <message>
         <source>Stop &amp;mapping</source>
@@ -7857,6 +7918,30 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>registers the point clouds, since no station made a map: %1 %</source>
         <translation>registriert die Punktwolken, da keine Station eine Karte gemacht hat: %1 %</translation>
+    </message>
+    <message>
+        <source>On to where the next victim was filed or changed, from the last to the first</source>
+        <translation>Weiter dorthin, wo das nächste Opfer erfasst oder geändert wurde, vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Back to where the victim before was filed or changed, from the first to the last</source>
+        <translation>Zurück dorthin, wo das vorige Opfer erfasst oder geändert wurde, vom ersten zum letzten</translation>
+    </message>
+    <message>
+        <source>Next &amp;hazard</source>
+        <translation>Nächstes &amp;Gefahrzeichen</translation>
+    </message>
+    <message>
+        <source>On to the next hazard sign, QR code or object, from the last to the first</source>
+        <translation>Weiter zum nächsten Gefahrzeichen, QR-Code oder Objekt, vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Next &amp;candidate</source>
+        <translation>Nächster &amp;Kandidat</translation>
+    </message>
+    <message>
+        <source>On to what the station believed next to have found, from the last to the first</source>
+        <translation>Weiter zu dem, was die Station als Nächstes gefunden zu haben glaubte, vom letzten zum ersten</translation>
     </message>
 </context>
 <context>
@@ -8142,6 +8227,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>How the victim lies there</source>
         <translation>Wie das Opfer dort liegt</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Closes the form; what was filled in is kept already</source>
+        <translation>Schließt das Formular; was eingetragen wurde, ist schon gesichert</translation>
     </message>
 </context>
 <context>

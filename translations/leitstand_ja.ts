@@ -1080,6 +1080,41 @@ The blue line is the horizon.</source>
     </message>
 </context>
 <context>
+    <name>leitstand::ClosingQuestion</name>
+    <message>
+        <source>Close the station</source>
+        <translation>ステーションを閉じる</translation>
+    </message>
+    <message>
+        <source>Driving by itself: %1</source>
+        <translation>自律走行中：%1</translation>
+    </message>
+    <message>
+        <source>Left driving, it goes on, and this station can stop it no more. Stopped, it stands until a station releases it. Robots that somebody drives from here stand in any case. Esc stops all robots at once.</source>
+        <translation>走行を続けさせると走り続け、このステーションからはもう停止できません。停止させると、ステーションが解除するまで停止したままです。ここから操縦されているロボットはいずれにせよ停止します。Esc で全ロボットを直ちに停止します。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止して閉じる</translation>
+    </message>
+    <message>
+        <source>Leave driving and close</source>
+        <translation>走行させたまま閉じる</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Closes as soon as they stand</source>
+        <translation>停止し次第閉じます</translation>
+    </message>
+    <message>
+        <source>No answer to the stop. Close all the same?</source>
+        <translation>停止に応答がありません。それでも閉じますか？</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::CommandTable</name>
     <message>
         <source>&amp;Mission</source>
@@ -1138,10 +1173,6 @@ The blue line is the horizon.</source>
     <message>
         <source>M&amp;inimise</source>
         <translation>最小化(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Maximum &amp;distance m</source>
-        <translation>最大距離(&amp;D) m</translation>
     </message>
     <message>
         <source>Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at most the one before: 1.5, 0.5</source>
@@ -1218,6 +1249,10 @@ The blue line is the horizon.</source>
     <message>
         <source>A&amp;gainst</source>
         <translation>対象(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance</source>
+        <translation>最大距離(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -2772,6 +2807,21 @@ Link: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>leitstand::EvidenceStrip</name>
+    <message>
+        <source>Pictures of the find</source>
+        <translation>発見物の画像</translation>
+    </message>
+    <message>
+        <source>reads the pictures…</source>
+        <translation>画像を読み込み中…</translation>
+    </message>
+    <message>
+        <source>no pictures</source>
+        <translation>画像なし</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::FileCommands</name>
     <message>
         <source>%1 and %2 more</source>
@@ -3140,6 +3190,17 @@ Link: %4 %5</source>
     <message>
         <source>Takes back what was written last in reviews</source>
         <translation>レビューで最後に書いた内容を取り消す</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FormPictures</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1、%2、%3</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 °C</source>
+        <translation>%1：最高 %2 °C</translation>
     </message>
 </context>
 <context>
@@ -4094,10 +4155,6 @@ Apache License 2.0</translation>
         <translation>メッセージ</translation>
     </message>
     <message>
-        <source>Shows or hides the messages (F9)</source>
-        <translation>メッセージの表示/非表示 (F9)</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>ファイル(&amp;F)</translation>
     </message>
@@ -4136,6 +4193,10 @@ Apache License 2.0</translation>
     <message>
         <source>%1: the picture could not be written</source>
         <translation>%1: 画像を書き込めない</translation>
+    </message>
+    <message>
+        <source>Shows or hides the messages (F4)</source>
+        <translation>メッセージの表示/非表示 (F4)</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5283,14 @@ F1 でキー一覧</translation>
         <source>Hold “%1” first, then push the stick; let it go and the robot stands.</source>
         <translation>まず「%1」を押し続け、次にスティックを倒す。放すとロボットは停止。</translation>
     </message>
+    <message>
+        <source>Plug one in, or pair it by Bluetooth, at any time: what SDL knows works at once (Xbox, DualShock, DualSense, Switch Pro, Steam; Logitech and 8BitDo in their X mode). Any other joystick is bound in the menu Robot, Gamepad: STOP first. This is what the controls would do:</source>
+        <translation>いつでも接続、または Bluetooth でペアリングできます。SDL が知る機種はすぐ使えます（Xbox、DualShock、DualSense、Switch Pro、Steam、X モードの Logitech と 8BitDo）。その他のジョイスティックはメニュー「ロボット」の「ゲームパッド」で割り当てます（まず STOP）。各操作の働き：</translation>
+    </message>
+    <message>
+        <source>Until then keys drive: F2, then W S A D or the arrows; Shift slow, Ctrl fast; Space halts; G held drives without eyes; Esc stops all robots, always.</source>
+        <translation>それまではキーで操縦します：F2 の後 W S A D または矢印、Shift で低速、Ctrl で高速、Space で停止、G を押す間は視界なしで走行、Esc は常に全ロボットを停止。</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PlaceRobot</name>
@@ -5811,10 +5880,6 @@ F1 でキー一覧</translation>
         <translation>見つかる点は最近傍点の最大 (1 + ε) 倍の距離 (Arya &amp; Mount 1993)。0: 厳密。近似木とフォレストに適用。</translation>
     </message>
     <message>
-        <source>Maximum &amp;distance m</source>
-        <translation>最大距離 m(&amp;D)</translation>
-    </message>
-    <message>
         <source>Pairs of points farther apart are dropped. Several values are stages, one after another: &quot;1.5, 0.5&quot; comes home from starts that are up to 1 m and 20° wrong.</source>
         <translation>これより離れた点対は捨てる。複数の値は段階として順に適用: &quot;1.5, 0.5&quot; なら初期値が最大 1 m、20° ずれていても収束する。</translation>
     </message>
@@ -5889,6 +5954,10 @@ F1 でキー一覧</translation>
     <message>
         <source>Puts every setting back to where it was at first.</source>
         <translation>すべての設定を初期値に戻す。</translation>
+    </message>
+    <message>
+        <source>Maximum &amp;distance</source>
+        <translation>最大距離(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -7835,16 +7904,8 @@ A function of this program, no certified emergency stop.</source>
         <translation>該当するマークなし</translation>
     </message>
     <message>
-        <source>On to the next victim, other find or candidate, from the last to the first</source>
-        <translation>次の被災者、その他の発見、候補へ。最後の次は最初</translation>
-    </message>
-    <message>
         <source>Previous v&amp;ictim</source>
         <translation>前の被災者(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Back to the victim, other find or candidate before, from the first to the last</source>
-        <translation>前の被災者、その他の発見、候補へ。最初の前は最後</translation>
     </message>
     <message>
         <source>Stop &amp;mapping</source>
@@ -7857,6 +7918,30 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>registers the point clouds, since no station made a map: %1 %</source>
         <translation>地図がないため点群を位置合わせしています: %1 %</translation>
+    </message>
+    <message>
+        <source>On to where the next victim was filed or changed, from the last to the first</source>
+        <translation>次に被災者が登録または変更された時点へ（最後の次は最初）</translation>
+    </message>
+    <message>
+        <source>Back to where the victim before was filed or changed, from the first to the last</source>
+        <translation>前に被災者が登録または変更された時点へ（最初の前は最後）</translation>
+    </message>
+    <message>
+        <source>Next &amp;hazard</source>
+        <translation>次の危険物(&amp;H)</translation>
+    </message>
+    <message>
+        <source>On to the next hazard sign, QR code or object, from the last to the first</source>
+        <translation>次の危険物標識・QR コード・対象物へ（最後の次は最初）</translation>
+    </message>
+    <message>
+        <source>Next &amp;candidate</source>
+        <translation>次の候補(&amp;C)</translation>
+    </message>
+    <message>
+        <source>On to what the station believed next to have found, from the last to the first</source>
+        <translation>ステーションが次に発見と判断した時点へ（最後の次は最初）</translation>
     </message>
 </context>
 <context>
@@ -8142,6 +8227,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>How the victim lies there</source>
         <translation>要救助者の状態</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Closes the form; what was filled in is kept already</source>
+        <translation>フォームを閉じます（入力内容は保存済み）</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QFontMetricsF>
+#include <QTextLayout>
 
 namespace leitstand {
 namespace {
@@ -127,6 +128,28 @@ QFont fitted(const QFont& font, const QString& text, double width, int pixels, i
     while (pixels > least && QFontMetricsF(found).horizontalAdvance(text) > width)
         found = sized(font, --pixels, bold);
     return found;
+}
+
+void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines) {
+    QTextLayout layout(text, painter.font());
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    const QFontMetricsF metrics(painter.font());
+    double y = box.top() + metrics.ascent();
+    layout.beginLayout();
+    for (int i = 0; i < lines; ++i) {
+        QTextLine line = layout.createLine();
+        if (!line.isValid()) break;
+        line.setLineWidth(box.width());
+        const bool last = i + 1 == lines;
+        const QString part =
+            last ? text.mid(line.textStart()) : text.mid(line.textStart(), line.textLength());
+        painter.drawText(QPointF(box.left(), y),
+                         metrics.elidedText(part.trimmed(), Qt::ElideRight, box.width()));
+        y += metrics.height();
+    }
+    layout.endLayout();
 }
 
 }  // namespace leitstand

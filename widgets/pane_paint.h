@@ -47,4 +47,7 @@ void paintModeSurface(QPainter& painter, const QRectF& box, ModeKind mode, const
 [[nodiscard]] QFont fitted(const QFont& font, const QString& text, double width, int pixels, int least,
                            bool bold = true);
 
+/// Paints @p text into at most @p lines lines; what has no room ends in dots.
+void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines);
+
 }  // namespace leitstand

@@ -91,8 +91,8 @@ void MainWindow::addDocks(const WindowState& state) {
     m_settingsDock = makeDock(tr("Registration"), QStringLiteral("registrationDock"), m_settings,
                               QKeySequence(Qt::Key_F8), this);
     m_messagesDock = makeDock(tr("Messages"), QStringLiteral("messagesDock"),
-                              new MessagesPanel(m_messages, this), QKeySequence(Qt::Key_F9), this);
-    m_messagesDock->toggleViewAction()->setToolTip(tr("Shows or hides the messages (F9)"));
+                              new MessagesPanel(m_messages, this), QKeySequence(Qt::Key_F4), this);
+    m_messagesDock->toggleViewAction()->setToolTip(tr("Shows or hides the messages (F4)"));
     addDockWidget(Qt::RightDockWidgetArea, m_scansDock);
     addDockWidget(Qt::RightDockWidgetArea, m_settingsDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);

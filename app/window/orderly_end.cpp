@@ -1,11 +1,17 @@
 #include "app/window/orderly_end.h"
 
 #include <QApplication>
+#include <QWidget>
+
+#include "app/window/asks_before_closing.h"
 
 namespace leitstand {
 namespace {
 
 void closeAll() {
+    for (QWidget* window : QApplication::topLevelWidgets()) {
+        if (auto* asks = dynamic_cast<AsksBeforeClosing*>(window)) asks->closeUnasked();
+    }
     QApplication::closeAllWindows();
     QApplication::exit();
 }

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "app/language/language.h"
+#include "app/window/first_geometry.h"
 #include "app/window/main_window.h"
 
 namespace leitstand {
@@ -28,7 +29,7 @@ void showScansWindow(const Sources& scans, const WindowState& state) {
         showScansWindow(window->sources(), window->state());
         window->close();
     });
-    window->show();
+    showAsLeft(*window, state.geometry, state.firstSize);
     if (!scans.empty()) window->open(scans);
 }
 

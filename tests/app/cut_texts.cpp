@@ -120,8 +120,7 @@ QStringList dottedTexts(const QWidget& window) {
     // The newest message gives way to menus and badges; its tooltip has all of it.
     const auto* message = window.findChild<QLabel*>(QStringLiteral("word"));
     const auto isMessage = [&](const QString& painted) {
-        return message != nullptr && painted.endsWith(Dots) &&
-               message->text().startsWith(painted.chopped(1)) &&
+        return message != nullptr && painted.endsWith(Dots) && message->text().contains(painted.chopped(1)) &&
                message->toolTip().simplified().contains(message->text().simplified());
     };
     QStringList cut;

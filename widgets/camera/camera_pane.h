@@ -48,6 +48,8 @@ public:
                     ThermalPalette palette = ThermalPalette::Iron);
     /// Warm things in the thermal picture, framed.
     void setHeat(const std::vector<HeatBlob>& blobs);
+    /// From which age a picture is old.
+    void setLimits(const FreshnessLimits& limits) { m_head.limits = limits; }
     /// How old the picture is, PictureAge::at(); @p note stands after it: "full speed".
     void setAge(const DataAge& age, const QString& note = {});
     void setOverlay(const CameraOverlay& overlay);

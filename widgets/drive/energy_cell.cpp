@@ -5,6 +5,12 @@
 #include "widgets/drive/gauge.h"
 
 namespace leitstand {
+namespace {
+
+constexpr int LeastLinkSize = 11;                 ///< of its text [px]
+const QString LinkParts = QStringLiteral(" · ");  ///< between what DriveState::link tells
+
+}  // namespace
 
 EnergyCell::EnergyCell(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Battery and link"));
@@ -60,13 +66,20 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     y += 13.0;
     paintCaption(painter, {left, y, inner, 18}, tr("Link"), colours.muted);
     y += 19.0;
-    painter.setFont(fitted(painter.font(), m_link, inner, 14, 11, m_linkTone == Tone::Attention));
+    // What has no room beside the round trip stands below it, before the reason.
+    const QStringList link = m_link.split(LinkParts);
+    const bool bold = m_linkTone == Tone::Attention;
+    const double whole = QFontMetricsF(sized(painter.font(), LeastLinkSize, bold)).horizontalAdvance(m_link);
+    const QString first = whole <= inner ? m_link : link.first();
+    QStringList below = whole <= inner ? QStringList() : link.mid(1);
+    if (!m_reason.isEmpty()) below += m_reason;
+    painter.setFont(fitted(painter.font(), first, inner, 14, LeastLinkSize, bold));
     painter.setPen(toneColour(m_linkTone, colours));
-    painter.drawText(QRectF(left, y, inner, 20), Qt::AlignLeft | Qt::AlignVCenter, m_link);
+    painter.drawText(QRectF(left, y, inner, 20), Qt::AlignLeft | Qt::AlignVCenter, first);
     y += 21.0;
     painter.setFont(sized(painter.font(), CaptionSize));
     const int lines = static_cast<int>((height() - 4.0 - y) / QFontMetricsF(painter.font()).height());
-    if (lines > 0) paintWrapped(painter, {left, y, inner, height() - y}, m_reason, lines);
+    if (lines > 0) paintWrapped(painter, {left, y, inner, height() - y}, below.join(LinkParts), lines);
 }
 
 }  // namespace leitstand

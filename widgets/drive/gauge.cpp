@@ -1,7 +1,5 @@
 #include "widgets/drive/gauge.h"
 
-#include <QTextLayout>
-
 namespace leitstand {
 
 void paintCaption(QPainter& painter, const QRectF& line, const QString& text, const QColor& colour) {
@@ -27,28 +25,6 @@ double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, 
     painter.setPen(colours.muted);
     painter.drawText(QPointF(end + 4.0, baseline), figure.unit);
     return end + 4.0 + unit;
-}
-
-void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines) {
-    QTextLayout layout(text, painter.font());
-    QTextOption option;
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    layout.setTextOption(option);
-    const QFontMetricsF metrics(painter.font());
-    double y = box.top() + metrics.ascent();
-    layout.beginLayout();
-    for (int i = 0; i < lines; ++i) {
-        QTextLine line = layout.createLine();
-        if (!line.isValid()) break;
-        line.setLineWidth(box.width());
-        const bool last = i + 1 == lines;
-        const QString part =
-            last ? text.mid(line.textStart()) : text.mid(line.textStart(), line.textLength());
-        painter.drawText(QPointF(box.left(), y),
-                         metrics.elidedText(part.trimmed(), Qt::ElideRight, box.width()));
-        y += metrics.height();
-    }
-    layout.endLayout();
 }
 
 }  // namespace leitstand

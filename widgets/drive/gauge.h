@@ -17,7 +17,5 @@ void paintCaption(QPainter& painter, const QRectF& line, const QString& text, co
 /// Paints a number and its unit, and returns where it ends. The unit gives way to the number.
 double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, int pixels,
                    const ThemeColours& colours);
-/// Paints @p text into at most @p lines lines.
-void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines);
 
 }  // namespace leitstand

@@ -13,6 +13,7 @@ namespace leitstand {
 namespace {
 
 constexpr int Margin = 16, Head = 56, Foot = 36;  ///< [px]
+constexpr int HelpHead = 84, HelpFoot = 58;       ///< while no pad is there [px]
 constexpr int LineHeight = 34;
 
 /// The callouts that say something, in the order of their spots from the top.
@@ -78,6 +79,7 @@ void PadLegend::setPad(const QString& name, const PadBindings& bindings) {
     QStringList words;
     for (const PadCallout& one : padList(bindings, m_commands, {}))
         words += one.control + QStringLiteral(": ") + one.does;
+    if (name.isEmpty()) words = QStringList{padConnectHelp(), padlessKeys()} + words;
     setAccessibleDescription(words.join(QStringLiteral("; ")));
     update();
 }
@@ -116,13 +118,16 @@ void PadLegend::paintEvent(QPaintEvent* /*event*/) {
                      m_name.isEmpty() ? tr("Gamepad: none is plugged in") : tr("Gamepad: %1").arg(m_name));
     painter.setFont(sized(font(), 12));
     painter.setPen(colours.muted);
-    painter.drawText(QRectF(room.left(), 32, room.width(), 18), Qt::AlignLeft | Qt::AlignVCenter,
-                     padDriveHint(m_bindings));
-    painter.drawText(QRectF(room.left(), height() - Foot, room.width(), Foot),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("The trigger held and the window in front: the pad drives. STOP works always."));
+    const bool none = m_name.isEmpty();
+    paintWrapped(painter, {room.left(), 32, room.width(), none ? HelpHead - 36.0 : 18.0},
+                 none ? padConnectHelp() : padDriveHint(m_bindings), none ? 3 : 1);
+    const double foot = none ? HelpFoot : Foot;
+    paintWrapped(painter, {room.left(), height() - foot + 8, room.width(), foot - 12},
+                 none ? padlessKeys()
+                      : tr("The trigger held and the window in front: the pad drives. STOP works always."),
+                 none ? 3 : 1);
     painter.setFont(sized(font(), 13));
-    const QRectF inner = room.adjusted(0, Head, 0, -Foot);
+    const QRectF inner = room.adjusted(0, none ? HelpHead : Head, 0, -foot);
     if (m_bindings.layout == PadLayout::Standard) {
         paintStandard(painter, inner);
     } else {

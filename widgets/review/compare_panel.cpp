@@ -80,7 +80,7 @@ void ComparePanel::addSettings(QFormLayout& form) {
     addField(form, tr("A&gainst"), m_reference);
     m_distances = new QLineEdit(scheduleText(m_schedule), this);
     m_distances->setObjectName(QStringLiteral("compareDistances"));
-    addField(form, tr("Maximum &distance m"), m_distances,
+    addField(form, tr("Maximum &distance"), withUnit(m_distances, tr("m")),
              tr("Pairs of points farther apart are dropped; 0.01 to 10 m. Several values are stages, each at "
                 "most the one before: 1.5, 0.5"));
     m_reduce = new NumberBox(0.0, 1.0, 0.05, 2, tr("m"), this);

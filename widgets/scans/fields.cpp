@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
 namespace leitstand {
@@ -23,12 +24,24 @@ public:
 void addField(QFormLayout& form, const QString& caption, QWidget* field, const QString& hint) {
     auto* label = new QLabel(caption, form.parentWidget());
     label->setProperty("muted", true);
-    label->setBuddy(field);
+    label->setBuddy(field->focusProxy() == nullptr ? field : field->focusProxy());
     if (!hint.isEmpty()) {
         label->setToolTip(hint);
         field->setToolTip(hint);
+        if (QWidget* const inner = field->focusProxy()) inner->setToolTip(hint);
     }
     form.addRow(label, field);
+}
+
+QWidget* withUnit(QWidget* field, const QString& unit) {
+    auto* both = new QWidget(field->parentWidget());
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(field, 1);
+    row->addWidget(new QLabel(unit, both));
+    both->setFocusProxy(field);
+    return both;
 }
 
 void keepFromWheel(QWidget& field) {

@@ -43,6 +43,9 @@ void choose(QComboBox& box, T value) {
 /// field's own).
 void addField(QFormLayout& form, const QString& caption, QWidget* field, const QString& hint = {});
 
+/// @p field with @p unit behind it, which a caption may have no room for.
+[[nodiscard]] QWidget* withUnit(QWidget* field, const QString& unit);
+
 /// Lets the wheel scroll the panel rather than change @p field, unless the field has the focus.
 void keepFromWheel(QWidget& field);
 

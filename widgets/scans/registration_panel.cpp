@@ -89,7 +89,7 @@ void RegistrationPanel::addMethods(QFormLayout& form) {
                 "Applies to the approximate tree and the forest."));
     m_distances = new QLineEdit(this);
     m_distances->setObjectName(QStringLiteral("distances"));
-    addField(form, tr("Maximum &distance m"), m_distances,
+    addField(form, tr("Maximum &distance"), withUnit(m_distances, tr("m")),
              tr("Pairs of points farther apart are dropped. Several values are stages, one after another: "
                 "\"1.5, 0.5\" "
                 "comes home from starts that are up to 1 m and 20° wrong."));

@@ -17,12 +17,18 @@
 namespace leitstand {
 namespace {
 
-constexpr double Side = 14.0;                                         ///< left and right of the track [px]
-constexpr double MarksTop = 4.0, TrackTop = 32.0, TrackHeight = 8.0;  ///< [px]
-constexpr double LabelsTop = 43.0;
+constexpr double Side = 14.0;                         ///< left and right of the track [px]
+constexpr double FindsAt = 13.0, OthersAt = 34.0;     ///< middles of the lanes [px]
+constexpr double LaneEnd = 23.5;                      ///< between them [px]
+constexpr double TrackTop = 49.0, TrackHeight = 8.0;  ///< [px]
+constexpr double LabelsTop = 60.0;
 constexpr double Reach = 8.0;         ///< of a click on a mark [px]
 constexpr double TickSpacing = 84.0;  ///< [px]
 constexpr int LabelSize = 11;
+
+bool isFind(const TimelineGlyph& glyph) {
+    return glyph.shape == MarkShape::Disc || glyph.shape == MarkShape::Drop;
+}
 
 }  // namespace
 
@@ -70,9 +76,11 @@ Time TimelineBar::timeAt(double x) const {
 
 const TimelineGlyph* TimelineBar::glyphAt(const QPointF& point) const {
     if (point.y() > TrackTop + TrackHeight) return nullptr;
+    const bool finds = point.y() < LaneEnd;
     const TimelineGlyph* nearest = nullptr;
     double least = Reach;
     for (const TimelineGlyph& glyph : m_glyphs) {
+        if (isFind(glyph) != finds) continue;
         const double distance = std::abs(track().left() + glyph.place * track().width() - point.x());
         if (distance > least) continue;
         least = distance;
@@ -98,12 +106,18 @@ void TimelineBar::paintTicks(QPainter& painter) const {
 }
 
 void TimelineBar::paintGlyphs(QPainter& painter) const {
-    // What matters most is painted last.
+    // What matters most is painted last; finds have a lane of their own, where alarms do not bury them.
     for (const Tone tone : {Tone::Muted, Tone::Normal, Tone::Attention, Tone::Act}) {
         for (const TimelineGlyph& glyph : m_glyphs) {
-            if (glyph.tone != tone) continue;
+            if (isFind(glyph) || glyph.tone != tone) continue;
             const double x = track().left() + glyph.place * track().width();
-            paintMark(painter, glyph, {x, MarksTop + 11.0}, font());
+            paintMark(painter, glyph, {x, OthersAt}, font());
+        }
+    }
+    for (const MarkShape shape : {MarkShape::Drop, MarkShape::Disc}) {
+        for (const TimelineGlyph& glyph : m_glyphs) {
+            if (glyph.shape != shape) continue;
+            paintMark(painter, glyph, {track().left() + glyph.place * track().width(), FindsAt}, font());
         }
     }
 }

@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// A mission's time from left to right: its marks, each kind of a shape of its own, gaps in the recording
-/// hatched, and the moment that is shown. The mouse takes it along; the arrows step by one second, with Shift
-/// by ten; Home and End go to the ends.
+/// A mission's time from left to right: finds and candidates, below them all other marks, each kind of a
+/// shape of its own, gaps in the recording hatched, and the moment that is shown. The mouse takes it along;
+/// the arrows step by one second, with Shift by ten; Home and End go to the ends.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 public:
@@ -28,8 +28,9 @@ public:
     [[nodiscard]] double pixelOf(Time at) const;
     /// The glyph that is at @p point; null: none.
     [[nodiscard]] const TimelineGlyph* glyphAt(const QPointF& point) const;
-    [[nodiscard]] QSize sizeHint() const override { return {640, 62}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 62}; }
+    static constexpr int Height = 80;  ///< [px]
+    [[nodiscard]] QSize sizeHint() const override { return {640, Height}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, Height}; }
 
 signals:
     void sought(leitstand::Time at);  ///< a moment was pointed at

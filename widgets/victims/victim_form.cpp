@@ -1,17 +1,23 @@
 #include "widgets/victims/victim_form.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QScrollArea>
+#include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
+#include "widgets/victims/evidence_strip.h"
 #include "widgets/victims/hint_line.h"
 
 namespace leitstand {
@@ -39,6 +45,7 @@ QComboBox* choiceBox(QWidget& parent, const QString& name, const std::vector<Vic
 VictimForm::VictimForm(QWidget* parent)
     : QWidget(parent),
       m_title(new QLabel(this)),
+      m_pictures(new EvidenceStrip(this)),
       m_situation(choiceBox(*this, tr("Situation"), situationChoices())),
       m_area(choiceBox(*this, tr("Area"), areaChoices())),
       m_tag(line(tr("Tag"), {tr("what is written on it")})),
@@ -50,32 +57,66 @@ VictimForm::VictimForm(QWidget* parent)
     m_area->setToolTip(tr("Where the find is; unknown: in the area of the mission"));
     m_tag->setObjectName(QStringLiteral("tag"));
     m_text->setObjectName(QStringLiteral("remarks"));
-    // A low pane scrolls, and follows the focus.
-    auto* fields = new QWidget;
-    auto* area = new QScrollArea(this);
-    area->setWidget(fields);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 4, 0, 0);
     rows->setSpacing(4);
-    m_title->setContentsMargins(8, 0, 8, 0);
-    m_title->setWordWrap(true);
-    rows->addWidget(m_title);
-    rows->addWidget(area, 1);
-    auto* grid = new QGridLayout(fields);
+    addHead(*rows);
+    // A low pane scrolls, and follows the focus.
+    m_grid = new QWidget;
+    auto* area = new QScrollArea(this);
+    area->setWidget(m_grid);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    rows->addWidget(m_pictures, 1);
+    rows->addWidget(area);
+    auto* grid = new QGridLayout(m_grid);
     grid->setContentsMargins(8, 0, 8, 8);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(2, 1);
+    addSigns(*grid);
+    addRest(*grid);
+    grid->setRowStretch(grid->rowCount(), 1);
+    connect(m_situation, &QComboBox::currentIndexChanged, this, &VictimForm::read);
+    connect(m_area, &QComboBox::currentIndexChanged, this, &VictimForm::read);
+    show(std::nullopt);
+}
+
+QSize VictimForm::sizeHint() const {
+    return {minimumSizeHint().width() + 20, 368};
+}
+
+QSize VictimForm::minimumSizeHint() const {
+    constexpr int Least = 420;  ///< [px]
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    return {std::max(Least, m_grid->minimumSizeHint().width() + bar), 110};
+}
+
+void VictimForm::addHead(QVBoxLayout& rows) {
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(8, 0, 8, 0);
+    m_title->setWordWrap(true);
+    auto* done = new QToolButton(this);
+    done->setObjectName(QStringLiteral("formDone"));
+    done->setText(tr("Done"));
+    done->setToolTip(tr("Closes the form; what was filled in is kept already"));
+    done->setFocusPolicy(Qt::TabFocus);  // a click leaves what is typed to the form
+    connect(done, &QToolButton::clicked, this, &VictimForm::done);
+    head->addWidget(m_title, 1);
+    head->addWidget(done);
+    rows.addLayout(head);
+}
+
+QLabel* VictimForm::label(const QString& text, QWidget* field) {
+    auto* name = new QLabel(text, this);
+    name->setBuddy(field);
+    name->setProperty("muted", true);
+    return name;
+}
+
+void VictimForm::addSigns(QGridLayout& grid) {
     int row = 0;
-    const auto label = [&](const QString& text, QWidget* field) {
-        auto* name = new QLabel(text, this);
-        name->setBuddy(field);
-        name->setProperty("muted", true);
-        grid->addWidget(name, row, 0);
-    };
     for (const SignField& field : signFields()) {
         auto* state = new QComboBox(this);
         state->setAccessibleName(field.name);
@@ -84,33 +125,42 @@ VictimForm::VictimForm(QWidget* parent)
             state->addItem(signStateText(one), static_cast<int>(one));
         auto* text = line(tr("%1, in words").arg(field.name), field.words, true);
         QLineEdit* value = nullptr;
-        label(field.name, state);
-        grid->addWidget(state, row, 1);
-        grid->addWidget(text, row, 2, 1, field.unit.isEmpty() ? 2 : 1);
+        grid.addWidget(label(field.name, state), row, 0);
+        grid.addWidget(state, row, 1);
+        grid.addWidget(text, row, 2, 1, field.unit.isEmpty() ? 2 : 1);
         m_fields.insert(m_fields.end(), {state, text});
         if (!field.unit.isEmpty()) {
             value = line(tr("%1, measured").arg(field.name), {field.unit});
             value->setMaximumWidth(64);
-            grid->addWidget(value, row, 3);
+            grid.addWidget(value, row, 3);
             m_fields.push_back(value);
         }
         m_signs.push_back({field, state, text, value});
         connect(state, &QComboBox::currentIndexChanged, this, &VictimForm::read);
         ++row;
     }
-    const auto whole = [&](const QString& text, QWidget* field) {
-        label(text, field);
-        grid->addWidget(field, row++, 1, 1, 3);
-        m_fields.push_back(field);
+}
+
+/// Two fields a row, so that a sheet need not be high.
+void VictimForm::addRest(QGridLayout& grid) {
+    const auto pair = [&](const QString& one, QWidget* first, const QString& two, QWidget* second) {
+        const int row = grid.rowCount();
+        auto* both = new QHBoxLayout;
+        both->setSpacing(8);
+        both->addWidget(first, 1);
+        both->addWidget(label(two, second));
+        both->addWidget(second, 1);
+        grid.addWidget(label(one, first), row, 0);
+        grid.addLayout(both, row, 1, 1, 3);
+        m_fields.insert(m_fields.end(), {first, second});
     };
-    whole(tr("Situation"), m_situation);
-    whole(tr("Tag"), m_tag);
-    whole(tr("Area"), m_area);
-    whole(tr("Remarks"), m_text);
-    grid->setRowStretch(row, 1);
-    connect(m_situation, &QComboBox::currentIndexChanged, this, &VictimForm::read);
-    connect(m_area, &QComboBox::currentIndexChanged, this, &VictimForm::read);
-    show(std::nullopt);
+    pair(tr("Situation"), m_situation, tr("Tag"), m_tag);
+    pair(tr("Area"), m_area, tr("Remarks"), m_text);
+}
+
+void VictimForm::setPictures(std::vector<EvidenceImage> pictures, bool awaited) {
+    m_pictures->setVisible(awaited || !pictures.empty());
+    m_pictures->show(std::move(pictures), awaited);
 }
 
 QLineEdit* VictimForm::line(const QString& name, const QStringList& hints, bool more) {
@@ -145,6 +195,7 @@ void VictimForm::show(const std::optional<VictimSample>& find) {
     m_title->setText(find ? tr("%1 · %2").arg(QString::fromStdString(nameOf(find->kind, find->number)),
                                               kindText(find->kind))
                           : tr("Choose a find to fill in its form"));
+    if (!same) setPictures({});
     setEnabledParts(find.has_value());
     const VictimSample shown = find.value_or(VictimSample());
     for (const Sign& sign : m_signs) {

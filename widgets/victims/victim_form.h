@@ -9,10 +9,15 @@
 #include "widgets/models/victims/victim_choices.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
+class QVBoxLayout;
 
 namespace leitstand {
+
+class EvidenceStrip;
+struct EvidenceImage;
 
 /// The form of one victim or other find: signs of life, situation, tag, area, text. What is changed is told
 /// at once; there is no button to forget. By keyboard: Tab and arrows; by pad: nextField(), change().
@@ -34,11 +39,16 @@ public:
     /// what was typed there would be lost.
     bool change(int step);
 
-    [[nodiscard]] QSize sizeHint() const override { return {360, 320}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
+    /// The pictures that show the find; @p awaited: there are some, which are read yet.
+    void setPictures(std::vector<EvidenceImage> pictures, bool awaited = false);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    /// So wide that no field is cut, whatever its language.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void edited(const leitstand::VictimSample& find);
+    void done();  ///< the operator has filled in what there was
 
 protected:
     void hideEvent(QHideEvent* event) override;  ///< what was being typed counts, also when a window closes
@@ -51,6 +61,10 @@ private:
     };
     [[nodiscard]] bool changeLine(QLineEdit& line, int step);
     [[nodiscard]] bool changeValue(const Sign& sign, int step);
+    void addHead(QVBoxLayout& rows);
+    void addSigns(QGridLayout& grid);
+    void addRest(QGridLayout& grid);
+    [[nodiscard]] QLabel* label(const QString& text, QWidget* field);
     void read();
     void setEnabledParts(bool on);
     /// @p hints: what one may write into it; @p more: and much else.
@@ -61,6 +75,8 @@ private:
         m_edited;  ///< stamp of the entry that an edit was based on, until there is a newer one
     bool m_showing = false;
     QLabel* m_title;
+    EvidenceStrip* m_pictures;
+    QWidget* m_grid = nullptr;  ///< with all fields
     std::vector<Sign> m_signs;
     QStringList m_tags;
     QComboBox *m_situation, *m_area;

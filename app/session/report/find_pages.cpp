@@ -5,11 +5,10 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/finds/evidence_picture.h"
 #include "app/session/report/frozen_traces.h"
 #include "app/session/report/report_source.h"
 #include "core/base/words.h"
-#include "core/perception/heat_picture.h"
-#include "core/perception/picture_decoding.h"
 
 namespace leitstand {
 namespace {
@@ -17,43 +16,6 @@ namespace {
 constexpr std::size_t MostPictures = 4;  ///< a find
 constexpr double Around = 2.5;           ///< of the way, shown in its picture [m]
 constexpr double LeastSide = 6.0;        ///< of that picture [m]
-
-const StreamDescription* streamOf(const ReportSource& source, const Event& event) {
-    for (const RobotDescription& robot : source.robots()) {
-        for (const StreamDescription& stream : robot.streams) {
-            if (stream.topic == event.topic && robot.name == event.robot) return &stream;
-        }
-    }
-    return nullptr;
-}
-
-/// A picture that can be printed; thermal ones in colours, with their hottest place in words.
-Result<EvidencePicture> printable(const PictureSample& sample, const Event& event,
-                                  const ReportSource& source) {
-    auto decoded = decodePicture(sample);
-    if (!decoded) return decoded.error();
-    EvidencePicture made{
-        .robot = event.robot, .sensor = event.sensor, .at = event.received, .hottest = {}, .picture = {}};
-    const StreamDescription* stream = streamOf(source, event);
-    if (stream != nullptr && stream->role == StreamRole::Thermal) {
-        const auto heat = temperatures(*decoded, stream->thermal);
-        if (heat) {
-            float hottest = -1000.0F;
-            for (const float celsius : heat->celsius)
-                hottest = std::max(hottest, std::isnan(celsius) ? hottest : celsius);
-            made.picture = heatPicture(*heat);
-            if (hottest > -1000.0F) made.hottest = hottest;
-            return made;
-        }
-    }
-    made.picture = std::move(decoded).value();
-    const bool shows =
-        made.picture.pixel == Picture::Pixel::Rgb8 || made.picture.pixel == Picture::Pixel::Grey8;
-    if (!shows)
-        return Error{leitstand::fill(translate("leitstand::Error", "{}: is no picture that can be printed"),
-                                     event.topic)};
-    return made;
-}
 
 MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
     Eigen::Vector2d low = place.head<2>(), high = low;
@@ -95,7 +57,7 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
                 ++pages.morePictures;
                 continue;
             }
-            auto picture = printable(*sample, *event, source);
+            auto picture = evidencePicture(*sample, *event, source.robots());
             if (picture) {
                 pages.pictures.push_back(std::move(picture).value());
             } else {

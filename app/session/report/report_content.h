@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/finds/evidence_picture.h"
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/mission/report/map_painter.h"
@@ -15,14 +16,6 @@
 #include "core/perception/picture.h"
 
 namespace leitstand {
-
-/// A picture that shows a find.
-struct EvidencePicture {
-    std::string robot, sensor;
-    Time at{};                           ///< station's clock
-    std::optional<double> hottest = {};  ///< of a thermal picture, whose colours go from 15 to 40 [degrees C]
-    Picture picture;                     ///< Rgb8 or Grey8
-};
 
 /// CO2 that a robot measured up to the moment at which a find was frozen.
 struct GasTrace {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/session/review/review_log.h"
+#include "app/session/review/review_opening.h"
 #include "core/base/pose.h"
 #include "core/mission/station_topics.h"
 
@@ -68,7 +69,10 @@ void Indexing::take(const Event& event) {
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         follow(event, *odometry);
     } else if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) {
-        if (scan->scan) index.keyScans.insert_or_assign(scan->id, *scan);
+        if (scan->scan) {
+            index.scanned[scan->scan->robot].push_back(event.received);
+            index.keyScans.insert_or_assign(scan->id, *scan);
+        }
     } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
         index.places[place->robot].push_back(*place);
     } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
@@ -87,6 +91,7 @@ ReviewIndexPtr indexOf(ReviewLog& log, const Progress& progress) {
     work.index.marks = work.marks.marks();
     work.index.finished = std::make_shared<const MissionState>(log.stateAt(log.last()));
     dropUndone(work.index.marks, *work.index.finished);
+    work.index.opensAt = openingOf(log, work.index);
     return std::make_shared<const ReviewIndex>(std::move(work.index));
 }
 

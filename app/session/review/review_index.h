@@ -31,8 +31,10 @@ struct ReviewIndex {
     std::map<std::string, std::vector<RobotPlaceSample>> places;      ///< by robot, as they came
     std::map<std::string, std::vector<std::pair<Time, double>>> gas;  ///< by robot: when received, [ppm]
     std::vector<Event> fixed;                                         ///< of what never changes: tf_static
-    Time lastHeard{};                                                 ///< when a robot said something last
-    MissionStatePtr finished;                                         ///< the state at the end; never null
+    std::map<std::string, std::vector<Time>> scanned;  ///< by robot: when its key scans were received
+    Time lastHeard{};                                  ///< when a robot said something last
+    Time opensAt{};                                    ///< the first moment that is worth to be looked at
+    MissionStatePtr finished;                          ///< the state at the end; never null
 };
 using ReviewIndexPtr = std::shared_ptr<const ReviewIndex>;
 

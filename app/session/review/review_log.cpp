@@ -257,6 +257,14 @@ void ReviewLog::all(const std::vector<std::string>& topics, const Progress& prog
     for (; made != m_made.end(); ++made) take(*made);
 }
 
+std::optional<Time> ReviewLog::firstOf(const std::string& topic) {
+    BagQuery query;
+    query.topics = {topic};
+    BagCursor cursor = m_bag->read(query);
+    const auto raw = cursor.next();
+    return raw ? std::optional(raw->received) : std::nullopt;
+}
+
 bool ReviewLog::lacksMap() const {
     return m_made.empty() && !hasKeyScans(*m_bag) && holds(*m_bag, robots(), {StreamRole::Points});
 }

@@ -56,6 +56,8 @@ public:
     void events(Time after, Time upTo, const Take& take);
     /// The newest event of @p topic received at or before @p at; empty when there is none.
     [[nodiscard]] std::optional<Event> newest(const std::string& topic, Time at);
+    /// When the first event of @p topic was received; empty when there is none.
+    [[nodiscard]] std::optional<Time> firstOf(const std::string& topic);
     /// Gives all events of @p topics; cancelled: those that came until then.
     void all(const std::vector<std::string>& topics, const Progress& progress, const Take& take);
 

@@ -65,12 +65,14 @@ double ReviewPlayer::rate() const {
 void ReviewPlayer::seek(Time at) {
     const std::lock_guard lock(m_mutex);
     m_position = std::clamp(at, m_first, m_last);
+    m_sought = true;
     wake();
 }
 
 void ReviewPlayer::step(Nanoseconds by) {
     const std::lock_guard lock(m_mutex);
     m_position = std::clamp(m_position + by, m_first, m_last);
+    m_sought = true;
     wake();
 }
 
@@ -135,6 +137,10 @@ ReviewIndexPtr ReviewPlayer::opened(const std::stop_token& stop) {
 void ReviewPlayer::run(const std::stop_token& stop) {
     const ReviewIndexPtr index = opened(stop);
     if (stop.stop_requested()) return;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_sought) m_position = std::clamp(index->opensAt, m_first, m_last);
+    }
     if (m_listener.onIndex) m_listener.onIndex(index);
     ReviewScene scene(*m_log, *index);
     auto before = Clock::now(), around = before - TickAround;

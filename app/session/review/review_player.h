@@ -32,7 +32,8 @@ public:
     static constexpr double Slowest = 0.1, Fastest = 32.0;  ///< of mission's time to real time
     static constexpr double MapPart = 0.9;                  ///< of opening a mission that has no map
 
-    /// Opens the mission. Errors as of ReviewLog::open().
+    /// Opens the mission, at ReviewIndex::opensAt unless something else is sought before it is read through.
+    /// Errors as of ReviewLog::open().
     [[nodiscard]] static Result<std::unique_ptr<ReviewPlayer>> open(const std::filesystem::path& mission,
                                                                     ReviewListener listener = {});
     ~ReviewPlayer();
@@ -80,7 +81,8 @@ private:
     const bool m_mapsOffline;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_woken;
-    Time m_position;  ///< under the mutex, as all that follows
+    Time m_position;        ///< under the mutex, as all that follows
+    bool m_sought = false;  ///< somebody said where to go
     double m_rate = 0.0;
     std::string m_watched;
     ReviewMap m_map = ReviewMap::AsThen;

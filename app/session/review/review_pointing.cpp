@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/review/review_cadence.h"
 #include "app/session/review/review_evidence.h"
 #include "app/session/review/review_log.h"
 #include "app/session/review/reviewed_robot.h"
@@ -102,7 +103,7 @@ Result<FrozenEvidence> evidenceIn(const std::filesystem::path& mission, const Re
     if (!decoded) return decoded.error();
 
     VictimSearch search({*robot}, "review");
-    if (!hasScans(*index.finished, name)) {
+    if (!hasSlices(index, name)) {
         // It is looked at when the odometry of its time comes.
         if (const auto around = lookRound(*robot, *place, index, shown, picture->received))
             search.take(*around, false);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/review/review_cadence.h"
 #include "app/session/review/reviewed_robot.h"
 #include "app/session/review/reviewed_streams.h"
 #include "app/session/station/live_mapping.h"
@@ -113,7 +114,7 @@ void ReviewScene::see(const Event& event) {
 
 void ReviewScene::beginSight(const RobotDescription& robot, Time from) {
     m_sight = std::make_unique<RobotSight>(robot);
-    m_scanned = hasScans(*m_index.finished, robot.name);
+    m_scanned = hasSlices(m_index, robot.name);
     for (const Event& event : m_index.fixed) see(event);
     // What has not been said since counts still, as old as it is.
     for (const StreamDescription& stream : robot.streams) {

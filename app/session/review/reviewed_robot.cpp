@@ -82,12 +82,4 @@ std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now) {
     return alarms;
 }
 
-bool hasScans(const MissionState& state, const std::string& robot) {
-    const auto said = state.robots.find(robot);
-    if (said == state.robots.end()) return false;
-    return std::any_of(said->second->streams.begin(), said->second->streams.end(), [](const auto& entry) {
-        return entry.second.role == StreamRole::Points || entry.second.role == StreamRole::Ranges;
-    });
-}
-
 }  // namespace leitstand

@@ -25,7 +25,4 @@ namespace leitstand {
 /// AlarmBook::alarms().
 [[nodiscard]] std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now);
 
-/// Whether a log that ends with @p state has anything that a scanner of @p robot sent.
-[[nodiscard]] bool hasScans(const MissionState& state, const std::string& robot);
-
 }  // namespace leitstand

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "app/session/review/review_cadence.h"
+
 namespace leitstand {
 namespace {
 
@@ -22,13 +24,6 @@ const StreamState* find(const MissionState& state, const std::string& robot, con
     if (said == state.robots.end()) return nullptr;
     const auto stream = said->second->streams.find(topic);
     return stream == said->second->streams.end() ? nullptr : &stream->second;
-}
-
-/// Over all that was recorded [Hz].
-double usualRate(const StreamState* atTheEnd, const ReviewIndex& index) {
-    double recorded = 0.0;
-    for (const TimelineStretch& stretch : index.stretches) recorded += seconds(stretch.from, stretch.to);
-    return atTheEnd == nullptr || recorded <= 0.0 ? 0.0 : static_cast<double>(atTheEnd->events) / recorded;
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot, const M
             const double length = seconds(window.from, window.to);
             const auto came = said->events - std::min(said->events, before == nullptr ? 0 : before->events);
             status.rate = length > 0.0 ? static_cast<double>(came) / length : 0.0;
-            const double usual = usualRate(find(*index.finished, robot.name, described.topic), index);
+            const double usual = usualRate(index, robot.name, described.topic);
             status.steady = usual >= Steady;
             status.stale = status.steady && status.age > std::max(NeverStale, StaleAfter / usual);
         }

@@ -114,7 +114,7 @@ CommandTable::Refused CommandTable::bind(const std::map<QString, QString>& keys,
 }
 
 void CommandTable::setKeys(const Entry& entry, const QKeySequence& keys) {
-    entry.action->setShortcut(keys);
+    if (entry.action->shortcut() != keys) entry.action->setShortcut(keys);  // it may have others beside them
     const QString text = keys.toString(QKeySequence::NativeText);
     entry.action->setToolTip(text.isEmpty() ? entry.hint : QStringLiteral("%1 (%2)").arg(entry.hint, text));
 }

@@ -10,6 +10,10 @@
 namespace leitstand {
 namespace {
 
+QKeySequence letter(Qt::Key key) {
+    return QKeySequence(Qt::CTRL | Qt::SHIFT | key);
+}
+
 /// The slice that height clipping starts with: a man's height above the floor of a scanner half a metre up
 /// [m].
 constexpr double FirstMinHeight = -1.0, FirstMaxHeight = 1.5;
@@ -37,7 +41,6 @@ T chosenBy(const QAction* action) {
 
 ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys, Escape escape)
     : QObject(parent),
-      m_keys(keys),
       m_state(state),
       m_looks(new QActionGroup(this)),
       m_colourings(new QActionGroup(this)),
@@ -47,17 +50,22 @@ ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Key
     addThemes();
     addCameras(view);
     addTools(view, escape);
+    if (keys == Keys::Plain) addPlainKeys();
     if (escape == Escape::EndsMeasuring) addEscape(view);
     connect(&state, &ViewState::changed, this, &ViewCommands::showState);
     showState();
 }
 
-QKeySequence ViewCommands::letter(Qt::Key key) const {
-    return m_keys == Keys::Plain ? QKeySequence(key) : QKeySequence(Qt::CTRL | Qt::SHIFT | key);
+/// The keys that these commands have in every window stay the first.
+void ViewCommands::addPlainKeys() {
+    for (QAction* action : m_looks->actions() + m_cameras + QList<QAction*>{m_before, m_clip, m_measure}) {
+        const QKeySequence everywhere = action->shortcut();
+        action->setShortcuts({everywhere, QKeySequence(everywhere[0].key())});
+    }
 }
 
 void ViewCommands::addLooks() {
-    const Qt::KeyboardModifiers keys = m_keys == Keys::Plain ? Qt::NoModifier : Qt::AltModifier;
+    const Qt::KeyboardModifiers keys = Qt::AltModifier;
     addChoice(*m_looks, MapLook::Points,
               {"lookPoints", tr("&Points"), tr("Shows the scans' points"), QKeySequence(keys | Qt::Key_1),
                "points"});

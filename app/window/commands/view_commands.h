@@ -19,8 +19,8 @@ class ViewCommands final : public QObject {
 public:
     /// Which keys the commands are on.
     enum class Keys {
-        Plain,  ///< 1 to 3 and letters
-        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters: plain ones are needed otherwise
+        Plain,  ///< 1 to 3 and letters too
+        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters alone: plain ones are needed otherwise
     };
     /// What Esc is for.
     enum class Escape {
@@ -51,9 +51,8 @@ private:
     void addEscape(MapView& view);
     void showState();
     void setClipping(bool on);
-    [[nodiscard]] QKeySequence letter(Qt::Key key) const;
+    void addPlainKeys();
 
-    const Keys m_keys;
     ViewState& m_state;
     QActionGroup* m_looks;
     QActionGroup* m_colourings;

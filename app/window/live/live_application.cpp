@@ -24,6 +24,7 @@
 #include "app/session/report/report_writer.h"
 #include "app/session/station/choose_robots.h"
 #include "app/session/station/last_station.h"
+#include "app/window/first_geometry.h"
 #include "app/window/live/demo_robots.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_bridge.h"
@@ -209,25 +210,23 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     if (!hint.isEmpty()) window.tell(hint);
     QObject::connect(&window.mission(), &MissionFeature::earlierWanted, &window, [&] {
         ended.earlier = true;
-        window.close();
+        window.closeUnasked();
     });
     QObject::connect(&window.preflight(), &PreflightFeature::robotWanted, &window, [&](const QString& file) {
         ended.robot = file.toStdString();
-        QApplication::quit();
+        window.closeUnasked();
     });
     QObject::connect(&window, &LiveWindow::languageWanted, &window, [&](const QString& code) {
         ended.language = remembered.language = code;
-        window.close();
+        window.closeUnasked();
     });
     if (demo == nullptr) window.preflight().openWhenSomethingFails();
-    window.resize(remembered.firstSize);
-    if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
     if (options.layout.empty() && !remembered.liveLayout.isEmpty()) {
         window.layouts().begin(remembered.liveLayout);
         if (options.look) window.setLook(*options.look);
     }
     QObject::connect(&window, &LiveWindow::closing, &window, [&] { remember(window, remembered); });
-    window.show();
+    showAsLeft(window, remembered.liveGeometry, remembered.firstSize);
     ended.status = QApplication::exec();
     return ended;
 }

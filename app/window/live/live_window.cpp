@@ -3,12 +3,14 @@
 #include <utility>
 
 #include <QApplication>
+#include <QCloseEvent>
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/closing_question.h"
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/key_columns.h"
@@ -77,6 +79,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_preflight = new PreflightFeature(context);
     m_alarms = new AlarmsFeature(context);
     m_messages = new MessagesFeature(context);
+    m_closing = new ClosingQuestion(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts), *m_map);
     (new HelpCommands(*this, KeyColumns::live()))->fill(m_commands->menu(CommandMenu::Help));
@@ -183,7 +186,13 @@ QString LiveWindow::missing() const {
     return things.join(QStringLiteral("; "));
 }
 
+void LiveWindow::closeUnasked() {
+    m_closing->allow();
+    close();
+}
+
 void LiveWindow::closeEvent(QCloseEvent* event) {
+    if (!m_closing->mayClose()) return event->ignore();
     setDriving(false);
     emit closing();
     QMainWindow::closeEvent(event);

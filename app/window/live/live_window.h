@@ -7,12 +7,14 @@
 
 #include "app/session/layouts/layout_book.h"
 #include "app/session/pad/pad_memory.h"
+#include "app/window/asks_before_closing.h"
 #include "widgets/map_view/map_view_settings.h"
 
 namespace leitstand {
 
 class AlarmsFeature;
 class CameraFeature;
+class ClosingQuestion;
 class CommandTable;
 class DriveFeature;
 class LayoutFeature;
@@ -33,7 +35,7 @@ class WindowFrame;
 
 /// The window on live robots (design, section 7): a bar with all robots and STOP, below it the panes of its
 /// features, as the layout in use places them. Puts features together; what they do is theirs.
-class LiveWindow final : public QMainWindow {
+class LiveWindow final : public QMainWindow, public AsksBeforeClosing {
     Q_OBJECT
 public:
     LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBook layouts = {},
@@ -44,6 +46,7 @@ public:
     /// How the map is looked at now, but the look is the operator's own, not a layout's: to be remembered.
     [[nodiscard]] MapViewSettings view() const;
     void setLook(MapLook look);  ///< in the layout in use
+    void closeUnasked() override;
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
@@ -89,6 +92,7 @@ private:
     PreflightFeature* m_preflight = nullptr;
     VictimsFeature* m_victims = nullptr;
     ReportFeature* m_report = nullptr;
+    ClosingQuestion* m_closing = nullptr;
     WindowFrame* m_frame = nullptr;
     MessagesFeature* m_messages = nullptr;
 };

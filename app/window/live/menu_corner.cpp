@@ -24,6 +24,7 @@ MenuCorner::MenuCorner(QMenuBar& menus)
     m_message->setObjectName(QStringLiteral("word"));
     m_message->setAccessibleName(tr("Newest message"));
     m_message->setProperty("muted", true);
+    m_message->setMostLines(2);               // what is wrong often stands behind the name of a file
     m_message->setTextFormat(Qt::PlainText);  // robots and files are quoted in it
     menus.installEventFilter(this);
     menus.setCornerWidget(this);

@@ -8,6 +8,8 @@ class QMenuBar;
 
 namespace leitstand {
 
+class ElidedLabel;
+
 /// Has the room beside the menus to itself, all of it: the newest message, which gives way, and right of it
 /// badges, which do not. Menus stay where they are whatever is told.
 class MenuCorner final : public QWidget {
@@ -28,7 +30,7 @@ private:
     QMenuBar& m_menus;
     const QSize m_taken;  ///< by the menus
     QHBoxLayout* m_row;
-    QLabel* m_message;
+    ElidedLabel* m_message;
     int m_width = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "core/mapping/live/live_map.h"
 #include "core/mapping/map.h"
 #include "core/robot/robot_description.h"
+#include "widgets/models/live/freshness.h"
 #include "widgets/models/message_list_model.h"
 
 namespace leitstand {
@@ -25,6 +26,17 @@ public:
     virtual void watch(const std::string& robot) = 0;
     /// When @p picture came, on the clock of LiveMoment::steady.
     [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
+    /// From which age pictures of a camera are old: how often they come is the source's to know.
+    [[nodiscard]] virtual FreshnessLimits pictureLimits(const std::string& /*robot*/,
+                                                        const std::string& /*sensor*/) const {
+        return {};
+    }
+    /// What the virtual scan of a robot is made of.
+    struct ScanSource {
+        bool keyScans = false;  ///< whole turns, as old as they are; else what its scanners send
+        FreshnessLimits limits = {};
+    };
+    [[nodiscard]] virtual ScanSource scanSource(const std::string& /*robot*/) const { return {}; }
     /// As of the newest tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
     /// What the operator was told, also by a window before this one: it is made anew in another language.

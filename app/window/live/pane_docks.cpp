@@ -77,12 +77,74 @@ void PaneDocks::open(const QString& id) {
     if (QDockWidget* const found = dock(id)) open(*found);
 }
 
+void PaneDocks::addSheet(const QString& id, const QStringList& hosts) {
+    m_sheets[id] = hosts;
+    // Neighbours have their room back when it goes.
+    connect(dock(id)->toggleViewAction(), &QAction::toggled, this, &PaneDocks::fit);
+}
+
+void PaneDocks::putAway(const QString& id) {
+    QDockWidget* const found = dock(id);
+    if (found != nullptr && m_strays.contains(found) && !found->isFloating()) found->close();
+}
+
 void PaneDocks::open(QDockWidget& dock) {
+    if (m_sheets.contains(dock.objectName()) && m_strays.contains(&dock)) {
+        if (!dock.isFloating() && dock.isHidden()) settle(dock);
+        dock.show();
+        dock.raise();
+        return fit();
+    }
     if (m_strays.erase(&dock) > 0 && !dock.isFloating()) {
         if (QDockWidget* const host = hostOf(dock)) tabifyDockWidget(host, &dock);
     }
     dock.show();
     dock.raise();
+}
+
+void PaneDocks::settle(QDockWidget& sheet) {
+    constexpr int LeastBeside = 300;  ///< of what a host keeps [px]
+    const QString& id = sheet.objectName();
+    QDockWidget* const host = sheetHost(sheet, m_sheets.at(id));
+    if (host == nullptr) return;
+    const QSize needed = sheet.widget()->sizeHint();
+    const bool allowed = m_sheets.at(id).contains(host->objectName());
+    const bool beside = !allowed || host->width() >= needed.width() + LeastBeside;
+    if (beside) {
+        splitDockWidget(host, &sheet, Qt::Horizontal);
+    } else {
+        tabifyDockWidget(host, &sheet);
+    }
+    m_stays[id] = {host->objectName(), beside};
+    if (!m_placed.pane.empty() || !m_placed.parts.empty()) return;
+    sheet.show();  // in an arrangement of the operator's own
+    resizeDocks({&sheet}, {needed.width()}, Qt::Horizontal);
+    if (host->height() < needed.height()) resizeDocks({host}, {needed.height()}, Qt::Vertical);
+}
+
+QDockWidget* PaneDocks::sheetHost(const QDockWidget& sheet, const QStringList& hosts) const {
+    const auto inSight = [](const QDockWidget& one) { return !one.isHidden() && !one.isFloating(); };
+    for (const QString& id : hosts) {
+        QDockWidget* const host = dock(id);
+        if (host != nullptr && inSight(*host)) return host;
+    }
+    // Beside the widest, which then keeps a part of its room.
+    QDockWidget* widest = nullptr;
+    for (const auto& [id, other] : m_docks) {
+        if (other == &sheet || !inSight(*other)) continue;
+        if (widest == nullptr || other->width() > widest->width()) widest = other;
+    }
+    return widest;
+}
+
+QDockWidget* PaneDocks::guestOf(const std::string& id, bool beside) const {
+    for (const auto& [sheet, stay] : m_stays) {
+        QDockWidget* const guest = dock(sheet);
+        if (stay.host.toStdString() == id && stay.beside == beside && !guest->isHidden() &&
+            !guest->isFloating())
+            return guest;
+    }
+    return nullptr;
 }
 
 /// The smallest pane in whose room @p dock finds what it needs, or most of it; null: there is none.
@@ -146,6 +208,7 @@ void PaneDocks::arrange(const WindowLayout& layout) {
     }
     m_placed = {};
     m_strays.clear();
+    m_stays.clear();
     const auto named = panesIn(tree);
     if (!layout.arrangement.empty()) {
         for (const auto& [id, dock] : m_docks) addDockWidget(Qt::LeftDockWidgetArea, dock);
@@ -179,19 +242,62 @@ void PaneDocks::place(const PaneSplit& split) {
     for (const PaneSplit& part : split.parts) place(part);
 }
 
-void PaneDocks::giveRoom(const PaneSplit& split, QSize room) {
-    if (split.parts.empty()) return;
-    double whole = 0.0;
-    for (const PaneSplit& part : split.parts) whole += part.share;
-    QList<QDockWidget*> docks;
+QSize PaneDocks::needOf(const PaneSplit& split) const {
+    if (!split.pane.empty()) {
+        const QDockWidget* const guest = guestOf(split.pane, false);
+        return guest == nullptr ? QSize(0, 0) : guest->widget()->sizeHint();
+    }
+    QSize need(0, 0);
+    for (const PaneSplit& part : split.parts) {
+        const QSize inner = needOf(part);
+        need = split.vertical ? QSize(std::max(need.width(), inner.width()), need.height() + inner.height())
+                              : QSize(need.width() + inner.width(), std::max(need.height(), inner.height()));
+    }
+    return need;
+}
+
+/// By shares, but that what a sheet needs is taken from the others.
+QList<int> PaneDocks::sizesIn(const PaneSplit& split, QSize room) const {
+    const double length = split.vertical ? room.height() : room.width();
+    double shares = 0.0, left = length, open = 0.0;
+    for (const PaneSplit& part : split.parts) shares += part.share;
     QList<int> sizes;
     for (const PaneSplit& part : split.parts) {
+        const QSize need = needOf(part);
+        const int least = split.vertical ? need.height() : need.width();
+        const bool needs = least > length * part.share / shares;
+        sizes += needs ? least : 0;
+        left -= needs ? least : 0.0;
+        open += needs ? 0.0 : part.share;
+    }
+    for (qsizetype i = 0; i < sizes.size(); ++i) {
+        const double share = split.parts[static_cast<std::size_t>(i)].share;
+        if (sizes[i] == 0) sizes[i] = std::max(1, static_cast<int>(left * share / open));
+    }
+    return sizes;
+}
+
+void PaneDocks::giveRoom(const PaneSplit& split, QSize room) {
+    if (split.parts.empty()) return;
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    const QList<int> shares = sizesIn(split, room);
+    for (std::size_t i = 0; i < split.parts.size(); ++i) {
+        const PaneSplit& part = split.parts[i];
+        int size = shares[static_cast<qsizetype>(i)];
         QSize inner = room;
-        const int size =
-            static_cast<int>((split.vertical ? room.height() : room.width()) * part.share / whole);
         (split.vertical ? inner.rheight() : inner.rwidth()) = size;
         giveRoom(part, inner);  // first: what is around goes on to change what is within
+        QDockWidget* const guest = part.pane.empty() ? nullptr : guestOf(part.pane, true);
+        const int wide = guest == nullptr ? 0 : guest->widget()->sizeHint().width();
         docks += dock(firstOf(part));
+        if (guest != nullptr && split.vertical) {
+            resizeDocks({docks.back(), guest}, {std::max(1, room.width() - wide), wide}, Qt::Horizontal);
+        } else if (guest != nullptr) {
+            docks += guest;
+            sizes += std::max(1, size - wide);
+            size = wide;
+        }
         sizes += size;
     }
     resizeDocks(docks, sizes, split.vertical ? Qt::Vertical : Qt::Horizontal);
@@ -208,6 +314,13 @@ std::string PaneDocks::arrangement() const {
 void PaneDocks::swap(const QString& one, const QString& other) {
     QDockWidget *const here = dock(one), *const there = dock(other);
     if (here == nullptr || there == nullptr || here == there) return;
+    std::vector<QDockWidget*> guests;  // sheets go where their pane goes
+    for (const QString& id : {one, other}) {
+        for (const bool beside : {false, true}) {
+            if (QDockWidget* const guest = guestOf(id.toStdString(), beside)) guests.push_back(guest);
+        }
+    }
+    for (QDockWidget* guest : guests) guest->close();
     QWidget *const first = here->widget(), *const second = there->widget();
     const bool firstShown = !here->isHidden(), secondShown = !there->isHidden();
     const QString title = here->windowTitle();
@@ -232,6 +345,7 @@ void PaneDocks::swap(const QString& one, const QString& other) {
     };
     exchange(exchange, m_placed);
     fit();
+    for (QDockWidget* guest : guests) open(*guest);
 }
 
 void PaneDocks::dress(QDockWidget& dock, bool withTitle) {

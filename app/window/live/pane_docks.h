@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include <QList>
 #include <QMainWindow>
 #include <QString>
 #include <QStringList>
@@ -26,6 +27,10 @@ public:
     void add(const QString& id, const QString& title, QWidget& pane);
     /// Others are not opened as a tab before pane @p id, while there is another that they may.
     void keepInSight(const QString& id) { m_inSight.insert(id); }
+    /// Pane @p id is a sheet, of its sizeHint() at least. Where the layout has no place for it, it opens
+    /// beside the first of @p hosts that is in sight, in that one's room, or as a tab before it where the
+    /// room is too small for both; never before another pane.
+    void addSheet(const QString& id, const QStringList& hosts);
     [[nodiscard]] QStringList ids() const;
     [[nodiscard]] bool isPaneVisible(const QString& id) const;
     /// Shows or hides one pane; while it is checked it is shown. One that the layout has no place for comes
@@ -33,6 +38,8 @@ public:
     [[nodiscard]] QAction* visibility(const QString& id) const;
     /// Shows a pane, before others that share its room.
     void open(const QString& id);
+    /// Hides a pane that the layout has no place for.
+    void putAway(const QString& id);
 
     /// Places panes as @p layout says; those that it does not name are hidden, those that it names but are
     /// not here leave their room to their neighbours.
@@ -56,6 +63,12 @@ private:
     void giveRoom(const PaneSplit& split, QSize room);
     void fit();
     void open(QDockWidget& dock);
+    void settle(QDockWidget& sheet);
+    [[nodiscard]] QDockWidget* sheetHost(const QDockWidget& sheet, const QStringList& hosts) const;
+    /// The sheet that is open at pane @p id, @p beside it or before it; null: none is.
+    [[nodiscard]] QDockWidget* guestOf(const std::string& id, bool beside) const;
+    [[nodiscard]] QSize needOf(const PaneSplit& split) const;
+    [[nodiscard]] QList<int> sizesIn(const PaneSplit& split, QSize room) const;
     [[nodiscard]] QAction* toggleOf(QDockWidget& dock);
     [[nodiscard]] QDockWidget* hostOf(const QDockWidget& dock) const;
     static void dress(QDockWidget& dock, bool withTitle);
@@ -63,8 +76,14 @@ private:
     std::vector<QString> m_ids;
     std::map<QString, QDockWidget*> m_docks;
     std::map<const QDockWidget*, QAction*> m_toggles;
+    struct Stay {
+        QString host;
+        bool beside = false;
+    };
     std::set<QString> m_inSight;
-    std::set<QDockWidget*> m_strays;  ///< that the layout has no place for and nobody gave one
+    std::map<QString, QStringList> m_sheets;  ///< where each may be
+    std::map<QString, Stay> m_stays;          ///< where each is while it is open
+    std::set<QDockWidget*> m_strays;          ///< that the layout has no place for and nobody gave one
     PaneSplit m_placed;  ///< shares hold when the window changes its size, until a pane was moved
     bool m_arranging = false;
 };

@@ -10,6 +10,8 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/victims/form_pictures.h"
+#include "app/window/live/victims/sheet_hosts.h"
 #include "app/window/review/review_bridge.h"
 #include "widgets/models/timeline/timeline_words.h"
 #include "widgets/models/victims/merge_words.h"
@@ -40,13 +42,19 @@ FindsFeature::FindsFeature(const ViewContext& context, ReviewBridge& bridge)
       m_context(context),
       m_bridge(bridge),
       m_panel(new VictimsPanel(&context.window, VictimsPanel::Use::Review)),
-      m_form(new VictimForm(&context.window)) {
+      m_form(new VictimForm(&context.window)),
+      m_pictures(new FormPictures(*m_form, bridge.player().folder())) {
     m_panel->setObjectName(QStringLiteral("findsPane"));
     context.panes.add(QStringLiteral("finds"), tr("Finds"), *m_panel);
     m_form->setObjectName(QStringLiteral("formPane"));
     context.panes.add(QStringLiteral("form"), tr("Form"), *m_form);
+    context.panes.addSheet(QStringLiteral("form"), sheetHosts());
     addCommands();
     connect(m_form, &VictimForm::edited, this, &FindsFeature::correct);
+    connect(m_form, &VictimForm::done, this, [this] {
+        m_context.panes.putAway(QStringLiteral("form"));
+        m_panel->setFocus();
+    });
     connect(m_panel, &VictimsPanel::chosenChanged, this, &FindsFeature::show);
     connect(m_panel, &VictimsPanel::activated, this, [this] {
         if (const auto row = m_panel->chosen()) m_bridge.player().seek(row->found);
@@ -77,10 +85,10 @@ void FindsFeature::addCommands() {
         return &action;
     };
     m_confirm = &add("review.confirm", tr("Con&firm the find"), tr("Confirm"),
-                     tr("The chosen find is one; the chosen candidate is filed"));
+                     tr("The chosen find is one; the chosen candidate is filed"), Qt::Key_V);
     connect(m_confirm, &QAction::triggered, this, &FindsFeature::confirm);
     m_discard = &add("review.discard", tr("&Discard the find"), tr("Discard"),
-                     tr("The chosen find, or candidate, is none"));
+                     tr("The chosen find, or candidate, is none"), QKeySequence(Qt::SHIFT | Qt::Key_Delete));
     connect(m_discard, &QAction::triggered, this, &FindsFeature::discard);
     m_ofChosen = {
         ofChosen(add("review.form", tr("Form of the f&ind…"), tr("Form…"),
@@ -94,7 +102,9 @@ void FindsFeature::addCommands() {
                         tr("About the moment that is shown"), QKeySequence(Qt::CTRL | Qt::Key_N));
     connect(&note, &QAction::triggered, this, &FindsFeature::askForNote);
     m_undo = &add("review.undo", tr("&Undo what was written"), tr("Undo"),
-                  tr("Takes back what was written last in reviews"), QKeySequence::Undo);
+                  tr("Takes back what was written last in reviews"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_U));
+    m_undo->setShortcuts({m_undo->shortcut(), QKeySequence::Undo});
     connect(m_undo, &QAction::triggered, this, &FindsFeature::undo);
     m_panel->addCommands({m_confirm, m_discard});
     m_panel->addCommands(m_ofChosen);
@@ -162,6 +172,7 @@ std::optional<VictimSample> FindsFeature::inForm(const std::optional<FindKey>& f
 void FindsFeature::showForm(const std::optional<VictimSample>& find) {
     m_form->show(find);  // may tell what was being typed of the one before
     m_shown = find;
+    if (m_form->isVisible()) m_pictures->follow(find);
 }
 
 void FindsFeature::tellWritten(const QString& done, const QString& problem) {

@@ -16,6 +16,7 @@ class QAction;
 namespace leitstand {
 
 class ReviewBridge;
+class FormPictures;
 class VictimForm;
 class VictimsPanel;
 
@@ -66,6 +67,7 @@ private:
     ReviewBridge& m_bridge;
     VictimsPanel* m_panel;
     VictimForm* m_form;
+    FormPictures* m_pictures;
     std::optional<VictimSample> m_shown;  ///< by the form, before it is edited
     std::optional<FindKey> m_asked,
         m_corrected;  ///< find whose correction is being written; whose newest is shown

@@ -11,6 +11,7 @@
 
 #include "app/language/language.h"
 #include "app/session/review/review_log.h"
+#include "app/window/first_geometry.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
@@ -49,6 +50,7 @@ bool waitUntil(ReviewBridge& bridge, Holds holds) {
 int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
     window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
+    bridge.player().seek(bridge.player().last());  // what is shown first is not of the beginning
     // The last moment with robots shows most of a mission: all of its map.
     std::optional<Time> wanted;
     const bool shown = waitUntil(bridge, [&] {
@@ -89,14 +91,12 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
         window.close();
         QCoreApplication::exit(0);  // another window may be registering: it stays
     });
-    window.resize(remembered.firstSize);
-    if (!remembered.liveGeometry.isEmpty()) window.restoreGeometry(remembered.liveGeometry);
     QObject::connect(&window, &ReviewWindow::closing, &window, [&] {
         remembered.liveGeometry = window.saveGeometry();
         remembered.view = window.view();
         saveWindowState(remembered);
     });
-    window.show();
+    showAsLeft(window, remembered.liveGeometry, remembered.firstSize);
     return QApplication::exec();
 }
 

@@ -8,6 +8,7 @@
 #include <QSysInfo>
 
 #include "app/session/review/newest_writing.h"
+#include "app/session/review/review_cadence.h"
 #include "app/session/review/reviewed_robot.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_report.h"
@@ -17,6 +18,17 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Tick(33);
+/// Of the times between two samples, as usual in the mission.
+constexpr double StaleAfter = 2.5, LostAfter = 5.0;
+
+/// Of a stream with that many samples a second [Hz]: as live ones, or as rare as it is recorded.
+FreshnessLimits limitsAt(double rate) {
+    FreshnessLimits limits;
+    if (rate <= 0.0) return limits;
+    limits.stale = std::max(limits.stale, StaleAfter / rate);
+    limits.lost = std::max(limits.lost, LostAfter / rate);
+    return limits;
+}
 
 }  // namespace
 
@@ -119,6 +131,31 @@ void ReviewBridge::watch(const std::string& robot) {
 
 SteadyTime ReviewBridge::arrivalOf(const ShownPicture& picture) const {
     return steadyOf(picture.received);
+}
+
+FreshnessLimits ReviewBridge::pictureLimits(const std::string& robot, const std::string& sensor) const {
+    if (!m_index) return {};
+    for (const RobotDescription& one : robots()) {
+        if (one.name != robot) continue;
+        for (const StreamRole role : {StreamRole::Picture, StreamRole::Thermal}) {
+            if (const StreamDescription* const stream = one.stream(role, sensor))
+                return limitsAt(usualRate(*m_index, robot, stream->topic));
+        }
+    }
+    return {};
+}
+
+MomentSource::ScanSource ReviewBridge::scanSource(const std::string& robot) const {
+    if (!m_index) return {};
+    if (!hasSlices(*m_index, robot)) return {true, limitsAt(keyScanRate(*m_index, robot))};
+    double rate = 0.0;
+    for (const RobotDescription& one : robots()) {
+        for (const StreamDescription& stream : one.streams) {
+            if (one.name == robot && (stream.role == StreamRole::Points || stream.role == StreamRole::Ranges))
+                rate = std::max(rate, usualRate(*m_index, robot, stream.topic));
+        }
+    }
+    return {false, limitsAt(rate)};
 }
 
 void ReviewBridge::showPictures(const ReviewMoment& moment) {

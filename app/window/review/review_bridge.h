@@ -49,6 +49,10 @@ public:
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& robot) override;
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+    /// By how often they came in this mission, which may have kept a choice of them.
+    [[nodiscard]] FreshnessLimits pictureLimits(const std::string& robot,
+                                                const std::string& sensor) const override;
+    [[nodiscard]] ScanSource scanSource(const std::string& robot) const override;
 
 signals:
     /// Something was written, in whatever window it was asked for: @p done, or what is wrong in @p problem.

@@ -19,6 +19,24 @@
 #include "widgets/timeline/transport_bar.h"
 
 namespace leitstand {
+namespace {
+
+constexpr char VictimLetter = 'V';  ///< of nameOf()
+
+template <TimelineMark::Kind kind>
+bool isOf(const TimelineMark& mark) {
+    return mark.kind == kind;
+}
+
+bool isVictim(const TimelineMark& mark) {
+    return isOf<TimelineMark::Kind::Victim>(mark) && mark.name.starts_with(VictimLetter);
+}
+
+bool isOtherFind(const TimelineMark& mark) {
+    return isOf<TimelineMark::Kind::Victim>(mark) && !mark.name.starts_with(VictimLetter);
+}
+
+}  // namespace
 
 TimelineFeature::TimelineFeature(const ViewContext& context, ReviewBridge& bridge)
     : QObject(&context.window),
@@ -79,21 +97,28 @@ void TimelineFeature::addCommands() {
        [this] { change(true); });
     m_transport->addGap();
     m_context.commands.separate(CommandMenu::Mission);
-    const std::vector finds = {Kind::Victim, Kind::Candidate};
     on(add("review.nextVictim", tr("Next &victim"),
-           tr("On to the next victim, other find or candidate, from the last to the first"), Qt::Key_V),
-       [this, finds] { jumpTo(finds, true); });
+           tr("On to where the next victim was filed or changed, from the last to the first"), Qt::Key_F3),
+       [this] { jumpTo(&isVictim, true); });
     QAction& before =
         add("review.previousVictim", tr("Previous v&ictim"),
-            tr("Back to the victim, other find or candidate before, from the first to the last"),
-            Qt::SHIFT | Qt::Key_V);
-    connect(&before, &QAction::triggered, this, [this, finds] { jumpTo(finds, false); });
+            tr("Back to where the victim before was filed or changed, from the first to the last"),
+            Qt::SHIFT | Qt::Key_F3);
+    connect(&before, &QAction::triggered, this, [this] { jumpTo(&isVictim, false); });
+    QAction& hazard =  // in the menu alone: the bar has no room for more where words are long
+        add("review.nextHazard", tr("Next &hazard"),
+            tr("On to the next hazard sign, QR code or object, from the last to the first"), Qt::Key_H);
+    connect(&hazard, &QAction::triggered, this, [this] { jumpTo(&isOtherFind, true); });
+    QAction& candidate =
+        add("review.nextCandidate", tr("Next &candidate"),
+            tr("On to what the station believed next to have found, from the last to the first"), Qt::Key_C);
+    connect(&candidate, &QAction::triggered, this, [this] { jumpTo(&isOf<Kind::Candidate>, true); });
     on(add("review.nextAlarm", tr("Next &alarm"), tr("On to the next alarm, from the last to the first"),
            Qt::Key_A),
-       [this] { jumpTo({Kind::Alarm}, true); });
+       [this] { jumpTo(&isOf<Kind::Alarm>, true); });
     on(add("review.nextNote", tr("Next n&ote"), tr("On to the next note, from the last to the first"),
            Qt::Key_O),
-       [this] { jumpTo({Kind::Note}, true); });
+       [this] { jumpTo(&isOf<Kind::Note>, true); });
     m_context.commands.separate(CommandMenu::Mission);
     QAction& finished = add("review.finished", tr("&Map as finished"),
                             tr("The map as the mission ended, with all corrections; else as it was then"),
@@ -153,11 +178,9 @@ void TimelineFeature::jump(bool forwards) {
     go(forwards ? markAfter(m_marks, now) : markBefore(m_marks, now));
 }
 
-void TimelineFeature::jumpTo(const std::vector<TimelineMark::Kind>& kinds, bool forwards) {
+void TimelineFeature::jumpTo(bool (*wanted)(const TimelineMark&), bool forwards) {
     std::vector<TimelineMark> of;
-    std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(of), [&kinds](const TimelineMark& mark) {
-        return std::find(kinds.begin(), kinds.end(), mark.kind) != kinds.end();
-    });
+    std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(of), wanted);
     const Time now = m_bridge.player().position();
     const TimelineMark* const next = forwards ? markAfter(of, now) : markBefore(of, now);
     go(next != nullptr || of.empty() ? next : forwards ? &of.front() : &of.back());

@@ -44,7 +44,7 @@ private:
     void change(bool faster);
     void jump(bool forwards);
     /// The next of these, of the last the first; or the one before.
-    void jumpTo(const std::vector<TimelineMark::Kind>& kinds, bool forwards);
+    void jumpTo(bool (*wanted)(const TimelineMark&), bool forwards);
     void go(const TimelineMark* mark);
     void showMission();
     void showMoment();

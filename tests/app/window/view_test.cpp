@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 
 #include "tests/app/window/window_page.h"
@@ -138,6 +139,17 @@ TEST_F(ViewTest, ThePointUnderThePointerIsReadOut) {
     QTest::mouseMove(&m_page->map(), at->toPoint());
     EXPECT_TRUE(eventually([&] { return m_page->label("pick").find("scan00") != std::string::npos; }));
     EXPECT_THAT(m_page->label("pick"), HasSubstr(" m · "));
+}
+
+TEST_F(ViewTest, CommandsHaveTheKeysThatTheyHaveInEveryWindow) {
+    for (const auto& [name, keys, plain] :
+         {std::tuple("lookVoxels", "Alt+2", "2"), std::tuple("cameraReset", "Ctrl+Shift+R", "R"),
+          std::tuple("clip", "Ctrl+Shift+H", "H"), std::tuple("measure", "Ctrl+Shift+M", "M")}) {
+        EXPECT_EQ(m_page->action(name).shortcut().toString().toStdString(), keys);
+        EXPECT_TRUE(m_page->action(name).shortcuts().contains(QKeySequence(QLatin1String(plain)))) << name;
+    }
+    EXPECT_EQ(m_page->find<QDockWidget>("messagesDock").toggleViewAction()->shortcut(),
+              QKeySequence(Qt::Key_F4));
 }
 
 TEST_F(ViewTest, CamerasLookFromAboveAndFromTheSide) {

@@ -79,9 +79,21 @@ TEST_P(PadPanesTest, TheLegendOfAnUnknownJoystickIsAList) {
     legend.setPad("Old stick", joystick());
     (void)pictureOf(legend, legend.sizeHint(), "pad_legend_plain");
     EXPECT_EQ(textFaults(legend), QStringList());
-    legend.setPad({}, {});
+}
+
+TEST_P(PadPanesTest, WithoutAPadTheLegendTellsHowToConnectOneAndWhatDrivesUntilThen) {
+    PadLegend legend;
+    legend.setCommands(commands());
+    legend.setPad({}, defaultBindings(PadLayout::Standard));
     (void)pictureOf(legend, legend.sizeHint(), "pad_legend_none");
     EXPECT_EQ(textFaults(legend), QStringList());
+    QString all;
+    for (const PaintedText& one : paintedTexts(legend)) all += one.text + QLatin1Char(' ');
+    for (const char* text : {"Bluetooth", "DualSense", "menu Robot, Gamepad", "F2", "W S A D",
+                             "Hold to drive", "STOP all robots"})
+        EXPECT_TRUE(all.contains(QLatin1String(text))) << text << " in " << all.toStdString();
+    EXPECT_TRUE(all.contains("This is what the controls would do:")) << "to its end: " << all.toStdString();
+    EXPECT_TRUE(all.contains("Esc stops all robots, always.")) << "to its end: " << all.toStdString();
 }
 
 TEST_P(PadPanesTest, TheDialogShowsControlsAndLiveBars) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/language/language.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/energy_cell.h"
@@ -81,6 +82,27 @@ TEST_P(DriveCells, TheTimeLeftOfABatteryIsToldAtEveryHeight) {
             EXPECT_EQ(textFaults(cell).join("; ").toStdString(), "") << width << " x " << height;
         }
     }
+}
+
+TEST_P(DriveCells, HowMuchIsLostOnTheLinkIsToldWholeInEveryLanguage) {
+    SampleRobot robot = sampleRobot();
+    robot.view.link.state = LinkState::Degraded;
+    robot.view.link.roundTrip = RoundTripStatus{.last = 1.9, .median = 1.9};
+    ASSERT_FALSE(robot.view.link.streams.empty());
+    robot.view.link.streams.front().lossRatio = 0.88;
+    robot.view.link.streams.front().stale = false;
+    for (const auto& [language, word] :
+         {std::pair("en", "loss"), std::pair("de", "Verlust"), std::pair("ja", "欠落")}) {
+        useLanguage(QLatin1String(language));
+        EnergyCell cell;
+        cell.show(driveStateOf(robot));
+        for (const int width : {136, 140, 156, 260}) {
+            static_cast<void>(pictureOf(cell, {width, 150}, "loss"));
+            EXPECT_THAT(textsOf(cell), Contains(HasSubstr(word))) << language << ", " << width;
+            EXPECT_EQ(textFaults(cell).join("; ").toStdString(), "") << language << ", " << width;
+        }
+    }
+    useLanguage(QStringLiteral("en"));
 }
 
 TEST_P(DriveCells, ABatteryWithFewMinutesIsLoudHoweverFullItIs) {

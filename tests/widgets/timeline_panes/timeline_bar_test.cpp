@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "tests/widgets/panes/shown.h"
+#include "widgets/theme.h"
 #include "widgets/timeline/transport_bar.h"
 
 namespace leitstand {
@@ -43,21 +44,22 @@ protected:
         const TimelineAxis axis({{at(0), at(700)}, {at(5'000), at(5'500)}});
         m_bar.setMission(axis, glyphsOf(marks, axis, {}));
         m_bar.setPosition(at(330));
-        m_bar.resize(1280, 62);
+        m_bar.resize(1280, TimelineBar::Height);
         m_bar.show();
     }
     [[nodiscard]] QPoint trackAt(double seconds) const {
-        return {static_cast<int>(m_bar.pixelOf(at(seconds))), 36};
+        return {static_cast<int>(m_bar.pixelOf(at(seconds))), 52};
     }
     TimelineBar m_bar;
 };
 
 TEST_F(TimelineBarTest, ShowsMarksGapsAndTheMoment) {
-    const QImage picture = test::pictureOf(m_bar, {1280, 62}, QStringLiteral("timeline"));
+    const QImage picture = test::pictureOf(m_bar, {1280, TimelineBar::Height}, QStringLiteral("timeline"));
     EXPECT_GT(test::colouredPixels(picture), 500);
     EXPECT_TRUE(test::textFaults(m_bar).isEmpty()) << test::textFaults(m_bar).join('\n').toStdString();
     m_bar.setOpening(0.4);
-    const QImage opening = test::pictureOf(m_bar, {1280, 62}, QStringLiteral("timeline-opening"));
+    const QImage opening =
+        test::pictureOf(m_bar, {1280, TimelineBar::Height}, QStringLiteral("timeline-opening"));
     EXPECT_NE(picture, opening);
 }
 
@@ -80,6 +82,27 @@ TEST_F(TimelineBarTest, TheMouseGoesToMomentsAndMarks) {
     ASSERT_NE(m_bar.glyphAt(QPointF(trackAt(560).x(), 14)), nullptr);
     EXPECT_TRUE(
         m_bar.glyphAt(QPointF(trackAt(560).x(), 14))->details.endsWith(QStringLiteral("V12 confirmed")));
+}
+
+TEST_F(TimelineBarTest, NoAlarmBuriesAFind) {
+    // Alarms one after the other, as a bad link makes them, about a victim.
+    std::vector<TimelineMark> marks = {
+        {.kind = Kind::Victim, .at = at(350), .key = "confirmed", .name = "V1"}};
+    for (int i = 0; i < 100; ++i)
+        marks.push_back({.kind = Kind::Alarm, .at = at(340 + 0.2 * i), .key = "link_lost", .act = true});
+    const TimelineAxis axis(std::vector<TimelineStretch>{{at(0), at(700)}});
+    m_bar.setMission(axis, glyphsOf(marks, axis, {}));
+    const double x = m_bar.pixelOf(at(350));
+    const TimelineGlyph* const find = m_bar.glyphAt(QPointF(x, 12));
+    ASSERT_NE(find, nullptr);
+    EXPECT_EQ(find->mark.kind, Kind::Victim);
+    const TimelineGlyph* const alarm = m_bar.glyphAt(QPointF(x, 34));
+    ASSERT_NE(alarm, nullptr);
+    EXPECT_EQ(alarm->mark.kind, Kind::Alarm);
+    const QImage picture =
+        test::pictureOf(m_bar, {1280, TimelineBar::Height}, QStringLiteral("timeline-buried"));
+    const QImage lane = picture.copy(static_cast<int>(x) - 8, 5, 16, 16);
+    EXPECT_GT(test::countOf(lane, coloursOf(Theme::Dark).select, 30), 60) << "the victim is whole";
 }
 
 TEST_F(TimelineBarTest, TheKeysStepAndGoToTheEnds) {

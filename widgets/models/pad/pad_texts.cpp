@@ -153,4 +153,18 @@ QString padDriveHint(const PadBindings& bindings) {
         .arg(padControlName(trigger, bindings.layout));
 }
 
+QString padConnectHelp() {
+    return Say::tr(
+        "Plug one in, or pair it by Bluetooth, at any time: what SDL knows works at once (Xbox, DualShock, "
+        "DualSense, Switch Pro, Steam; Logitech and 8BitDo in their X mode). Any other joystick is bound in "
+        "the "
+        "menu Robot, Gamepad: STOP first. This is what the controls would do:");
+}
+
+QString padlessKeys() {
+    return Say::tr(
+        "Until then keys drive: F2, then W S A D or the arrows; Shift slow, Ctrl fast; Space halts; G "
+        "held drives without eyes; Esc stops all robots, always.");
+}
+
 }  // namespace leitstand

@@ -22,5 +22,9 @@ struct PadCommandFace {
 [[nodiscard]] QString padControlName(const PadControl& control, PadLayout layout);
 /// What the operator is to do now so that the pad drives: "Hold LT, then push the stick."
 [[nodiscard]] QString padDriveHint(const PadBindings& bindings);
+/// How a gamepad is connected, and which are known.
+[[nodiscard]] QString padConnectHelp();
+/// What drives without one.
+[[nodiscard]] QString padlessKeys();
 
 }  // namespace leitstand

@@ -269,6 +269,7 @@ void CameraFeature::show(const LiveMoment& moment) {
             cameraOverlay(turn, picture.get(), m_looks.autoRange(), large ? keys : CameraKeyNames{});
         if (large) addDriving(overlay, *robot, moment, picture.get());
         pane(place).setTurnable(large && turn.has_value());
+        pane(place).setLimits(m_context.source.pictureLimits(robot->name, m_views.sensor(place)));
         pane(place).setAge(m_views.age(place, moment.steady),
                            large ? sightNote(moment.view(robot->name).drive) : QString());
         pane(place).setOverlay(overlay);

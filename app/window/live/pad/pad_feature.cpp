@@ -172,7 +172,9 @@ void PadFeature::fillDialog() {
 
 void PadFeature::refresh() {
     if (m_legend->isVisible()) {
-        m_legend->setPad(QString::fromStdString(m_input.chosen().name), m_input.bindings());
+        const QString pad = QString::fromStdString(m_input.chosen().name);
+        // Without one: what a known one would do.
+        m_legend->setPad(pad, pad.isEmpty() ? defaultBindings(PadLayout::Standard) : m_input.bindings());
         m_legend->setState(m_input.state());
     }
     if (m_dialog != nullptr && m_dialog->isVisible()) m_dialog->setState(m_input.state());

@@ -17,8 +17,6 @@
 namespace leitstand {
 namespace {
 
-constexpr FreshnessLimits BetweenKeyScans{.stale = 5.0, .lost = 12.0};
-
 /// Since the newest scan of @p said came [s]; infinite: never.
 double scanAge(const RobotState& said, Time now) {
     double age = std::numeric_limits<double>::infinity();
@@ -62,9 +60,10 @@ void ScanFeature::show(const LiveMoment& moment) {
     const std::string name = m_context.selection.name().toStdString();
     const RobotView& view = moment.view(name);
     double age = scanAge(moment.said(name), moment.now);
-    const bool keyScans = !std::isfinite(age) && view.around;  // a log that has nothing else
-    if (keyScans) age = view.around->youngest();
-    m_pane->setLimits(keyScans ? BetweenKeyScans : FreshnessLimits());
+    const MomentSource::ScanSource source = m_context.source.scanSource(name);
+    if (source.keyScans)
+        age = view.around ? view.around->youngest() : std::numeric_limits<double>::infinity();
+    m_pane->setLimits(source.limits);
     m_pane->show(view.around, view.drive.velocity, age);
 }
 

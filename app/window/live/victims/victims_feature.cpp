@@ -18,6 +18,8 @@
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/pane_docks.h"
 #include "app/window/live/selection.h"
+#include "app/window/live/victims/form_pictures.h"
+#include "app/window/live/victims/sheet_hosts.h"
 #include "core/mission/finds/find_book.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
@@ -42,11 +44,13 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
       m_map(map),
       m_cameras(cameras),
       m_panel(new VictimsPanel(&context.window)),
-      m_form(new VictimForm(&context.window)) {
+      m_form(new VictimForm(&context.window)),
+      m_pictures(new FormPictures(*m_form, context.bridge.station().folder())) {
     m_panel->setObjectName(QStringLiteral("victimsPane"));
     m_form->setObjectName(QStringLiteral("formPane"));
     context.panes.add(QStringLiteral("victims"), tr("Victims"), *m_panel);
     context.panes.add(QStringLiteral("form"), tr("Form"), *m_form);
+    context.panes.addSheet(QStringLiteral("form"), sheetHosts());
     addFreezing();
     addDecisions();
     addPlacing();
@@ -58,6 +62,10 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
     connect(m_panel, &VictimsPanel::activated, this, [this] { fillIn(1); });
     connect(m_form, &VictimForm::edited, this,
             [this](const VictimSample& find) { answer(desk().edit(find)); });
+    connect(m_form, &VictimForm::done, this, [this] {
+        m_context.panes.putAway(QStringLiteral("form"));
+        m_context.panes.setFocus();  // keys are the robot's again
+    });
     connect(&context.source, &MomentSource::ticked, this, &VictimsFeature::show);
 }
 
@@ -241,7 +249,9 @@ void VictimsFeature::showForm() {
     const auto entry = chosen && chosen->filed() ? finds.find(chosen->find) : finds.end();
     if (entry != finds.end())
         m_form->setTags(tagChoices(*m_context.source.moment().mission, entry->second.victim));
-    m_form->show(entry == finds.end() ? std::nullopt : std::optional(entry->second.victim));
+    const auto find = entry == finds.end() ? std::nullopt : std::optional(entry->second.victim);
+    m_form->show(find);
+    if (m_form->isVisible()) m_pictures->follow(find);
 }
 
 }  // namespace leitstand

@@ -19,6 +19,7 @@ namespace leitstand {
 
 class CameraFeature;
 class FindDesk;
+class FormPictures;
 class MapFeature;
 class VictimForm;
 class VictimsPanel;
@@ -60,6 +61,7 @@ private:
     CameraFeature& m_cameras;
     VictimsPanel* m_panel;
     VictimForm* m_form;
+    FormPictures* m_pictures;
     std::map<QString, QAction*> m_actions;
     std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
     std::uint32_t m_asked = 0;  ///< candidate that was asked to be filed last; 0: none

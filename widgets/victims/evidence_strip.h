@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <QImage>
+#include <QString>
+#include <QWidget>
+
+namespace leitstand {
+
+/// A picture that shows a find, and what it is: "kurt3d, left, 12:04:31".
+struct EvidenceImage {
+    QImage image;
+    QString caption;
+};
+
+/// The pictures of a find, side by side, as large as they fit. Captions are tooltips.
+class EvidenceStrip final : public QWidget {
+    Q_OBJECT
+public:
+    explicit EvidenceStrip(QWidget* parent = nullptr);
+
+    /// @p awaited: there are pictures, which are read yet.
+    void show(std::vector<EvidenceImage> images, bool awaited = false);
+    using QWidget::show;
+    [[nodiscard]] int count() const { return static_cast<int>(m_images.size()); }
+
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 72}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    /// Where each picture is painted.
+    [[nodiscard]] std::vector<QRectF> places() const;
+
+    std::vector<EvidenceImage> m_images;
+    bool m_awaited = false;
+};
+
+}  // namespace leitstand
