@@ -21,8 +21,8 @@ double luminance(const Rgba& colour) {
 }
 
 double contrast(const Rgba& a, const Rgba& b) {
-    const auto [darker, brighter] = std::minmax(luminance(a), luminance(b));
-    return (brighter + 0.05) / (darker + 0.05);
+    const double one = luminance(a), other = luminance(b);
+    return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
 
 /// [degrees]
