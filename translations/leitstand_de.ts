@@ -7669,6 +7669,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>%1 person?</source>
         <translation>%1 Person?</translation>
     </message>
+    <message>
+        <source>person?</source>
+        <translation>Person?</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::Timeline</name>

@@ -7669,6 +7669,10 @@ A function of this program, no certified emergency stop.</source>
         <source>%1 person?</source>
         <translation>%1 人物?</translation>
     </message>
+    <message>
+        <source>person?</source>
+        <translation>人物?</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::Timeline</name>

@@ -21,12 +21,18 @@ public:
         Eigen::Vector3d shot =
             Eigen::Vector3d::Zero();  ///< from the scanner to it then; base_link's axes [m]
         double bottom = 0.0;          ///< where what stands there begins: more for what hangs [m]
+        double z = 0.0;               ///< of the point that was measured, odometry's frame [m]
+        double rise = 0.0;            ///< ... over the robot's ground then [m]
     };
     void add(const One& one);
     /// A raw scan from @p origin to @p heading [rad] saw the ground free from @p from to @p to [m] away.
     void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
     /// What turns out to be mixed with the robot's own edges, which @p mask has learned since.
     void forgetMixed(const OwnBodyMask& mask, double within);
+    template <class Is>
+    void forgetWhere(Is is) {
+        std::erase_if(m_all, is);
+    }
     [[nodiscard]] const std::vector<One>& all() const { return m_all; }
     void clear() { m_all.clear(); }
 

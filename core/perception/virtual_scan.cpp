@@ -16,6 +16,8 @@ constexpr double LowPoint = 0.15;          // points so low over the ground tell
 constexpr double NearBy = 1.5;             // obstacles so near are remembered for themselves [m]
 constexpr double NearInPlane = 0.8;        // ... of scanners in a plane, which look only ahead [m]
 constexpr std::size_t LookEvery = 3;       // of such a scanner's rays looks through what is remembered
+constexpr double Sunk = 0.03;              // so much more than a step may be off the plane of its wheels [m]
+constexpr double SameSurface = 0.15;       // from point to point of one that it stands on [m]
 constexpr double Behind = 0.05;            // before an obstacle its own points may lie [m]
 constexpr auto SameLook = std::chrono::milliseconds(500);  // rays of a direction so close in time are one
 
@@ -112,10 +114,12 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         if (isOwn(inBase) && inBase.z() > m_settings.profile.step)
             m_ownBody.add(inBase - sensorInBase.translation(), timeOf(i));
     }
+    std::optional<Pose> newest;  // base_link in odom
     /// Brings the points of one raw scan, @p indices, into the odometry's frame and adds them as of @p at.
     const auto addRaw = [&](const std::vector<std::size_t>& indices, Time at) {
         const auto base = baseInOdom(at);
         if (!base || !base->matrix().allFinite()) return;
+        newest = base;
         const Eigen::Vector3d scanner = *base * sensorInBase.translation();
         std::vector<Measured> measured;
         measured.reserve(indices.size());
@@ -149,6 +153,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
             if (indices.back() < cloud.points.size()) addRaw(indices, timeOf(indices.front()));
         }
         m_near.forgetMixed(m_ownBody, m_settings.mixedWithin);
+        if (newest) forgetClimbed(*newest);
         return;
     }
     std::vector<std::vector<std::size_t>> raws(m_rays.size());
@@ -162,6 +167,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         if (!indices.empty()) addRaw(indices, timeOf(indices.back()));
     }
     m_near.forgetMixed(m_ownBody, m_settings.mixedWithin);
+    if (newest) forgetClimbed(*newest);
 }
 
 void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
@@ -192,13 +198,15 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
         ray.inner = contour.inner->where;
         ray.top = contour.innerTop;
         ray.bottom = contour.innerBottom;
+        ray.innerRise = contour.inner->height;
+        ray.innerZ = base.translation().z() + ray.innerRise;
     }
     remember(points, ray, origin, heading);
     if (contour.inner && contour.inner->distance < NearBy) {
         const double height = base.translation().z() + contour.inner->height - scanner.z();
         const Eigen::Vector2d away = contour.inner->where - origin;
         const Eigen::Vector3d shot = base.linear().transpose() * Eigen::Vector3d(away.x(), away.y(), height);
-        m_near.add({*ray.inner, ray.top, at, shot, ray.bottom});
+        m_near.add({*ray.inner, ray.top, at, shot, ray.bottom, ray.innerZ, ray.innerRise});
     }
     const Time look = at - SameLook;
     if (follows) clearBetween(m_before->heading, heading, look);
@@ -236,6 +244,8 @@ void VirtualScan::put(const Ray& ray, double heading, Time look) {
         old.inner = ray.inner;
         old.top = ray.top;
         old.bottom = ray.bottom;
+        old.innerZ = ray.innerZ;
+        old.innerRise = ray.innerRise;
     }
     old.at = std::max(old.at, ray.at);
 }
@@ -290,17 +300,53 @@ void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, cons
         const bool floor = height < m_settings.profile.step;
         if (echo && !floor && height < m_settings.profile.height &&
             isSupported(ranges, i, m_settings.profile))
-            ray.inner = flat(inOdom);
+            ray.inner = flat(inOdom), ray.innerZ = inOdom.z(), ray.innerRise = height;
         if (std::abs(wrapped(heading - before)) < WidestStep)
             clearBetween(before, heading, ranges.header.stamp);
         const double away = (ray.far - flat(scanner)).norm();
         if (i % LookEvery == 0)
             m_near.lookThrough(flat(scanner), heading, 0.0, echo ? away - Behind : away, at);
         if (ray.inner && away < NearInPlane)
-            m_near.add({*ray.inner, ray.top, at, Eigen::Vector3d::Zero(), ray.bottom});
+            m_near.add({*ray.inner, ray.top, at, Eigen::Vector3d::Zero(), ray.bottom, ray.innerZ, height});
         put(ray, heading, ranges.header.stamp);
         before = heading;
     }
+    if (base) forgetClimbed(*base);
+}
+
+void VirtualScan::forgetClimbed(const Pose& base) {
+    const Pose odomInBase = base.inverse();
+    std::vector<Eigen::Vector3d> climbed, level;  // in base_link
+    const BodyBox about = m_settings.body.grown(SameSurface);
+    const auto look = [&](const Eigen::Vector2d& where, double z, double rise) {
+        const Eigen::Vector3d inBase = odomInBase * Eigen::Vector3d(where.x(), where.y(), z);
+        const bool inPlane = std::abs(inBase.z()) <= m_settings.profile.step + Sunk;
+        // What stands on level ground is as high over it as ever.
+        if (!inPlane || inBase.z() > 0.5 * rise || flat(inBase).norm() > NearBy) return;
+        (about.contains(flat(inBase)) ? climbed : level).push_back(inBase);
+    };
+    for (const Ray& ray : m_rays) {
+        if (ray.seen && ray.inner) look(*ray.inner, ray.innerZ, ray.innerRise);
+    }
+    for (const NearObstacles::One& one : m_near.all()) look(one.where, one.z, one.rise);
+    if (climbed.empty()) return;
+    // What goes on from there in the plane that the robot stands in is of the same surface.
+    for (std::size_t next = 0; next < climbed.size(); ++next) {
+        const Eigen::Vector3d here = climbed[next];
+        const auto on = std::partition(level.begin(), level.end(), [&](const Eigen::Vector3d& point) {
+            return (flat(point) - flat(here)).norm() > SameSurface;
+        });
+        climbed.insert(climbed.end(), on, level.end());
+        level.erase(on, level.end());
+    }
+    const auto isClimbed = [&](const Eigen::Vector2d& where, double z) {
+        const Eigen::Vector3d inBase = odomInBase * Eigen::Vector3d(where.x(), where.y(), z);
+        return std::find(climbed.begin(), climbed.end(), inBase) != climbed.end();
+    };
+    for (Ray& ray : m_rays) {
+        if (ray.inner && isClimbed(*ray.inner, ray.innerZ)) ray.inner.reset();
+    }
+    m_near.forgetWhere([&](const NearObstacles::One& one) { return isClimbed(one.where, one.z); });
 }
 
 void VirtualScan::addObstacle(VirtualScanView& view, const VirtualObstacle& one) {

@@ -63,6 +63,8 @@ private:
         std::optional<Eigen::Vector2d> inner;           ///< in odom [m]
         double top = std::numeric_limits<double>::infinity();  ///< of what stands at inner [m]
         double bottom = 0.0;                                   ///< likewise [m]
+        double innerZ = 0.0;                                   ///< of inner, in odom [m]
+        double innerRise = 0.0;                                ///< ... over the robot's ground then [m]
     };
     /// The raw scan before, for support and for the directions between.
     struct Before {
@@ -78,6 +80,10 @@ private:
     /// @p look: when the scanner began to look round this time; what it saw before is replaced.
     void put(const Ray& ray, double heading, Time look);
     void clearBetween(double from, double to, Time look);
+    /// What the robot stands on is no obstacle, though it was taken for one from afar: a ramp, by a scanner
+    /// in a plane, or a kerb that it got onto after all. Forgets what has sunk into the plane of its wheels
+    /// at its body, and what that goes on in.
+    void forgetClimbed(const Pose& base);
     /// Whether a point is one of the robot's own body [m].
     [[nodiscard]] bool isOwn(const Eigen::Vector3d& inBase) const;
     [[nodiscard]] int binOf(double heading) const;

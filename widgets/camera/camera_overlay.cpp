@@ -9,6 +9,7 @@
 #include <QPolygonF>
 
 #include "widgets/camera/pan_overlay.h"
+#include "widgets/models/camera/mode_badge.h"
 #include "widgets/models/camera/ring_layout.h"
 #include "widgets/models/live/view_geometry.h"
 #include "widgets/models/numbers.h"
@@ -24,18 +25,21 @@ const QColor Rim(0, 0, 0, 150);
 
 /// Where the mode ends [px].
 double paintMode(QPainter& painter, const QRectF& picture, double top, const ModeLabel& mode) {
+    QRectF open = picture;
+    open.setTop(std::max(picture.top(), top));
+    const auto sizeOf = [&painter](const QString& text, int pixels) {
+        const QFontMetricsF metrics(sized(painter.font(), pixels, true));
+        return QSizeF(metrics.horizontalAdvance(text), metrics.height());
+    };
+    const ModeBadge badge = modeBadge(mode, open, sizeOf);
+    if (badge.text.isEmpty()) return open.top();
     painter.save();
-    const double room = std::min(0.6 * picture.width(), 320.0);
-    painter.setFont(fitted(painter.font(), mode.text, room - 28.0, 18, 11));
-    const QFontMetricsF metrics(painter.font());
-    QRectF box(0, 0, metrics.horizontalAdvance(mode.text) + 28.0, metrics.height() + 10.0);
-    box.moveCenter({picture.center().x(), 0.0});
-    box.moveTop(std::max(picture.top(), top) + 8.0);
-    paintModeSurface(painter, box, mode.kind, overlayInks(), 4.0);
+    painter.setFont(sized(painter.font(), badge.pixels, true));
+    paintModeSurface(painter, badge.box, mode.kind, overlayInks(), 4.0);
     painter.setPen(modeInk(mode.kind, overlayInks()));
-    painter.drawText(box, Qt::AlignCenter, mode.text);
+    painter.drawText(badge.box, Qt::AlignCenter, badge.text);
     painter.restore();
-    return box.bottom();
+    return badge.box.bottom();
 }
 
 void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay) {
@@ -167,7 +171,7 @@ void paintCameraOverlay(QPainter& painter, const QRectF& picture, double top, co
     paintPan(painter, picture, overlay);
     // Beside the mode where there is room, below it otherwise.
     const bool beside = !overlay.mode || picture.width() >= 600.0;
-    paintNotes(painter, picture, beside ? top : std::max(picture.top(), top) + 40.0, overlay.notes);
+    paintNotes(painter, picture, beside ? top : free, overlay.notes);
     painter.restore();
 }
 

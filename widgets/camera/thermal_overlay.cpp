@@ -88,8 +88,12 @@ void paintHeat(QPainter& painter, const QRectF& area, const ThermalPicture& pict
     const auto sizeOf = [&](double celsius) {
         return QSizeF(metrics.horizontalAdvance(textOf(celsius)) + 4.0, metrics.height());
     };
-    for (const HeatLabel& label : heatLabels(bodies, sizeOf, open, taken))
-        paintRimmedText(painter, label.box, Qt::AlignCenter, textOf(label.celsius), Qt::white);
+    const QString brief = ThermalTexts::tr("person?");
+    const QSizeF briefSize(metrics.horizontalAdvance(brief) + 4.0, metrics.height());
+    for (const HeatLabel& label : heatLabels(bodies, sizeOf, open, taken, briefSize)) {
+        const QString text = label.brief ? brief : textOf(label.celsius);
+        paintRimmedText(painter, label.box, Qt::AlignCenter, text, Qt::white);
+    }
     painter.restore();
 }
 

@@ -82,7 +82,9 @@ void MapScenery::setVisible(std::vector<bool> scanIsVisible) {
 void MapScenery::setTeam(std::vector<SceneRobot> robots) {
     if (robots == m_order.robots) return;
     m_order.robots = std::move(robots);
-    if (m_order.settings.colouring == MapColouring::Robot) submit();
+    // What is coloured by robots, or named after them.
+    const MapColouring by = m_order.settings.colouring;
+    if (by == MapColouring::Robot || by == MapColouring::Scan) submit();
 }
 
 void MapScenery::setSettings(const MapViewSettings& settings) {

@@ -11,6 +11,7 @@
 #include "widgets/map_view/overlays/legend.h"
 #include "widgets/map_view/overlays/map_marks.h"
 #include "widgets/map_view/overlays/scale_overlays.h"
+#include "widgets/map_view/overlays/scan_outlines.h"
 #include "widgets/map_view/picking.h"
 #include "widgets/map_view/robots/robot_overlay.h"
 #include "widgets/map_view/victims/victim_overlay.h"
@@ -197,6 +198,7 @@ void MapView::State::paintOverlays(QPainter& painter) {
         gridStep = paintGroundGrid(painter, projection, content, overlay);
     }
     floor.paint(painter, projection, overlay);
+    paintScanOutlines(painter, projection, content, overlay);
     const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
     paintScanPositions(painter, projection, content, !trails, overlay);
     if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);

@@ -23,7 +23,8 @@ void MapView::setRobots(std::vector<RobotMark> robots) {
     if (same) return;
     std::vector<SceneRobot> team;
     for (const RobotMark& robot : m_state->robots)
-        team.push_back({robot.face.name.toStdString(), robot.face.title.toStdString(), robot.face.place});
+        team.push_back({robot.face.name.toStdString(), robot.face.title.toStdString(), robot.face.place,
+                        robot.face.letter.toStdString()});
     m_state->scenery.setTeam(std::move(team));
     update();
 }

@@ -13,7 +13,7 @@ std::vector<Eigen::Vector3d> trailsOf(const RobotsInMap& robots) {
     std::vector<Eigen::Vector3d> trails;
     for (const RobotInMap& one : robots) {
         if (!one.placed) continue;
-        for (const Eigen::Vector3f& step : *one.trail) trails.push_back(step.cast<double>());
+        for (const TrailPlace& step : *one.trail) trails.push_back(step.inMap.cast<double>());
         trails.emplace_back(one.baseInMap.translation());
     }
     return trails;

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "app/session/review/review_log.h"
@@ -13,8 +17,8 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Silence(10);               ///< longer ones part stretches
-constexpr double Apart = 0.1, TurnedApart = degrees(10);  ///< of points on a track [m], [rad]
+constexpr std::chrono::seconds Silence(10);  ///< longer ones part stretches
+constexpr double TurnedApart = degrees(10);  ///< of points on a track
 
 constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms, StreamRole::Mode,
                               StreamRole::Bumps,    StreamRole::Sightings,        StreamRole::Gas};
@@ -42,21 +46,32 @@ public:
     TimelineCollector marks;
 
 private:
+    /// When odometry of a robot came in.
+    struct Heard {
+        std::optional<Time> last;
+        std::chrono::nanoseconds silence{};  ///< the longest since the track's end
+    };
     void follow(const Event& event, const OdometrySample& odometry);
+
+    std::map<std::string, Heard> m_heard;  ///< by robot
 };
 
 void Indexing::follow(const Event& event, const OdometrySample& odometry) {
     auto& track = index.tracks[event.robot];
     const Pose& base = odometry.baseInOdom;
     if (!base.matrix().allFinite()) return;
+    Heard& heard = m_heard[event.robot];
+    if (heard.last)
+        heard.silence = std::max(heard.silence, std::chrono::nanoseconds(event.received - *heard.last));
+    heard.last = event.received;
     if (!track.empty()) {
         const Pose& before = track.back().baseInOdom;
-        const bool moved = (before.translation() - base.translation()).norm() >= Apart ||
+        const bool moved = (before.translation() - base.translation()).norm() >= ReviewIndex::TrackApart ||
                            angleBetween(before, base) >= TurnedApart;
         if (!moved) return;
     }
     const Time stamp = odometry.header.stamp == Time{} ? event.received : odometry.header.stamp;
-    track.push_back({event.received, stamp, base});
+    track.push_back({event.received, stamp, base, std::exchange(heard.silence, {})});
 }
 
 void Indexing::take(const Event& event) {

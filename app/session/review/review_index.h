@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,11 +24,13 @@ struct ReviewIndex {
     struct TrackPoint {
         Time received{}, stamp{};  ///< station's and robot's clock
         Pose baseInOdom = Pose::Identity();
+        std::chrono::nanoseconds unheard{};  ///< longest silence of the odometry since the point before
     };
+    static constexpr double TrackApart = 0.1;               ///< of its points [m]
     std::vector<TimelineMark> marks;                        ///< by time
     std::vector<TimelineStretch> stretches;                 ///< in which something was recorded
     std::map<std::uint64_t, KeyScanSample> keyScans;        ///< by id
-    std::map<std::string, std::vector<TrackPoint>> tracks;  ///< by robot, some 10 cm or 10 degrees apart
+    std::map<std::string, std::vector<TrackPoint>> tracks;  ///< by robot, TrackApart or 10 degrees apart
     std::map<std::string, std::vector<RobotPlaceSample>> places;      ///< by robot, as they came
     std::map<std::string, std::vector<std::pair<Time, double>>> gas;  ///< by robot: when received, [ppm]
     std::vector<Event> fixed;                                         ///< of what never changes: tf_static

@@ -170,13 +170,20 @@ RobotInMap ReviewScene::place(const RobotDescription& robot, const MissionState&
     place.certainty = now.certainty;
     place.certain = now.certain;
     place.how = now.how;
-    auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
+    constexpr double Apart = ReviewIndex::TrackApart;
+    auto trail = std::make_shared<Trail>();
     if (const auto track = m_index.tracks.find(robot.name); track != m_index.tracks.end()) {
         for (const ReviewIndex::TrackPoint& point : track->second) {
             if (point.received > at) break;
             const Pose& odomInMap = anchorAt(anchors, point.received).odomInMap;
-            trail->push_back((odomInMap * point.baseInOdom.translation()).cast<float>());
+            const Eigen::Vector3f there = (odomInMap * point.baseInOdom.translation()).cast<float>();
+            const float away = trail->empty() ? 0.0F : (there - trail->back().inMap).norm();
+            trail->push_back({there, isGap(static_cast<double>(away), point.unheard, Apart)});
         }
+    }
+    if (!trail->empty()) {
+        const Eigen::Vector3d end = trail->back().inMap.cast<double>();
+        place.afterGap = isGap((place.baseInMap.translation() - end).norm(), {}, Apart);
     }
     place.trail = std::move(trail);
     return place;

@@ -179,7 +179,7 @@ void LiveMapping::registerDone(Time now) {
             for (const LiveScan& scan : cutter.take(now)) {
                 place(robot, scan, now);
                 const LiveMapPtr before = m_map;
-                const MapUpdate update = m_mapper.add(scan, now, bodiesIn(scan));
+                const MapUpdate update = m_mapper.add(scan, now, bodiesIn(*scan.scan));
                 if (update.ready) matched(name, now);
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
@@ -250,6 +250,7 @@ void LiveMapping::run(const std::stop_token& stop) {
             std::visit([this](const auto& content) { work(content); }, one);
         }
         registerDone(stationTime());
+        if (leaveOutPlaced()) tellMap();
         tellRobots();
     }
 }

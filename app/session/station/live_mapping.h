@@ -81,6 +81,7 @@ private:
         std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
         std::optional<Time> matched;       ///< RobotInMap::matched
         std::optional<RobotFix> followed;  ///< that the tracker was corrected by last
+        bool certain = false;              ///< its place was, when scans were looked through for it last
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;
@@ -97,7 +98,10 @@ private:
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
     void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
-    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const LiveScan& scan) const;
+    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan) const;
+    /// A robot's place became certain: it is left out of what was scanned before, as far back as its odometry
+    /// tells where it was. Whether the map has changed.
+    bool leaveOutPlaced();
     [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
     void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();

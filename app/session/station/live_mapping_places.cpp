@@ -28,17 +28,34 @@ std::vector<Disc> LiveMapping::othersThan(const Robot& robot, bool certain) cons
     return others;
 }
 
-std::vector<PlacedBody> LiveMapping::bodiesIn(const LiveScan& scan) const {
+std::vector<PlacedBody> LiveMapping::bodiesIn(const Scan& scan) const {
     std::vector<PlacedBody> bodies;
-    const Robot& seeing = m_robots.at(scan.scan->robot);
+    const Robot& seeing = m_robots.at(scan.robot);
     for (const RobotDescription& description : m_descriptions) {
         const Robot& other = m_robots.at(description.name);
         if (&other == &seeing) continue;
         const auto later = other.ahead - seeing.ahead;
-        addBodies(bodies, other.tracker, {description.footprint, description.height},
-                  scan.scan->start + later, scan.scan->end + later);
+        addBodies(bodies, other.tracker, {description.footprint, description.height}, scan.start + later,
+                  scan.end + later);
     }
     return bodies;
+}
+
+bool LiveMapping::leaveOutPlaced() {
+    bool becameCertain = false;
+    for (auto& [name, robot] : m_robots) {
+        const bool certain = robot.tracker.now().certain;
+        becameCertain = becameCertain || (certain && !robot.certain);
+        robot.certain = certain;
+    }
+    if (!becameCertain || !m_map) return false;
+    bool changed = false;
+    for (const LiveKeyScan& one : m_map->scans) {
+        if (one.odometryFrame < 0 || !m_robots.contains(one.scan->robot)) continue;
+        std::vector<PlacedBody> bodies = bodiesIn(*one.scan);
+        if (!bodies.empty() && m_mapper.leaveOut(one.id, std::move(bodies))) changed = true;
+    }
+    return changed;
 }
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {

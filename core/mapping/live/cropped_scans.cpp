@@ -8,13 +8,15 @@
 namespace leitstand {
 namespace {
 
-/// Which of @p points are inside @p crop.
+/// Which of @p points are inside @p crop and not on @p others.
 std::vector<std::size_t> pointsInside(const std::vector<Eigen::Vector3f>& points, const MapCrop& crop,
-                                      const Pose& scanInMap) {
+                                      const Pose& scanInMap, std::span<const PlacedBody> others) {
+    const std::vector<bool> on = onOthers(points, others, scanInMap);
     std::vector<std::size_t> kept;
     kept.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].allFinite() && crop.contains(scanInMap * points[i].cast<double>())) kept.push_back(i);
+        if (points[i].allFinite() && !on[i] && crop.contains(scanInMap * points[i].cast<double>()))
+            kept.push_back(i);
     }
     return kept;
 }
@@ -26,8 +28,9 @@ void keep(std::vector<T>& list, const std::vector<std::size_t>& kept) {
     list.resize(kept.size());
 }
 
-PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInMap) {
-    const std::vector<std::size_t> kept = pointsInside(cloud.points, crop, scanInMap);
+PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInMap,
+                      std::span<const PlacedBody> others) {
+    const std::vector<std::size_t> kept = pointsInside(cloud.points, crop, scanInMap, others);
     keep(cloud.points, kept);
     keep(cloud.normals, kept);
     keep(cloud.labels, kept);
@@ -35,19 +38,21 @@ PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInM
 }
 
 MatchedCloudPtr insideCrop(const MatchedCloudPtr& whole, const MapCrop& crop, const Pose& scanInMap,
-                           const MatchedClouds& clouds) {
+                           const std::vector<PlacedBody>& others, const MatchedClouds& clouds) {
     if (!whole) return nullptr;
-    const PointCloud inside = insideCrop(whole->unpacked(), crop, scanInMap);
+    const PointCloud inside = insideCrop(whole->unpacked(), crop, scanInMap, others);
     if (inside.size() == whole->size()) return whole;
-    return clouds.keep(inside,
-                       [whole, crop, scanInMap] { return insideCrop(whole->unpacked(), crop, scanInMap); });
+    return clouds.keep(inside, [whole, crop, scanInMap, others] {
+        return insideCrop(whole->unpacked(), crop, scanInMap, others);
+    });
 }
 
 }  // namespace
 
-ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInMap) {
-    if (!scan || crop.open()) return scan;
-    const std::vector<std::size_t> kept = pointsInside(scan->points, crop, scanInMap);
+ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInMap,
+                   std::span<const PlacedBody> others) {
+    if (!scan || (crop.open() && others.empty())) return scan;
+    const std::vector<std::size_t> kept = pointsInside(scan->points, crop, scanInMap, others);
     if (kept.size() == scan->points.size()) return scan;
     return std::make_shared<const Scan>(selected(*scan, kept));
 }
@@ -58,9 +63,19 @@ void CroppedScans::setCrop(MapCrop crop) {
     for (auto& [id, fitted] : m_fitted) fitted.scan.reset();
 }
 
+void CroppedScans::setOthers(std::uint64_t id, std::vector<PlacedBody> others) {
+    if (others.empty()) {
+        m_others.erase(id);
+    } else {
+        m_others[id] = std::move(others);
+    }
+    if (const auto known = m_fitted.find(id); known != m_fitted.end()) known->second.scan.reset();
+}
+
 void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto known = m_fitted.find(scan.id);
-    if (m_crop.open()) {
+    const auto placed = m_others.find(scan.id);
+    if (m_crop.open() && placed == m_others.end()) {
         if (known == m_fitted.end()) return;
         scan.scan = known->second.whole;
         scan.reduced = known->second.wholeReduced;
@@ -72,10 +87,12 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
                          : m_fitted.emplace(scan.id, Fitted{scan.scan, scan.reduced, {}, {}}).first->second;
     const Pose& here = scan.pose.scanInMap;
     if (!fitted.scan || fitted.scanInMap.matrix() != here.matrix()) {
+        const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
         fitted.scanInMap = here;
-        fitted.scan = insideCrop(fitted.whole, m_crop, here);
-        fitted.reduced = fitted.scan == fitted.whole ? fitted.wholeReduced
-                                                     : insideCrop(fitted.wholeReduced, m_crop, here, clouds);
+        fitted.scan = insideCrop(fitted.whole, m_crop, here, others);
+        fitted.reduced = fitted.scan == fitted.whole
+                             ? fitted.wholeReduced
+                             : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
     }
     scan.scan = fitted.scan;
     scan.reduced = fitted.reduced;

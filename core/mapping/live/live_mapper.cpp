@@ -110,6 +110,17 @@ void LiveMapper::setCrop(MapCrop crop) {
     m_state->localStale = true;
 }
 
+bool LiveMapper::leaveOut(std::uint64_t id, std::vector<PlacedBody> others) {
+    LiveKeyScan* const scan = m_state->find(id);
+    if (scan == nullptr) return false;
+    const ScanPtr before = scan->scan;
+    m_state->cropped.setOthers(id, std::move(others));
+    m_state->cropped.fit(*scan, m_state->clouds);
+    const bool changed = scan->scan->points.size() != before->points.size();
+    m_state->localStale = m_state->localStale || changed;
+    return changed;
+}
+
 void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {
     m_state->robots[robot].placedInMap = baseInMap;
 }

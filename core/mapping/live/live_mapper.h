@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/mapping/live/live_map.h"
@@ -70,6 +71,9 @@ public:
     /// Of all scans, also those that are in the map: a wider area brings back what an earlier one left out of
     /// them, though not what never came in.
     void setCrop(MapCrop crop);
+    /// It is known now that other robots were at @p others, in the map, while the key scan @p id was taken:
+    /// what of it is on them is left out. Whether something was.
+    bool leaveOut(std::uint64_t id, std::vector<PlacedBody> others);
     /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
 

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/mapping/live/trail.h"
 
 namespace leitstand {
 
@@ -27,9 +26,8 @@ struct RobotInMap {
     double certainty = 0.0;  ///< 0 to 1
     bool certain = false;    ///< its newest scan fits; else its odometry alone carries it on
     std::string how;         ///< it came there, or why that is doubted, in words, in English
-    /// base_link where it was, oldest first, some 10 cm apart [m]; never null.
-    std::shared_ptr<const std::vector<Eigen::Vector3f>> trail =
-        std::make_shared<const std::vector<Eigen::Vector3f>>();
+    TrailPtr trail = std::make_shared<const Trail>();  ///< some 10 cm from place to place; never null
+    bool afterGap = false;  ///< nobody knows the way to baseInMap from the trail's end
 };
 /// All robots of the station by name, immutable.
 using RobotsInMap = std::vector<RobotInMap>;

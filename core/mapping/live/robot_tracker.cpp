@@ -1,5 +1,6 @@
 #include "core/mapping/live/robot_tracker.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -56,6 +57,7 @@ void RobotTracker::correct(const MapFix& fix) {
     m_now.certain = fix.certain;
     m_now.how = fix.how;
     refresh();
+    tellGap();
 }
 
 void RobotTracker::lose() {
@@ -91,13 +93,21 @@ void RobotTracker::refresh() {
 
 void RobotTracker::leaveTrail() {
     if (!m_now.odomInMap) return;
+    if (m_followed) m_unheard = std::max(m_unheard, std::chrono::nanoseconds(m_now.stamp - *m_followed));
+    m_followed = m_now.stamp;
     const Eigen::Vector3d here = m_now.baseInMap.translation();
     if (!m_trail.empty() &&
         (here.cast<float>() - m_trail.back().inMap).norm() < static_cast<float>(m_spacing))
-        return;
-    m_trail.push_back({here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame});
+        return tellGap();
+    m_trail.push_back(
+        {here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame, m_unheard});
+    m_unheard = {};
     if (m_trail.size() > LongestTrail) {
-        for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) m_trail[i] = m_trail[2 * i];
+        for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) {
+            const auto left = i > 0 ? m_trail[2 * i - 1].unheard : std::chrono::nanoseconds{};
+            m_trail[i] = m_trail[2 * i];
+            m_trail[i].unheard = std::max(m_trail[i].unheard, left);
+        }
         m_trail.erase(m_trail.begin() + static_cast<std::ptrdiff_t>((m_trail.size() + 1) / 2), m_trail.end());
         m_spacing *= 2.0;
     }
@@ -117,9 +127,20 @@ void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
 }
 
 void RobotTracker::tellTrail() {
-    auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
-    for (const Footstep& step : m_trail) trail->push_back(step.inMap);
+    auto trail = std::make_shared<Trail>();
+    trail->reserve(m_trail.size());
+    for (const Footstep& step : m_trail) {
+        const float away = trail->empty() ? 0.0F : (step.inMap - trail->back().inMap).norm();
+        trail->push_back({step.inMap, isGap(static_cast<double>(away), step.unheard, m_spacing)});
+    }
     m_now.trail = std::move(trail);
+    tellGap();
+}
+
+void RobotTracker::tellGap() {
+    if (m_trail.empty()) return;
+    const Eigen::Vector3d end = m_trail.back().inMap.cast<double>();
+    m_now.afterGap = isGap((m_now.baseInMap.translation() - end).norm(), m_unheard, m_spacing);
 }
 
 }  // namespace leitstand

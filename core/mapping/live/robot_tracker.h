@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -63,9 +64,11 @@ private:
         Eigen::Vector3f inMap;  ///< [m]
         Eigen::Vector3d inOdom;
         Time stamp;
-        int frame;  ///< of the odometry
+        int frame;                         ///< of the odometry
+        std::chrono::nanoseconds unheard;  ///< longest silence of the odometry since the place before
     };
     void refresh();
+    void tellGap();
     void leaveTrail();
     void tellTrail();
 
@@ -74,7 +77,9 @@ private:
     std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
     int m_frame = 0;                ///< of the odometry that odomInMap is of
     std::vector<Footstep> m_trail;
-    double m_spacing;  ///< of the trail [m]
+    double m_spacing;                      ///< of the trail [m]
+    std::optional<Time> m_followed;        ///< odometry that told its place in the map, the newest
+    std::chrono::nanoseconds m_unheard{};  ///< longest silence of the odometry since the trail's end
     RobotInMap m_now;
 };
 

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 namespace leitstand {
 namespace {
 
 const Eigen::Vector3f NoEcho = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
 
-constexpr double Ground = 0.05;      ///< what is lower belongs to the world [m]
-constexpr double OtherMargin = 0.1;  ///< other robots' places are known so well [m]
+constexpr double Ground = 0.05;  ///< what is lower belongs to the world [m]
+constexpr double Above = 0.3;    ///< what is taller than a robot has points so near above it [m]
+constexpr double Bare = 0.03;    ///< about a footprint nothing else has room [m]
+constexpr double Column = 0.08;  ///< edge of a column that such a thing stands in [m]
 
 /// Whether @p point is within the polygon @p corners (crossings of a ray along x).
 bool within(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
@@ -35,6 +39,67 @@ bool nearTo(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& 
         if (squaredDistance(corners[before], corners[i], point) < margin * margin) return true;
     }
     return false;
+}
+
+/// Columns about a robot in which something is taller than it, seen from above.
+class TallColumns {
+public:
+    void add(const Eigen::Vector2d& place) {
+        const auto [x, y] = cellOf(place);
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) m_cells.emplace(x + dx, y + dy);
+        }
+    }
+    [[nodiscard]] bool contain(const Eigen::Vector2d& place) const { return m_cells.contains(cellOf(place)); }
+
+private:
+    static std::pair<int, int> cellOf(const Eigen::Vector2d& place) {
+        return {static_cast<int>(std::floor(place.x() / Column)),
+                static_cast<int>(std::floor(place.y() / Column))};
+    }
+    std::set<std::pair<int, int>> m_cells;
+};
+
+/// A point about a robot, in its base frame.
+struct NearPoint {
+    std::size_t index;
+    Eigen::Vector2d place;
+};
+
+/// Those of @p points, in a frame that lies at @p inBase, which are on or within @p other.
+std::vector<std::size_t> pointsOn(const PlacedBody& other, std::span<const Eigen::Vector3f> points,
+                                  const Pose& inBase) {
+    const RobotBody& body = other.body;
+    if (body.footprint.empty()) return {};
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : body.footprint) box.extend(corner);
+    box.extend(box.min() - Eigen::Vector2d::Constant(other.margin));
+    box.extend(box.max() + Eigen::Vector2d::Constant(other.margin));
+    const double top = body.height + PlacedBody::Certain;
+    // Most points are far: no need to look at them closely.
+    const double corner = std::max(box.min().norm(), box.max().norm()) + 0.5 * box.diagonal().norm();
+    const auto reach = static_cast<float>(std::hypot(corner, top + Above));
+    const Eigen::Vector3f centre = inBase.inverse().translation().cast<float>();
+    TallColumns tall;
+    std::vector<NearPoint> near;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!((points[i] - centre).squaredNorm() <= reach * reach)) continue;  // NaN is no echo
+        const Eigen::Vector3d point = inBase * points[i].cast<double>();
+        const Eigen::Vector2d place = point.head<2>();
+        if (point.z() < Ground || point.z() > top + Above || !box.contains(place)) continue;
+        if (point.z() > top) {
+            tall.add(place);
+        } else if (onFootprint(body, place, other.margin)) {
+            near.push_back({i, place});
+        }
+    }
+    const bool certain = other.margin <= PlacedBody::Certain;
+    std::vector<std::size_t> on;
+    for (const NearPoint& point : near) {
+        if (!tall.contain(point.place) || (certain && onFootprint(body, point.place, Bare)))
+            on.push_back(point.index);
+    }
+    return on;
 }
 
 }  // namespace
@@ -65,9 +130,22 @@ void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, d
     }
 }
 
+std::vector<bool> onOthers(std::span<const Eigen::Vector3f> points, std::span<const PlacedBody> others,
+                           const Pose& scanInMap) {
+    std::vector<bool> found(points.size(), false);
+    for (const PlacedBody& other : others) {
+        for (const std::size_t point : pointsOn(other, points, other.baseInMap.inverse() * scanInMap))
+            found[point] = true;
+    }
+    return found;
+}
+
 void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap) {
-    for (const PlacedBody& other : others)
-        leaveOutBody(scan, other.body, other.baseInMap.inverse() * scanInMap, OtherMargin);
+    if (others.empty()) return;
+    const std::vector<bool> on = onOthers(scan.points, others, scanInMap);
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        if (on[i]) scan.points[i] = NoEcho;
+    }
 }
 
 void leaveOutCropped(Scan& scan, const MapCrop& crop, const Pose& scanInMap) {

@@ -19,8 +19,11 @@ struct RobotBody {
 
 /// Another robot that stands in the map.
 struct PlacedBody {
+    static constexpr double Certain = 0.1;  ///< margin of a robot whose place is certain [m]
+
     RobotBody body;
     Pose baseInMap = Pose::Identity();
+    double margin = Certain;  ///< it may be so far from there; more than Certain: its place is doubted [m]
 };
 
 /// What of the world belongs into the map: spectators stand around it.
@@ -38,6 +41,10 @@ struct MapCrop {
 /// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo; not those of the
 /// ground that it stands on.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
+/// Which of @p points, seen from @p scanInMap, are on or within one of @p others. What goes on above a
+/// robot's height, a wall or a post, is none, but on the footprint of a robot whose place is certain.
+[[nodiscard]] std::vector<bool> onOthers(std::span<const Eigen::Vector3f> points,
+                                         std::span<const PlacedBody> others, const Pose& scanInMap);
 /// Turns points of @p scan, taken at @p scanInMap, on or within other robots into no echo.
 void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap);
 /// Turns points of @p scan outside @p crop into no echo.

@@ -9,7 +9,8 @@
 namespace leitstand {
 
 /// Adds to @p bodies where @p robot, which takes up @p body, was in the map from @p start to @p end (its own
-/// clock), as it moved; nothing where that is not certain. For scans of others, which must not keep it.
+/// clock), as it moved; nothing where nobody knows. The less certain its place is, the wider its margin. For
+/// scans of others, which must not keep it.
 void addBodies(std::vector<PlacedBody>& bodies, const RobotTracker& robot, const RobotBody& body, Time start,
                Time end);
 

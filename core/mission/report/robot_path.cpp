@@ -4,13 +4,13 @@
 #include <chrono>
 #include <optional>
 
+#include "core/mapping/live/trail.h"
+
 namespace leitstand {
 namespace {
 
 constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry began anew [m]
 constexpr double Turned = degrees(10);
-constexpr std::chrono::seconds Silence(3);  ///< of the odometry
-constexpr double Unseen = 0.5;  ///< what a robot may go meanwhile on a way that is still known [m]
 
 /// Where an anchor has the odometry's frame.
 struct OdometryInMap {
@@ -33,11 +33,6 @@ std::optional<Pose> odometryAt(std::span<const PathPose> odometry, Time time) {
     const double share = std::chrono::duration<double>(time - before.time) /
                          std::chrono::duration<double>(after->time - before.time);
     return interpolated(before.baseInMap, after->baseInMap, share);
-}
-
-bool isGap(const PathPose& before, const PathPose& after) {
-    const double away = distanceBetween(before.baseInMap, after.baseInMap);
-    return away > MostDisagreement || (away > Unseen && after.time - before.time > Silence);
 }
 
 std::vector<PathPose> thinned(const std::vector<PathPose>& path, double apart) {
@@ -85,7 +80,8 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
             span > 0.0 ? std::chrono::duration<double>(pose.time - before.time).count() / span : 0.0;
         if (distanceBetween(byBefore, byAfter) > MostDisagreement) share = share < 0.5 ? 0.0 : 1.0;
         PathPose placed{pose.time, interpolated(byBefore, byAfter, std::clamp(share, 0.0, 1.0))};
-        placed.afterGap = !path.empty() && isGap(path.back(), placed);
+        placed.afterGap = !path.empty() && isGap(distanceBetween(path.back().baseInMap, placed.baseInMap),
+                                                 placed.time - path.back().time);
         path.push_back(placed);
     }
     return thinned(path, apart);

@@ -78,8 +78,8 @@ protected:
         robot.certainty = 1.0;
         robot.stamp = WrittenMission::at(0.0);
         robot.baseInMap = poseFrom({-2.0, 0, 0}, 0, 0, 0);
-        auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
-        for (const Eigen::Vector3d& step : SearchScene::trail()) trail->push_back(step.cast<float>());
+        auto trail = std::make_shared<Trail>();
+        for (const Eigen::Vector3d& step : SearchScene::trail()) trail->push_back({step.cast<float>()});
         robot.trail = trail;
         setup.places = [places = std::make_shared<const RobotsInMap>(RobotsInMap{robot})] { return places; };
         return setup;

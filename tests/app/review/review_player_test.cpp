@@ -77,7 +77,7 @@ TEST_F(ReviewSceneTest, AMomentHasWhatTheStationHadThen) {
     EXPECT_TRUE(place.placed);
     EXPECT_NEAR(place.baseInMap.translation().x(), 1.2, 0.011);
     ASSERT_GE(place.trail->size(), 12U);
-    EXPECT_NEAR(place.trail->back().x(), 1.2F, 0.12F);
+    EXPECT_NEAR(place.trail->back().inMap.x(), 1.2F, 0.12F);
     ASSERT_EQ(early->pictures.size(), 1U);
     EXPECT_EQ(early->pictures.front().received, Mission::at(12.0));
     EXPECT_EQ(at(12.5)->pictures.front().received, Mission::at(12.5));
@@ -136,6 +136,31 @@ TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
     EXPECT_EQ(scene.at(Mission::at(12.0))->map, scene.at(Mission::at(13.0))->map) << "not made anew";
     scene.show(ReviewMap::Finished);
     EXPECT_THAT(points(12.0), ElementsAre(whole[0], whole[0], whole[0]));
+}
+
+TEST_F(ReviewSceneTest, TheTrailHasAGapWhereNothingWasHeardOfTheRobot) {
+    const auto folder = m_folder / "gap";
+    {
+        WrittenMission mission(folder);
+        mission.sayKeyScan(0.5, 1, 0.0);
+        for (int i = 0; i <= 40; ++i) mission.sayOdometry(1.0 + 0.1 * i, 0.02 * i);
+        mission.close();  // the station went away, and the robot drove on
+        for (int i = 0; i <= 40; ++i) mission.sayOdometry(30.0 + 0.1 * i, 1.6 + 0.02 * i);
+    }
+    const auto log = ReviewLog::open(folder).value();
+    const auto index = indexOf(*log);
+    ReviewScene scene(*log, *index);
+    const auto gaps = [&](double seconds) {
+        std::vector<float> where;
+        const ReviewMomentPtr moment = scene.at(Mission::at(seconds));
+        for (const TrailPlace& place : *moment->places->front().trail) {
+            if (place.afterGap) where.push_back(place.inMap.x());
+        }
+        return where;
+    };
+    EXPECT_TRUE(gaps(5.0).empty());
+    EXPECT_THAT(gaps(33.0), ElementsAre(testing::FloatNear(1.6F, 0.01F)));
+    EXPECT_FALSE(scene.at(Mission::at(33.0))->places->front().afterGap);
 }
 
 TEST_F(ReviewSceneTest, WhatIsAroundIsThereAfterAJumpAndAsOldAsItWas) {

@@ -198,7 +198,7 @@ TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {
         m_time += 50ms;
         odometry(basePose(m_way + 0.03 * (i + 1)) * m_slip);
     }
-    const auto tip = [&] { return m_mapping->robots()->front().trail->back(); };
+    const auto tip = [&] { return m_mapping->robots()->front().trail->back().inMap; };
     const auto here = [&] { return m_mapping->robots()->front(); };
     ASSERT_TRUE(waitUntil([&] { return here().stamp == m_time; }, 60s));
     const Eigen::Vector3f wrong = tip();
@@ -252,7 +252,7 @@ TEST_F(StationMappingTest, RobotsAreWhereTheirOdometryCarriesThemFromTheirNewest
     EXPECT_LT((here().baseInMap.translation() - Eigen::Vector3d(1.1, 0, -0.9)).norm(), 0.03);
     EXPECT_GT(here().certainty, 0.5);
     EXPECT_GE(here().trail->size(), 6u);
-    EXPECT_LT((here().trail->back() - here().baseInMap.translation().cast<float>()).norm(), 0.11f);
+    EXPECT_LT((here().trail->back().inMap - here().baseInMap.translation().cast<float>()).norm(), 0.11f);
 }
 
 TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {

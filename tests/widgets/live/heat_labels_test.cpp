@@ -61,6 +61,25 @@ TEST(HeatLabels, LeaveTheScaleAloneAlsoAtTheEdge) {
     }
 }
 
+TEST(HeatLabels, NeverLieOnTheScaleHoweverSmallThePictureIs) {
+    const QSizeF brief(54.0, 16.0);
+    int labelled = 0;
+    for (const double width : {120.0, 150.0, 190.0, 240.0}) {
+        const QRectF area(0, 30, width, 0.75 * width), scale(width - 83.0, 30, 83.0, 0.75 * width);
+        for (double x = 0.0; x < width - 20.0; x += 7.0) {
+            for (double y = area.top(); y < area.bottom() - 20.0; y += 9.0) {
+                const auto labels = heatLabels({markAt(x, y)}, sizeOf, area, {scale}, brief);
+                for (const HeatLabel& label : labels) {
+                    EXPECT_FALSE(meet(label.box, scale)) << width << ": " << x << ", " << y;
+                    EXPECT_EQ(label.box.size(), label.brief ? brief : sizeOf(label.celsius));
+                    labelled += label.brief ? 1 : 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(labelled, 50) << "brief words where the others have no room";
+}
+
 TEST(HeatLabels, AreNotWhereThereIsNoRoom) {
     EXPECT_TRUE(heatLabels({markAt(10, 40)}, sizeOf, {0, 30, 100, 180}).empty());
     EXPECT_TRUE(heatLabels({markAt(10, 40)}, sizeOf, {}).empty());

@@ -40,9 +40,10 @@ protected:
 };
 
 TEST_F(LiveWords, AModeHasItsKind) {
-    EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Teleoperation, "TELEOPERATION", {}}));
+    EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Teleoperation, "TELEOPERATION", {}, "TELEOP"}));
     setMode(robot, "victim_approach", true, "body heat in sight");
-    EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Autonomous, "VICTIM APPROACH", "body heat in sight"}));
+    EXPECT_EQ(labelOf(robot),
+              (ModeLabel{ModeKind::Autonomous, "VICTIM APPROACH", "body heat in sight", "APPROACH"}));
     setMode(robot, "stopped");
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
     setMode(robot, "wall_following", true);

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -109,23 +110,97 @@ TEST(MapCamera, StandsStillWhileAMapGrowsWithinWhatItFrames) {
 TEST(TrailsOnTheMap, LookTheSameHoweverOftenAWayWasDriven) {
     ShownView once(liveRoom(), settingsOf(MapLook::Top)), often(liveRoom(), settingsOf(MapLook::Top));
     RobotMark robot = kurt3d(onFloor(3, 0.5, 0));
-    std::vector<Eigen::Vector3f> way, ways;
+    Trail way, ways;
     for (int i = 0; i <= 20; ++i)
-        way.emplace_back((onFloor(1 + 0.1 * i, 0.025 * i, 0).translation()).cast<float>());
+        way.push_back({onFloor(1 + 0.1 * i, 0.025 * i, 0).translation().cast<float>()});
     for (int round = 0; round < 50; ++round) {
         ways.insert(ways.end(), way.begin(), way.end());
         ways.insert(ways.end(), way.rbegin(), way.rend());
     }
     ways.insert(ways.end(), way.begin(), way.end());
-    robot.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(way);
+    robot.trail = std::make_shared<const Trail>(way);
     once->setRobots({robot});
-    robot.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(ways);
+    robot.trail = std::make_shared<const Trail>(ways);
     often->setRobots({robot});
     robot.trail = {};
     const QImage picture = once->picture();
     EXPECT_LT(differing(often->picture(), picture), 20);
     once->setRobots({robot});
     EXPECT_GT(differing(once->picture(), picture), 100) << "the trail is to be seen";
+}
+
+/// Whether @p part of a picture has the colour of trails.
+bool isTrail(const QImage& part) {
+    const QColor trail("#CC79A7");
+    for (int y = 0; y < part.height(); ++y) {
+        for (int x = 0; x < part.width(); ++x) {
+            const QColor here = part.pixelColor(x, y);
+            const int off = std::abs(here.red() - trail.red()) + std::abs(here.green() - trail.green()) +
+                            std::abs(here.blue() - trail.blue());
+            if (off < 20) return true;
+        }
+    }
+    return false;
+}
+
+TEST(TrailsOnTheMap, NoLineGoesWhereNobodyKnowsTheWay) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    RobotMark robot = kurt3d(onFloor(3, 0.5, 0));
+    const auto trail = [](bool gap) {
+        Trail way;
+        for (int i = 0; i <= 5; ++i)
+            way.push_back({onFloor(0.5 + 0.1 * i, -0.8, 0).translation().cast<float>()});
+        for (int i = 0; i <= 5; ++i)
+            way.push_back({onFloor(2.2 + 0.1 * i, 0.5, 0).translation().cast<float>(), gap && i == 0});
+        return std::make_shared<const Trail>(way);
+    };
+    const auto painted = [&](double fromX, double fromY, double toX, double toY) {
+        const QImage picture = view->picture();
+        int found = 0;
+        for (double t = 0.1; t <= 0.9; t += 0.01) {
+            const QPointF at = view.at({fromX + t * (toX - fromX), fromY + t * (toY - fromY), RoomFloor});
+            found += isTrail(picture.copy(QRect(at.toPoint() - QPoint(2, 2), QSize(5, 5)))) ? 1 : 0;
+        }
+        return found;
+    };
+    robot.trail = trail(false);
+    view->setRobots({robot});
+    EXPECT_GT(painted(1.0, -0.8, 2.2, 0.5), 40);
+    EXPECT_GT(painted(0.5, -0.8, 1.0, -0.8), 40);
+    robot.trail = trail(true);
+    view->setRobots({robot});
+    EXPECT_EQ(painted(1.0, -0.8, 2.2, 0.5), 0);
+    EXPECT_GT(painted(0.5, -0.8, 1.0, -0.8), 40);
+    robot.baseInMap = onFloor(4.4, -0.9, 0);
+    view->setRobots({robot});
+    EXPECT_GT(painted(2.8, 0.4, 4.2, -0.8), 20);
+    robot.afterGap = true;
+    view->setRobots({robot});
+    EXPECT_EQ(painted(2.8, 0.4, 4.2, -0.8), 0) << "nor to the robot";
+}
+
+TEST(TrailsOnTheMap, ScansOfARobotThatIsNotPlacedAreJoinedOnlyWhereItsWayIsKnown) {
+    constexpr QRgb Colour = 0xFFCC79A7;
+    auto map = std::make_shared<Map>(*liveRoom());
+    ShownView view(map, settingsOf(MapLook::Top));
+    EXPECT_GT(countPixels(view->picture(), Colour), 10) << "files tell their order only";
+    auto live = std::make_shared<Map>(*map);
+    for (std::size_t i = 0; i < live->scans.size(); ++i) {
+        MapScan& scan = live->scans[i];
+        scan.entered = Time(std::chrono::seconds(1000 + 2 * i));
+        scan.poseInMap.translation() =
+            map->scans[0].poseInMap.translation() + Eigen::Vector3d(0.9 * static_cast<double>(i), 0, 0);
+    }
+    view->setMap(live);
+    view.settle();
+    EXPECT_GT(countPixels(view->picture(), Colour), 10);
+    auto resumed = std::make_shared<Map>(*live);
+    for (std::size_t i = 0; i < live->scans.size(); ++i)
+        resumed->scans[i].poseInMap.translation().x() =
+            map->scans[0].poseInMap.translation().x() + 1.2 * static_cast<double>(i);
+    view->setMap(resumed);
+    view.settle();
+    EXPECT_EQ(countPixels(view->picture(), Colour), 0);
 }
 
 TEST(PaintedCellsTest, PlacesAreNewOnce) {

@@ -34,9 +34,9 @@ RobotMark kurt3d(const Pose& baseInMap) {
     RobotMark robot = box(baseInMap, 0.45, 0.33, 0.65);
     robot.face = {QStringLiteral("kurt3d"), QStringLiteral("K"), QStringLiteral("Kurt3D"), 0};
     robot.selected = true;
-    auto trail = std::make_shared<std::vector<Eigen::Vector3f>>();
+    auto trail = std::make_shared<Trail>();
     for (int i = 20; i > 0; --i) {
-        trail->emplace_back((baseInMap * Eigen::Vector3d(-0.1 * i, 0.02 * i * i * 0.1, 0)).cast<float>());
+        trail->push_back({(baseInMap * Eigen::Vector3d(-0.1 * i, 0.02 * i * i * 0.1, 0)).cast<float>()});
     }
     robot.trail = trail;
     return robot;

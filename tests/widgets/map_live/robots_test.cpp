@@ -127,30 +127,6 @@ TEST(RobotsOnTheMap, InDoubtHaveADashedAmberRing) {
     EXPECT_GT(countPixels(view->picture(), Amber), 30);
 }
 
-TEST(UncertainScans, AreAmberAndThinAndMarked) {
-    ShownView view(liveRoom(false));
-    const QImage calm = view->picture();
-    EXPECT_EQ(countPixels(calm, Amber, 6), 0);
-    view->setMap(liveRoom(true));
-    view.settle();
-    const QImage doubted = view->picture();
-    EXPECT_LT(countPixels(doubted, WallYellow), countPixels(calm, WallYellow));
-    EXPECT_GT(countPixels(doubted, Amber, 6), 20) << "the mark where it was taken";
-    view->setHighlighted(2);
-    view.settle();
-    EXPECT_GT(countPixels(view->picture(), Amber, 30), countPixels(doubted, Amber, 30) + 200);
-}
-
-TEST(UncertainScans, TintOnlyVoxelsOfTheirOwn) {
-    auto map = std::make_shared<Map>(*liveRoom(true));
-    map->scans[0].poseInMap = poseFrom({40, 0, 0}, 0, 0, 0) * map->scans[0].poseInMap;
-    ShownView apart(map, voxelsOf(0.15));
-    const int amberApart = countPixels(apart->picture(), 0xFFE2AB08, 40);
-    ShownView together(liveRoom(true), voxelsOf(0.15));
-    EXPECT_GT(amberApart, 200);
-    EXPECT_GT(countPixels(together->picture(), 0xFFDAB80F, 20), 50) << "walls that both saw stay yellow";
-}
-
 TEST(FollowView, HidesTheCeilingAndKeepsTheRobotInSight) {
     ShownView view(liveRoom(), following(MapFollow::Behind));
     view->setRobots({kurt3d(onFloor(1, 0, degrees(30)))});

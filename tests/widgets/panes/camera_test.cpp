@@ -1,5 +1,6 @@
 #include "widgets/camera/camera_pane.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -192,6 +193,62 @@ TEST_P(Cameras, WordsAboutHeatNeverLieOnEachOther) {
     }
     EXPECT_THAT(wordsOf(pane), Not(Contains("34.0 °C person?"))) << "hand, head, hand: one body";
     EXPECT_THAT(wordsOf(pane), Contains("34.2 °C person?"));
+}
+
+TEST_P(Cameras, WordsAboutHeatKeepOffTheScaleInEverySize) {
+    pane.setCamera(robot.face, QStringLiteral("Infrared °C"));
+    pane.setThermal(body());
+    pane.setAge({.arrival = 0.0, .content = 0.0});
+    int words = 0;
+    for (const QSize size : {QSize(150, 120), QSize(190, 150), QSize(240, 200), QSize(320, 240)}) {
+        for (const int x : {60, 100, 130, 150}) {
+            HeatBlob blob;
+            blob.kind = HeatBlob::Kind::Body;
+            blob.left = x, blob.top = 50, blob.right = x + 8, blob.bottom = 80;
+            blob.mean = 34.0;
+            pane.setHeat({blob});
+            (void)pictureOf(pane, size, QStringLiteral("infrared-edge-%1-%2").arg(size.width()).arg(x));
+            for (const PaintedText& one : paintedTexts(pane)) {
+                if (!one.text.contains(QStringLiteral("person?"))) continue;
+                ++words;
+                EXPECT_LE(one.box.right(), pane.pictureArea().right() - 80.0) << size.width() << " " << x;
+            }
+        }
+    }
+    EXPECT_GT(words, 8);
+}
+
+/// How much of @p pane's picture the badge of its mode covers, by the colour of that: 0 to 1.
+double coveredBy(CameraPane& pane, const QSize& size, const QColor& surface) {
+    const QImage picture = pictureOf(pane, size, QStringLiteral("camera-badge-%1").arg(size.width()));
+    const QRect area = pane.pictureArea().toRect() & pane.rect();
+    int least = area.right(), most = area.left(), top = area.bottom(), bottom = area.top();
+    for (int y = area.top(); y <= area.bottom(); ++y) {
+        for (int x = area.left(); x <= area.right(); ++x) {
+            if (picture.pixelColor(x, y) != surface) continue;
+            least = std::min(least, x), most = std::max(most, x);
+            top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    }
+    if (most < least) return 0.0;
+    return double(most - least + 1) * (bottom - top + 1) / (double(area.width()) * area.height());
+}
+
+TEST_P(Cameras, TheModeCoversAFifthOfASmallPictureAtMost) {
+    CameraOverlay overlay;
+    overlay.mode = ModeLabel{ModeKind::Autonomous, "VICTIM APPROACH", {}, "APPROACH"};
+    pane.setOverlay(overlay);
+    const QColor surface = coloursOf(Theme::Dark).autonomous;
+    for (const QSize size :
+         {QSize(90, 70), QSize(120, 90), QSize(160, 90), QSize(160, 120), QSize(240, 180), QSize(640, 480)}) {
+        const double covered = coveredBy(pane, size, surface);
+        EXPECT_GT(covered, 0.0) << size.width() << ": it is there";
+        EXPECT_LE(covered, 0.2) << size.width();
+        const auto words = wordsOf(pane);
+        EXPECT_THAT(words, testing::AnyOf(Contains("VICTIM APPROACH"), Contains("APPROACH"), Contains("A")));
+    }
+    (void)pictureOf(pane, {640, 480}, {});
+    EXPECT_THAT(wordsOf(pane), Contains("VICTIM APPROACH"));
 }
 
 TEST_P(Cameras, TheRingKeepsOffWordsInEverySize) {

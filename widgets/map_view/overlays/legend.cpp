@@ -78,10 +78,39 @@ bool doubted(const SceneContent& content) {
                        [](const SceneScan& scan) { return scan.visible && scan.uncertain; });
 }
 
+/// As the list of key scans calls it, where it has no name: "K 12".
+QString nameOf(const SceneScan& scan, const SceneContent& content) {
+    if (!scan.name.empty()) return QString::fromStdString(scan.name);
+    QString robot;
+    if (scan.robotAt < content.robots.size()) {
+        const SceneRobot& by = content.robots[scan.robotAt];
+        robot = QString::fromStdString(by.letter.empty() ? by.title : by.letter);
+    }
+    return QStringLiteral("%1 %2").arg(robot.isEmpty() ? QStringLiteral("?") : robot).arg(scan.id);
+}
+
+/// The first scans; of those that come in while robots drive, the newest.
+void addScans(std::vector<Entry>& entries, const SceneContent& content) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < content.scans.size(); ++i) {
+        if (content.scans[i].visible && !content.scans[i].uncertain) order.push_back(i);
+    }
+    const bool live = !order.empty() && content.scans[order.back()].entered != Time{};
+    if (live) std::reverse(order.begin(), order.end());
+    const std::size_t named = std::min(order.size(), MostScans - std::min(entries.size(), MostScans));
+    for (std::size_t i = 0; i < named; ++i) {
+        const SceneScan& scan = content.scans[order[i]];
+        entries.push_back({scanColour(order[i]), nameOf(scan, content)});
+    }
+    if (order.size() > named)
+        entries.push_back({Rgba{0, 0, 0, 0}, QStringLiteral("+%1").arg(order.size() - named)});
+}
+
 std::vector<Entry> entriesFor(const SceneContent& content) {
     std::vector<Entry> entries = labelEntries(content);
     if (doubted(content)) {
-        entries.push_back({mapColours(content.settings.theme).uncertain,
+        const MapColours& colours = mapColours(content.settings.theme);
+        entries.push_back({content.inQuestion != 0 ? colours.scanInQuestion : colours.uncertainScan,
                            QCoreApplication::translate("leitstand::MapView", "uncertain ?")});
     }
     if (content.settings.colouring == MapColouring::Robot) {
@@ -100,17 +129,7 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
     if (content.settings.colouring == MapColouring::Intensity && !content.ramp && !content.scans.empty())
         entries.push_back({labelColour(Label::Unlabelled),
                            QCoreApplication::translate("leitstand::MapView", "no intensities told")});
-    if (content.settings.colouring != MapColouring::Scan) return entries;
-    std::size_t more = 0;
-    for (std::size_t i = 0; i < content.scans.size(); ++i) {
-        if (!content.scans[i].visible) continue;
-        if (entries.size() < MostScans) {
-            entries.push_back({scanColour(i), QString::fromStdString(content.scans[i].name)});
-        } else {
-            ++more;
-        }
-    }
-    if (more > 0) entries.push_back({Rgba{0, 0, 0, 0}, QStringLiteral("+%1").arg(more)});
+    if (content.settings.colouring == MapColouring::Scan) addScans(entries, content);
     return entries;
 }
 

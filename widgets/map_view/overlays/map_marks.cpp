@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "core/mapping/live/trail.h"
 #include "widgets/map_view/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/overlays/painted_cells.h"
@@ -33,6 +34,13 @@ Eigen::AlignedBox2d shownGround(const MapProjection& projection, const Pose& map
         shown.extend(Eigen::Vector2d((mapInScan * inMap).head<2>()));
     }
     return shown;
+}
+
+/// Whether a robot came from one scan to the next on a way that is known. Scans of files are far apart and
+/// tell their order only.
+bool knowsWay(const SceneScan& from, const SceneScan& to) {
+    if (from.entered == Time{} || to.entered == Time{}) return true;
+    return !isGap(distanceBetween(from.poseInMap, to.poseInMap), to.entered - from.entered);
 }
 
 /// Only the position and heading of @p pose: the grid stays level.
@@ -62,7 +70,7 @@ void paintTextBeside(QPainter& painter, const QPointF& place, const QString& tex
 }
 
 void paintUncertainPosition(QPainter& painter, const QPointF& at, const OverlayStyle& style) {
-    painter.setPen(QPen(asColour(style.colours.uncertain), 1.8));
+    painter.setPen(QPen(asColour(style.colours.uncertainScan), 1.8));
     painter.setBrush(asColour(style.colours.panel));
     painter.drawPolygon(QPolygonF({at + QPointF(0, -DiamondSize), at + QPointF(DiamondSize, 0),
                                    at + QPointF(0, DiamondSize), at + QPointF(-DiamondSize, 0)}));
@@ -137,11 +145,12 @@ void paintScanPositions(QPainter& painter, const MapProjection& projection, cons
     }
     if (joined) {
         painter.setPen(QPen(asColour(style.colours.trail), 1.5));
-        std::map<std::string, QPointF> last;  // by robot
+        std::map<std::string, Mark> last;  // by robot
         for (const Mark& mark : marks) {
-            const auto [before, first] = last.try_emplace(mark.scan->robot, mark.at);
-            if (!first) painter.drawLine(before->second, mark.at);
-            before->second = mark.at;
+            const auto [before, first] = last.try_emplace(mark.scan->robot, mark);
+            if (!first && knowsWay(*before->second.scan, *mark.scan))
+                painter.drawLine(before->second.at, mark.at);
+            before->second = mark;
         }
     }
     // Many small ones do not hide the map.
@@ -170,7 +179,7 @@ void paintHighlight(QPainter& painter, const MapProjection& projection, const Sc
         const auto seen = projection.project(scan.poseInMap.translation());
         if (!seen) return;
         painter.setBrush(Qt::NoBrush);
-        const Rgba colour = scan.uncertain ? style.colours.uncertain : style.colours.measurement;
+        const Rgba colour = scan.uncertain ? style.colours.scanInQuestion : style.colours.measurement;
         for (const QPen& pen : {QPen(asColour(style.colours.background), 5.0), QPen(asColour(colour), 2.5)}) {
             painter.setPen(pen);
             painter.drawEllipse(seen->position, HighlightRadius, HighlightRadius);

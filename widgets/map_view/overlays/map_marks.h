@@ -18,7 +18,7 @@ struct SceneContent;
 double paintGroundGrid(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                        const OverlayStyle& style);
 
-/// Blue squares with a white edge where the visible scans were taken, hollow amber diamonds with a question
+/// Blue squares with a white edge where the visible scans were taken, hollow violet diamonds with a question
 /// mark where they do not fit; @p joined: by each robot's way from scan to scan.
 void paintScanPositions(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                         bool joined, const OverlayStyle& style);

@@ -248,8 +248,11 @@ QVector<QLineF> trailOf(const RobotMark& robot, const MapProjection& projection)
         }
         last = at;
     };
-    for (const Eigen::Vector3f& place : *robot.trail) lineTo(place.cast<double>(), false);
-    lineTo(robot.baseInMap.translation(), true);
+    for (const TrailPlace& place : *robot.trail) {
+        if (place.afterGap) last.reset();
+        lineTo(place.inMap.cast<double>(), false);
+    }
+    if (!robot.afterGap) lineTo(robot.baseInMap.translation(), true);
     return lines;
 }
 
@@ -262,7 +265,7 @@ void paintTrails(QPainter& painter, const MapProjection& projection, const std::
         if (!robot.trail || robot.trail->empty()) continue;
         painter.setPen(QPen(asColour(style.colours.trail), 2.0, Qt::SolidLine, Qt::SquareCap));
         painter.drawLines(trailOf(robot, projection));
-        const auto began = seen(projection, robot.trail->front().cast<double>());
+        const auto began = seen(projection, robot.trail->front().inMap.cast<double>());
         if (!began) continue;
         painter.setFont(sized(style.font, 11, true));
         painter.drawText(QRectF(*began + QPointF(-16, 4), QSizeF(14, 14)), Qt::AlignCenter,

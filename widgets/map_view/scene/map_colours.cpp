@@ -21,6 +21,8 @@ const MapColours& mapColours(Theme theme) {
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#56B4E9"),
         .uncertain = rgba("#E69F00"),
+        .uncertainScan = rgba("#A22BDC"),
+        .scanInQuestion = rgba("#E2A6FF"),
     };
     static constexpr MapColours Light = {
         .background = rgba("#F3F4F6"),
@@ -34,6 +36,8 @@ const MapColours& mapColours(Theme theme) {
         .markerEdge = rgba("#FFFFFF"),
         .measurement = rgba("#0072B2"),
         .uncertain = rgba("#A86200"),
+        .uncertainScan = rgba("#A22BDC"),
+        .scanInQuestion = rgba("#7A14A8"),
     };
     return theme == Theme::Dark ? Dark : Light;
 }
@@ -85,6 +89,11 @@ Rgba mixed(Rgba colour, Rgba other, double share) {
         return static_cast<std::uint8_t>(std::lround((1.0 - share) * a + share * b));
     };
     return {mix(colour.r, other.r), mix(colour.g, other.g), mix(colour.b, other.b), colour.a};
+}
+
+Rgba dimmed(Rgba colour, Theme theme) {
+    constexpr double Share = 0.7;
+    return mixed(colour, mapColours(theme).background, Share);
 }
 
 Rgba shaded(Rgba colour, double factor) {

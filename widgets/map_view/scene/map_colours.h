@@ -30,7 +30,9 @@ struct MapColours {
     Rgba grid;                            ///< with its transparency
     Rgba ground;                          ///< floor points in the top view: the paper's light grey
     Rgba trail, scanPosition, markerEdge, measurement;
-    Rgba uncertain;  ///< of scans and robots: look here
+    Rgba uncertain;       ///< of robots: look here
+    Rgba uncertainScan;   ///< of its points and its outline: no label has that hue
+    Rgba scanInQuestion;  ///< likewise, while it is decided on and all else is dimmed()
 };
 [[nodiscard]] const MapColours& mapColours(Theme theme);
 
@@ -48,6 +50,9 @@ struct MapColours {
 
 /// @p share of @p other in @p colour, 0 to 1.
 [[nodiscard]] Rgba mixed(Rgba colour, Rgba other, double share);
+
+/// @p colour while a scan is decided on that it does not belong to.
+[[nodiscard]] Rgba dimmed(Rgba colour, Theme theme);
 
 /// @p colour times @p factor, without overflow.
 [[nodiscard]] Rgba shaded(Rgba colour, double factor);

@@ -13,8 +13,9 @@ Rgba onRamp(double value, const ColourRamp& ramp) {
 }
 
 Rgba PointPaint::colourOf(const ScanPoints& points, std::size_t point) const {
+    if (alike) return one;
     const Rgba plain = plainColourOf(points, point);
-    return tint > 0.0 ? mixed(plain, mapColours(theme).uncertain, tint) : plain;
+    return dim ? dimmed(plain, theme) : plain;
 }
 
 Rgba PointPaint::plainColourOf(const ScanPoints& points, std::size_t point) const {

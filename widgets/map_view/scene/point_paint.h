@@ -29,7 +29,8 @@ struct PointPaint {
     bool paleFloor = false;  ///< as the paper's top view has it
     ColourRamp ramp;         ///< where a number decides
     Rgba one;                ///< of all points, where the scan decides
-    double tint = 0.0;       ///< share of the colour of what is uncertain, 0 to 1
+    bool alike = false;      ///< all points have that one, whatever decides otherwise
+    bool dim = false;        ///< another scan is in question
     Eigen::RowVector3d up =
         Eigen::RowVector3d::Zero();  ///< the map's, in the scan's frame; where height decides
     double height = 0.0;             ///< of the scan's origin [m], likewise

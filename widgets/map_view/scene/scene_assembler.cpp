@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::chrono::milliseconds PartInterval(150);
 
-/// Amber in the points of a scan that does not fit, and in those of the one that stands out.
-constexpr double UncertainTint = 0.7, HighlightTint = 0.9;
 /// Of all points of @p scan, the @p index -th of @p content, where the scan decides their colour.
 Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
     switch (content.settings.colouring) {
@@ -30,22 +28,28 @@ Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& cont
 }
 
 /// How the points of @p scan, the @p index -th of @p content, are drawn; it has them.
-PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneContent& content,
-                      std::uint64_t highlighted) {
+PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
     const MapViewSettings& settings = content.settings;
-    const bool standsOut = scan.id != 0 && scan.id == highlighted;
+    const bool inQuestion = scan.uncertain && scan.id == content.inQuestion;
     PointPaint paint;
     paint.colouring = settings.colouring;
     paint.theme = settings.theme;
     paint.paleFloor = settings.look == MapLook::Top;
     paint.ramp = content.ramp.value_or(ColourRamp{});
     paint.one = colourOf(scan, index, content);
-    paint.tint = !scan.uncertain ? 0.0 : standsOut ? HighlightTint : UncertainTint;
+    paint.dim = content.inQuestion != 0 && !inQuestion;
+    if (scan.uncertain) {
+        const MapColours& colours = mapColours(settings.theme);
+        paint.alike = true;
+        paint.one = inQuestion  ? colours.scanInQuestion
+                    : paint.dim ? dimmed(colours.uncertainScan, settings.theme)
+                                : colours.uncertainScan;
+    }
     if (settings.colouring == MapColouring::Height) {
         paint.up = scan.poseInMap.linear().row(2);
         paint.height = scan.poseInMap.translation().z();
     }
-    return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !standsOut);
+    return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !inQuestion);
 }
 
 /// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
@@ -89,8 +93,10 @@ SceneContent outline(const SceneOrder& order) {
         shown.name = scan.scan->name;
         shown.robot = scan.scan->robot;
         shown.robotAt = placeOf(shown.robot, content.robots);
+        shown.entered = scan.entered;
         shown.id = scan.id;
         shown.uncertain = scan.uncertain;
+        if (scan.uncertain && scan.id != 0 && scan.id == order.highlighted) content.inQuestion = scan.id;
         shown.poseInMap = order.settings.poses == MapPoses::Guess ? scan.guessInMap : scan.poseInMap;
         shown.visible = i >= order.scanIsVisible.size() || order.scanIsVisible[i];
         content.scans.push_back(std::move(shown));
@@ -116,7 +122,7 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
                            ? rampOfAges(content)
                            : rampOf(sample, order.settings.colouring);
         for (std::size_t i = 0; i < count && order.settings.look != MapLook::Voxels; ++i) {
-            content.scans[i].look = lookOf(content.scans[i], i, content, order.highlighted);
+            content.scans[i].look = lookOf(content.scans[i], i, content);
         }
     };
     Clock::time_point lastPart = Clock::now();
@@ -162,11 +168,12 @@ bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()
                        .colouring = content.settings.colouring,
                        .ramp = content.ramp.value_or(ColourRamp{}),
                        .withCeiling = content.settings.withCeiling(),
-                       .uncertain = mapColours(content.settings.theme).uncertain};
+                       .theme = content.settings.theme};
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];
         if (!scan.visible) continue;
         const Rgba colour = colourOf(scan, i, content);
+        if (scan.uncertain && scan.id == content.inQuestion) recipe.inQuestion = i;
         recipe.sources.push_back({scan.points, scan.poseInMap.matrix(), i, colour, scan.uncertain});
     }
     if (!m_voxels || recipe != m_recipe) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/base/time.h"
 #include "widgets/map_view/map_view_settings.h"
 #include "widgets/map_view/scene/map_colours.h"
 #include "widgets/map_view/scene/point_paint.h"
@@ -21,6 +22,7 @@ struct SceneScan {
     std::string name;
     std::string robot;        ///< that took it
     std::size_t robotAt = 0;  ///< in SceneContent::robots
+    Time entered{};           ///< MapScan::entered
     double age = 0.0;         ///< of its coming in, since the first scan's: SceneContent::ages says in what
     std::uint64_t id = 0;     ///< MapScan::id
     bool uncertain = false;
@@ -41,7 +43,8 @@ struct VoxelMesh {
 /// A robot as a map's colours and legend have it.
 struct SceneRobot {
     std::string name, title;
-    int place = -1;  ///< in the team: chooses its colour; negative: it is none of it
+    int place = -1;           ///< in the team: chooses its colour; negative: it is none of it
+    std::string letter = {};  ///< may be empty
 
     bool operator==(const SceneRobot&) const = default;
 };
@@ -61,6 +64,7 @@ struct SceneContent {
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
     SceneAges ages = SceneAges::Minutes;
+    std::uint64_t inQuestion = 0;         ///< id of the uncertain scan that is decided on; 0: none
     std::optional<ColourRamp> ramp;       ///< when coloured by a number
     std::vector<Eigen::Vector3d> places;  ///< what a camera should frame, in the map's frame [m]
 };

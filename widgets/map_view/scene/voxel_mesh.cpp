@@ -59,9 +59,10 @@ Rgba plainColourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe)
 }
 
 Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
-    constexpr double Tint = 0.7;
-    const Rgba plain = plainColourOf(voxel, height, recipe);
-    return voxel.certain ? plain : mixed(plain, recipe.uncertain, Tint);
+    const MapColours& colours = mapColours(recipe.theme);
+    if (!voxel.certain && recipe.inQuestion == recipe.sources[voxel.scan].scan) return colours.scanInQuestion;
+    const Rgba plain = voxel.certain ? plainColourOf(voxel, height, recipe) : colours.uncertainScan;
+    return recipe.inQuestion ? dimmed(plain, recipe.theme) : plain;
 }
 
 /// @p number: of the source in the recipe.

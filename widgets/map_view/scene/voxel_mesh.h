@@ -28,14 +28,17 @@ struct VoxelRecipe {
     MapColouring colouring = MapColouring::Label;
     ColourRamp ramp;
     bool withCeiling = true;
-    Rgba uncertain = {};  ///< tints cubes in which only uncertain scans have points
+    Theme theme = Theme::Dark;
+    std::optional<std::size_t> inQuestion =
+        {};  ///< the uncertain scan that is decided on, as VoxelSource::scan
 
     bool operator==(const VoxelRecipe&) const = default;
 };
 
 /// Cubes around all points within the recipe's heights. A cube has the colour of most of its points (label,
 /// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their
-/// direction and darker in corners, so that they can be told apart. Nothing when @p interrupted said to stop.
+/// direction and darker in corners, so that they can be told apart. Those in which only uncertain scans have
+/// points have their colour. Nothing when @p interrupted said to stop.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);
 

@@ -7,11 +7,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Beside = 5.0;    // from a frame to its words [px]
-constexpr double Farthest = 5.5;  // from it, of the height of the words: past the scale at the edge
-constexpr double OneBody = 2.0;   // gaps between parts of one body, of the longer side of the larger part
-// What a label costs that lies on these, against pixels away from what it is about.
-constexpr double OnFrame = 1'000.0, OnTaken = 3'000.0;
+constexpr double Beside = 5.0;       // from a frame to its words [px]
+constexpr double Farthest = 5.5;     // from it, of the height of the words: past the scale at the edge
+constexpr double OneBody = 2.0;      // gaps between parts of one body, of the longer side of the larger part
+constexpr double OnFrame = 1'000.0;  // what it costs to lie on one, against pixels away from it
 
 /// From edge to edge; 0 where they meet.
 double gapBetween(const QRectF& one, const QRectF& other) {
@@ -74,8 +73,26 @@ std::vector<QRectF> placesFor(const QSizeF& size, const QRectF& about, const QRe
 
 std::vector<HeatLabel> heatLabels(const std::vector<HeatMark>& marks,
                                   const std::function<QSizeF(double celsius)>& sizeOf, const QRectF& area,
-                                  const std::vector<QRectF>& taken) {
+                                  const std::vector<QRectF>& taken, const std::optional<QSizeF>& brief) {
     std::vector<HeatLabel> labels;
+    /// The best place for words of @p size about @p about; empty where there is none.
+    const auto placeOf = [&](const QSizeF& size, const QRectF& about) {
+        double least = std::numeric_limits<double>::infinity();
+        std::optional<QRectF> best;
+        for (const QRectF& place : placesFor(size, about, area, taken)) {
+            const auto lies = [&place](const QRectF& on) { return place.intersects(on); };
+            if (gapBetween(place, about) > Farthest * place.height()) continue;
+            if (std::ranges::any_of(labels, lies, &HeatLabel::box) || std::ranges::any_of(taken, lies))
+                continue;
+            double cost = std::max(Beside, gapBetween(place, about)) +
+                          0.1 * std::abs(place.center().x() - about.center().x());
+            cost += OnFrame * static_cast<double>(std::ranges::count_if(marks, lies, &HeatMark::frame));
+            if (cost >= least) continue;
+            least = cost;
+            best = place;
+        }
+        return best;
+    };
     for (const std::vector<std::size_t>& body : bodiesOf(marks)) {
         HeatLabel label{.box = {},
                         .about = marks[body.front()].frame,
@@ -85,20 +102,12 @@ std::vector<HeatLabel> heatLabels(const std::vector<HeatMark>& marks,
             label.about = label.about.united(marks[part].frame);
             label.celsius = std::max(label.celsius, marks[part].celsius);
         }
-        double least = std::numeric_limits<double>::infinity();
-        for (const QRectF& place : placesFor(sizeOf(label.celsius), label.about, area, taken)) {
-            const auto lies = [&place](const QRectF& on) { return place.intersects(on); };
-            if (gapBetween(place, label.about) > Farthest * place.height()) continue;
-            if (std::ranges::any_of(labels, lies, &HeatLabel::box)) continue;
-            double cost = std::max(Beside, gapBetween(place, label.about)) +
-                          0.1 * std::abs(place.center().x() - label.about.center().x());
-            cost += OnFrame * static_cast<double>(std::ranges::count_if(marks, lies, &HeatMark::frame));
-            cost += OnTaken * static_cast<double>(std::ranges::count_if(taken, lies));
-            if (cost >= least) continue;
-            least = cost;
-            label.box = place;
-        }
-        if (std::isfinite(least)) labels.push_back(label);
+        auto place = placeOf(sizeOf(label.celsius), label.about);
+        label.brief = !place && brief;
+        if (label.brief) place = placeOf(*brief, label.about);
+        if (!place) continue;
+        label.box = *place;
+        labels.push_back(label);
     }
     return labels;
 }

@@ -18,12 +18,16 @@ struct ModeTexts {
 ModeLabel labelOf(const ModeSample& mode) {
     ModeKind kind = mode.autonomous ? ModeKind::Autonomous : ModeKind::Teleoperation;
     if (mode.mode == "stopped") kind = ModeKind::Stopped;
-    return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason)};
+    return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason), modeBrief(mode.mode).toUpper()};
 }
 
 /// Of robots that do not tell their mode.
 ModeLabel labelWithoutWord(const RobotView& robot) {
-    if (robot.drive.driving) return {ModeKind::Teleoperation, ModeTexts::tr("TELEOPERATION"), {}};
+    if (robot.drive.driving)
+        return {ModeKind::Teleoperation,
+                ModeTexts::tr("TELEOPERATION"),
+                {},
+                modeBrief("teleoperation").toUpper()};
     return {ModeKind::Stopped, ModeTexts::tr("MODE UNKNOWN"), ModeTexts::tr("the robot tells none")};
 }
 
@@ -87,7 +91,7 @@ ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSam
     }
     ModeLabel label = said && !said->sample.mode.empty() ? labelOf(said->sample) : labelWithoutWord(robot);
     if (robot.drive.focus && robot.drive.sight.overridden)
-        label.text = ModeTexts::tr("%1 · OVERRIDE").arg(label.text);
+        label.text = label.brief = ModeTexts::tr("%1 · OVERRIDE").arg(label.text);
     return label;
 }
 

@@ -21,8 +21,9 @@ enum class ModeKind {
 /// The mode of a robot, as the largest text of the window has it.
 struct ModeLabel {
     ModeKind kind = ModeKind::Stopped;
-    QString text;    ///< "TELEOPERATION"
-    QString reason;  ///< why, by the robot: "body heat in sight"; may be empty
+    QString text;        ///< "TELEOPERATION"
+    QString reason;      ///< why, by the robot: "body heat in sight"; may be empty
+    QString brief = {};  ///< the text where there is little room: "SAFE TELEOP"
 
     friend bool operator==(const ModeLabel&, const ModeLabel&) = default;
 };

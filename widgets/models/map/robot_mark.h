@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,13 +8,11 @@
 #include <QString>
 
 #include "core/base/pose.h"
+#include "core/mapping/live/trail.h"
 #include "widgets/models/live/robot_face.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {
-
-/// A way over the ground, oldest place first [m]; immutable once shared.
-using TrailPtr = std::shared_ptr<const std::vector<Eigen::Vector3f>>;
 
 /// A robot as a map draws it.
 struct RobotMark {
@@ -25,6 +22,7 @@ struct RobotMark {
     bool tracked = false;                    ///< chains, else wheels
     Pose baseInMap = Pose::Identity();
     TrailPtr trail = {};                     ///< in the map's frame; may be null
+    bool afterGap = false;                   ///< nobody knows the way to baseInMap from the trail's end
     std::optional<Pose> goalInMap = {};      ///< where it was sent
     std::optional<double> doubtRadius = {};  ///< it is not sure where it is: somewhere within [m]
     QString note = {};                       ///< said beside it: "place uncertain"; may be empty

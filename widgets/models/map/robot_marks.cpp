@@ -30,6 +30,7 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     mark.tracked = robot.drive == DriveType::Tracked;
     mark.baseInMap = place.baseInMap;
     mark.trail = place.trail;
+    mark.afterGap = place.afterGap;
     mark.goalInMap = goalInMap;
     mark.selected = selected;
     mark.details = face.title + QStringLiteral(": ") + placeText(place);
@@ -52,8 +53,8 @@ bool sameMark(const RobotMark& a, const RobotMark& b) {
         return x.has_value() == y.has_value() && (!x || x->matrix() == y->matrix());
     };
     return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
-           sameGoal(a.goalInMap, b.goalInMap) && a.doubtRadius == b.doubtRadius && a.note == b.note &&
-           a.tone == b.tone && a.selected == b.selected && a.stale == b.stale;
+           a.afterGap == b.afterGap && sameGoal(a.goalInMap, b.goalInMap) && a.doubtRadius == b.doubtRadius &&
+           a.note == b.note && a.tone == b.tone && a.selected == b.selected && a.stale == b.stale;
 }
 
 QString detailsOf(const std::vector<RobotMark>& marks) {

@@ -107,13 +107,14 @@ TEST(RobotTracker, TheTrailMovesWithTheScansThatItIsKnownBy) {
                                               {Begin, 1, poseFrom({0, 7, 0}, 0, 0, 0)}};
     drive.tracker.layTrail(anchors);
     ASSERT_EQ(here.trail->size(), points);
-    for (const Eigen::Vector3f& point : *here.trail) {
+    for (const auto& [point, gap] : *here.trail) {
         if (std::abs(point.x() - 1.0F) < 0.1F) continue;
         EXPECT_NEAR(point.y(), point.x() > 1.0F ? 1.0F : 0.0F, 1e-5F) << point.x();
     }
     const std::vector<TrailAnchor> undone = {{Begin, 0, Pose::Identity()}};
     drive.tracker.layTrail(undone);
-    for (std::size_t i = 0; i < points; ++i) EXPECT_LT(((*here.trail)[i] - (*before)[i]).norm(), 1e-5F);
+    for (std::size_t i = 0; i < points; ++i)
+        EXPECT_LT(((*here.trail)[i].inMap - (*before)[i].inMap).norm(), 1e-5F);
 }
 
 TEST(RobotTracker, ALongTrailIsThinned) {
@@ -122,7 +123,71 @@ TEST(RobotTracker, ALongTrailIsThinned) {
     drive.pass(450.0, 2.0);
     EXPECT_LE(drive.tracker.now().trail->size(), 4001u);
     EXPECT_GE(drive.tracker.now().trail->size(), 2000u);
-    EXPECT_LT(drive.tracker.now().trail->front().norm(), 0.3f);
+    EXPECT_LT(drive.tracker.now().trail->front().inMap.norm(), 0.3f);
+}
+
+/// Places of the trail to which nobody knows the way.
+std::vector<Eigen::Vector3f> gapsOf(const RobotTracker& tracker) {
+    std::vector<Eigen::Vector3f> gaps;
+    for (const TrailPlace& place : *tracker.now().trail) {
+        if (place.afterGap) gaps.push_back(place.inMap);
+    }
+    return gaps;
+}
+
+TEST(RobotTracker, TheTrailHasAGapWhereNothingWasHeardOfTheWay) {
+    Drive drive;
+    drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
+    drive.pass(2.0);
+    drive.now += 30s;  // the link was lost, and the robot stood
+    drive.pass(2.0);
+    EXPECT_TRUE(gapsOf(drive.tracker).empty());
+    drive.now += 30s;  // ... and drove on meanwhile
+    drive.way += 0.8;
+    drive.pass(2.0);
+    ASSERT_EQ(gapsOf(drive.tracker).size(), 1U);
+    EXPECT_NEAR(gapsOf(drive.tracker).front().x(), 2.8, 0.06);
+    drive.now += 30s;
+    drive.pass(0.0);
+    EXPECT_FALSE(drive.tracker.now().afterGap);
+}
+
+TEST(RobotTracker, TheTrailHasAGapWhereTheRobotsPlaceJumps) {
+    Drive drive;
+    drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
+    drive.pass(2.0);
+    drive.tracker.correct({drive.now, poseFrom({1.3, 0.2, 0}, 0, 0, 0), 0.8, true, "fits"});
+    drive.pass(1.0);
+    EXPECT_TRUE(gapsOf(drive.tracker).empty()) << "a scan corrects it a little";
+    drive.tracker.correct({drive.now, poseFrom({5, 5, 0}, 0, 0, 0), 0.8, true, "put there"});
+    EXPECT_TRUE(drive.tracker.now().afterGap) << "until it moves";
+    drive.pass(1.0);
+    EXPECT_FALSE(drive.tracker.now().afterGap);
+    ASSERT_EQ(gapsOf(drive.tracker).size(), 1U);
+    EXPECT_NEAR(gapsOf(drive.tracker).front().y(), 5.0, 0.01);
+    drive.tracker.lose();
+    drive.pass(20.0);
+    drive.tracker.correct({drive.now, poseFrom({9, 5, 0}, 0, 0, 0), 0.8, true, "found again"});
+    drive.pass(0.5);
+    EXPECT_EQ(gapsOf(drive.tracker).size(), 2U);
+}
+
+TEST(RobotTracker, ATrailThatIsThinnedOrTornHasItsGaps) {
+    Drive drive;
+    drive.tracker.correct({Begin, Pose::Identity(), 0.8, true, "fits"});
+    drive.pass(100.0, 2.0);
+    const Time half = drive.now;
+    drive.now += 30s;
+    drive.way += 0.9;
+    drive.pass(250.0, 2.0);
+    drive.pass(10.0, 0.0);
+    drive.pass(100.0, 2.0);
+    ASSERT_EQ(gapsOf(drive.tracker).size(), 1U) << "places stand farther apart now";
+    EXPECT_NEAR(gapsOf(drive.tracker).front().x(), 200.9, 0.3);
+    const std::vector<TrailAnchor> torn = {{half + 31s, 0, poseFrom({0, 3, 0}, 0, 0, 0)},
+                                           {Begin, 0, Pose::Identity()}};
+    drive.tracker.layTrail(torn);
+    EXPECT_EQ(gapsOf(drive.tracker).size(), 2U);
 }
 
 }  // namespace
