@@ -37,5 +37,7 @@ private:
 
 /// Why namespaces cannot be had here; empty when they can.
 [[nodiscard]] std::string whyNoNamespaces();
+/// Why nodes of this process cannot be in several namespaces; empty when they can.
+[[nodiscard]] std::string whyNoNodesInNamespaces();
 
 }  // namespace leitstand::test

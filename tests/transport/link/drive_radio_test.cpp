@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 class DriveOverRadio : public testing::Test {
 protected:
     void SetUp() override {
-        if (const std::string why = whyNoNamespaces(); !why.empty())
+        if (const std::string why = whyNoNodesInNamespaces(); !why.empty())
             GTEST_SKIP() << "SKIPPED: the radio link needs network namespaces and TUN: " << why;
         m_radio.emplace(RadioConditions{.delay = 20ms, .jitter = 20ms, .loss = 0.05});
         {

@@ -61,7 +61,7 @@ double secondsUntilAllMatch(const RadioLink& radio, std::mt19937& random) {
 }
 
 TEST(DiscoveryRadio, EverythingIsFoundWithin3SecondsWhereOneInTwentyDatagramsIsLost) {
-    if (const std::string why = whyNoNamespaces(); !why.empty()) {
+    if (const std::string why = whyNoNodesInNamespaces(); !why.empty()) {
         GTEST_SKIP() << "SKIPPED: the radio link needs network namespaces and TUN: " << why;
     }
     RadioConditions air;

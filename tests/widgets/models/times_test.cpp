@@ -18,10 +18,16 @@ protected:
     const QLocale m_before;
 };
 
+/// Newer versions of Qt write a narrow space before PM.
+QString withPlainSpaces(QString text) {
+    return text.replace(QChar(0x202F), QLatin1Char(' '));
+}
+
 TEST_P(Times, OfTheDayAreWrittenAsTheLanguageDoes) {
     QLocale::setDefault(GetParam().locale);
-    EXPECT_EQ(timeOfDayText(QTime(20, 1, 54, 370)), QString::fromUtf8(GetParam().text));
-    EXPECT_EQ(timeOfDayText(QTime(20, 1, 54, 370), true), QString::fromUtf8(GetParam().tenths));
+    EXPECT_EQ(withPlainSpaces(timeOfDayText(QTime(20, 1, 54, 370))), QString::fromUtf8(GetParam().text));
+    EXPECT_EQ(withPlainSpaces(timeOfDayText(QTime(20, 1, 54, 370), true)),
+              QString::fromUtf8(GetParam().tenths));
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, Times,

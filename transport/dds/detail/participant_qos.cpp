@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -111,7 +112,13 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
 }
 
 void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
-    if constexpr (!fastdds::HasFlowControllers) return;
+    if constexpr (!fastdds::HasFlowControllers) {
+        // A limit of the transport would be one of what is received, too.
+        if (settings.scanLimit.bytes > 0 && !staysHere(settings))
+            qos.properties().properties().emplace_back("fastdds.max_message_size",
+                                                       std::to_string(settings.scanLimit.bytes));
+        return;
+    }
     const bool secure = settings.security.has_value(), here = staysHere(settings);
     const std::pair<Flow, FlowLimit> flows[] = {{Flow::Telemetry, settings.telemetryLimit},
                                                 {Flow::Scans, settings.scanLimit},
