@@ -72,7 +72,8 @@ protected:
         };
         const double median = Starts(settings).run();
         std::printf(
-            "ATTACK|1,000 packets a second of every kind while robot, recorder and station start|%d|"
+            "ATTACK|starts of robot, recorder and station among 1,000 packets a second of every kind "
+            "(times)|%d|"
             "all heard, after %.1f s (median)\n",
             settings.runs, median);
     }
