@@ -222,10 +222,12 @@ std::vector<HardwareSample> RobotAgent::step() {
     const Time now = m_hardware.now();
     std::vector<HardwareSample> sensed = m_hardware.take();
     for (HardwareSample& sample : sensed) {
+        if (sample.reach == Reach::Sent) continue;
         if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
             m_rules.moved(odometry->linear.head<2>().norm(), odometry->angular.z(), steady());
         sense(sample);
     }
+    std::erase_if(sensed, [](const HardwareSample& sample) { return sample.reach == Reach::OnBoard; });
     Report report = this->report(now);
     ModeInputs inputs;
     inputs.stopped = m_rules.isStopped();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +11,16 @@
 
 namespace leitstand {
 
+/// Who is to have a sample: a stream that is asked for less often leaves the robot's own drivers what they
+/// need.
+enum class Reach : std::uint8_t { Everywhere, OnBoard, Sent };
+
 /// One sample of a sensor on board.
 struct HardwareSample {
     StreamRole role = StreamRole::Odometry;
     std::string sensor;  ///< key of RobotDescription::sensors, "left"; empty for what belongs to the robot
     Sample sample;       ///< frames as in the robot's description; stamps on the robot's clock
+    Reach reach = Reach::Everywhere;
 };
 
 /// How the two sides of a drive turn, by their encoders.
@@ -23,7 +29,7 @@ struct TrackState {
     double leftCurrent = 0.0, rightCurrent = 0.0;  ///< of the motors [A]
 };
 
-/// What a stream is sent with.
+/// What a stream is sent with. Lasers go on for the robot's own drivers, whatever is sent (Reach).
 struct StreamSettings {
     bool enabled = true;
     double rate = 0.0;  ///< [Hz]; 0: the sensor's own

@@ -71,7 +71,8 @@ TEST_F(WholeWindowTest, TheKeysDialogListsTheKeysOfTheCommands) {
     ASSERT_NE(dialog, nullptr);
     std::set<std::string> texts;
     for (const QLabel* label : dialog->findChildren<QLabel*>()) texts.insert(label->text().toStdString());
-    EXPECT_THAT(texts, IsSupersetOf({"Ctrl+O", "Open scans…", "F5", "Register again", "M", "Measure"}));
+    EXPECT_THAT(texts,
+                IsSupersetOf({"Ctrl+O", "Open scans…", "F5", "Register again", "Ctrl+Shift+M", "Measure"}));
 }
 
 /// Captions whose text needs more room than they have.

@@ -90,6 +90,25 @@ TEST(Hardware, HoldsTheRatesOfTheDesign) {
     }
 }
 
+TEST(Hardware, DriversOnBoardHaveAllThatLasersMeasureWhateverIsSent) {
+    for (const bool first : {true, false}) {
+        Robot robot = first ? kurt3d({.cameras = false}) : crawler({.cameras = false});
+        const StreamRole role = first ? StreamRole::Points : StreamRole::Ranges;
+        const char* const sensor = first ? "scanner" : "laser";
+        for (const double rate : {10.0, 2.0, 1.0, 0.0}) {  // 0: none at all
+            robot.hardware->setStream(role, sensor, {.enabled = rate > 0.0, .rate = rate});
+            int onBoard = 0, sent = 0;
+            for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 10s)) {
+                if (sample.role != role) continue;
+                onBoard += sample.reach != Reach::Sent ? 1 : 0;
+                sent += sample.reach != Reach::OnBoard ? 1 : 0;
+            }
+            EXPECT_NEAR(onBoard, 100, 5) << sensor << " at " << rate << " Hz";
+            EXPECT_NEAR(sent, 10.0 * rate, 6.0) << sensor << " at " << rate << " Hz";
+        }
+    }
+}
+
 TEST(Hardware, SendsSamplesThatTheWireTakes) {
     for (int kind = 0; kind < 4; ++kind) {
         Robot robot = kind == 0   ? kurt3d()
@@ -199,7 +218,7 @@ TEST(Hardware, DrivesAndSwitchesStreams) {
     robot.hardware->setMotors(5.0, std::nan(""));
     int odometry = 0;
     for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 2s)) {
-        EXPECT_NE(sample.role, StreamRole::Points);
+        EXPECT_FALSE(sample.role == StreamRole::Points && sample.reach != Reach::OnBoard);
         odometry += sample.role == StreamRole::Odometry ? 1 : 0;
     }
     EXPECT_NEAR(odometry, 10, 1);

@@ -22,6 +22,7 @@ TurningScannerSettings mountedScanDrive() {
     return settings;
 }
 
+/// Slices that are sent.
 std::vector<CloudSample> clouds(World& world, int robot, Sensor& sensor, std::chrono::nanoseconds time,
                                 std::chrono::nanoseconds step) {
     std::vector<HardwareSample> samples;
@@ -31,7 +32,8 @@ std::vector<CloudSample> clouds(World& world, int robot, Sensor& sensor, std::ch
     }
     std::vector<CloudSample> found;
     for (HardwareSample& sample : samples) {
-        if (sample.role == StreamRole::Points) found.push_back(std::get<CloudSample>(sample.sample));
+        if (sample.role == StreamRole::Points && sample.reach != Reach::OnBoard)
+            found.push_back(std::get<CloudSample>(sample.sample));
     }
     return found;
 }
@@ -215,11 +217,11 @@ TEST(TurningScanner, CanBeSwitchedOffAndGoesOnWithItsTurn) {
     EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {}));
     auto slices = clouds(*world, robot, scanner, 1s, 20ms);
     ASSERT_FALSE(slices.empty());
-    EXPECT_NEAR(slices[0].rings[0], 78, 2);
+    EXPECT_NEAR(slices[0].rings[0], 74, 5) << "the slice that was under way";
     // Off over the end of a turn: the next one begins with its first raw scan, and nothing closes it alone.
     EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {.enabled = false}));
     slices = clouds(*world, robot, scanner, 400ms, 20ms);
-    EXPECT_LE(slices.size(), 1U) << "what was begun";
+    EXPECT_TRUE(slices.empty());
     EXPECT_TRUE(scanner.configure(StreamRole::Points, "laser", {}));
     slices = clouds(*world, robot, scanner, 200ms, 20ms);
     ASSERT_FALSE(slices.empty());

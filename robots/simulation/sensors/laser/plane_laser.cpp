@@ -19,7 +19,10 @@ PlaneLaserSettings hokuyoUrg() {
 }
 
 PlaneLaser::PlaneLaser(const PlaneLaserSettings& settings, const Noise& noise, Time start)
-    : m_settings(settings), m_head(settings.laser, noise), m_schedule(settings.rate, start) {
+    : m_settings(settings),
+      m_head(settings.laser, noise),
+      m_schedule(settings.rate, start),
+      m_sent(settings.rate, start) {
     m_rays.resize(static_cast<std::size_t>(settings.points));
 }
 
@@ -54,15 +57,17 @@ RangesSample PlaneLaser::turn(const World& world, int robot, Time stamp) {
 
 void PlaneLaser::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
     while (const auto stamp = m_schedule.due(world.now() - shotAfter(m_settings.points - 1))) {
-        if (!m_enabled) continue;
-        samples.push_back({StreamRole::Ranges, m_settings.sensor, turn(world, robot, *stamp)});
+        bool sent = false;
+        while (m_sent.due(*stamp)) sent = m_enabled;
+        samples.push_back({StreamRole::Ranges, m_settings.sensor, turn(world, robot, *stamp),
+                           sent ? Reach::Everywhere : Reach::OnBoard});
     }
 }
 
 bool PlaneLaser::configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) {
     if (role != StreamRole::Ranges || sensor != m_settings.sensor) return false;
     m_enabled = settings.enabled;
-    m_schedule.setRate(settings.rate > 0.0 ? std::min(settings.rate, m_settings.rate) : m_settings.rate);
+    m_sent.setRate(settings.rate > 0.0 ? std::min(settings.rate, m_settings.rate) : m_settings.rate);
     return true;
 }
 

@@ -37,7 +37,7 @@ private:
 
     PlaneLaserSettings m_settings;
     LaserHead m_head;
-    Schedule m_schedule;
+    Schedule m_schedule, m_sent;  ///< turns of the mirror, and those of them that are sent
     bool m_enabled = true;
     std::vector<Ray> m_rays;
 };

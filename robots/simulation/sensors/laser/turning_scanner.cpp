@@ -48,18 +48,18 @@ void TurningScanner::aim(const World& world, int robot) {
     }
 }
 
-void TurningScanner::append(std::span<const LaserEcho> echoes, int ring) {
+void TurningScanner::append(std::span<const LaserEcho> echoes, int ring, CloudSample& slice) const {
     const TurningPattern& pattern = m_settings.pattern;
     const Time start = startOf(m_rawScan);
-    if (m_slice.rows == 0) m_slice.header = {start, m_settings.frame};
-    ++m_slice.rows;
-    m_slice.columns = pattern.points;
+    if (slice.rows == 0) slice.header = {start, m_settings.frame};
+    ++slice.rows;
+    slice.columns = pattern.points;
     for (int point = 0; point < pattern.points; ++point) {
         const LaserEcho& echo = echoes[static_cast<std::size_t>(point)];
-        m_slice.points.emplace_back(pattern.direction(m_rawScan, point).cast<float>() * echo.range);
-        m_slice.intensities.push_back(echo.intensity);
-        m_slice.times.push_back((start + pattern.shotAfter(point) - m_slice.header.stamp).count());
-        m_slice.rings.push_back(ring);
+        slice.points.emplace_back(pattern.direction(m_rawScan, point).cast<float>() * echo.range);
+        slice.intensities.push_back(echo.intensity);
+        slice.times.push_back((start + pattern.shotAfter(point) - slice.header.stamp).count());
+        slice.rings.push_back(ring);
     }
 }
 
@@ -85,16 +85,21 @@ void TurningScanner::tellFan(std::span<const LaserEcho> echoes, std::vector<Hard
     samples.push_back({StreamRole::Ranges, m_settings.rangesSensor, std::move(ranges)});
 }
 
-void TurningScanner::emitSlice(std::vector<HardwareSample>& samples) {
-    if (m_slice.rows == 0) return;
-    samples.push_back({StreamRole::Points, m_settings.sensor, std::exchange(m_slice, {})});
+void TurningScanner::emitSlice(CloudSample& slice, Reach reach, std::vector<HardwareSample>& samples) const {
+    if (slice.rows == 0) return;
+    samples.push_back({StreamRole::Points, m_settings.sensor, std::exchange(slice, {}), reach});
 }
 
 void TurningScanner::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
     const TurningPattern& pattern = m_settings.pattern;
     const auto lag = world.now() - LongestLag - m_start;
+    const Reach whole = m_enabled && !isThinned() ? Reach::Everywhere : Reach::OnBoard;
+    const auto emitAll = [&] {
+        emitSlice(m_slice, whole, samples);
+        emitSlice(m_sent, Reach::Sent, samples);
+    };
     if (pattern.startOf(m_rawScan) < lag) {
-        emitSlice(samples);
+        emitAll();
         m_rawScan = pattern.firstFrom(lag);
     }
     const auto rawScanTime = pattern.shotAfter(pattern.points - 1);
@@ -102,20 +107,21 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
     for (; startOf(m_rawScan) + rawScanTime <= world.now(); ++m_rawScan) {
         const bool ranges = m_rangesEnabled && !m_settings.fanFrame.empty();
         const bool begins = pattern.row(m_rawScan) == 0;
-        const bool kept = m_enabled && pattern.row(m_rawScan) % m_every == 0;
-        std::span<const LaserEcho> echoes;
-        if (kept || ranges) {
-            aim(world, robot);
-            echoes = m_head.measure(m_rays, cast);
-        }
+        aim(world, robot);
+        const std::span<const LaserEcho> echoes = m_head.measure(m_rays, cast);
         if (ranges) tellFan(echoes, samples);
         // What begins a turn has closed the one before: its last slice waits for it.
-        if (begins && m_enabled && m_slice.rows > 0) append(echoes, pattern.rawScans);
-        if (begins) emitSlice(samples);
-        if (kept) append(echoes, pattern.row(m_rawScan));
-        const bool ends = pattern.row(m_rawScan + 1) == 0;
-        if (!ends && pattern.sliceOf(m_rawScan + 1) / m_every != pattern.sliceOf(m_rawScan) / m_every)
-            emitSlice(samples);
+        for (CloudSample* slice : {&m_slice, &m_sent}) {
+            if (begins && slice->rows > 0) append(echoes, pattern.rawScans, *slice);
+        }
+        if (begins) emitAll();
+        append(echoes, pattern.row(m_rawScan), m_slice);
+        if (isThinned() && pattern.row(m_rawScan) % m_every == 0)
+            append(echoes, pattern.row(m_rawScan), m_sent);
+        if (pattern.row(m_rawScan + 1) == 0) continue;  // the turn ends with the next
+        const auto slice = pattern.sliceOf(m_rawScan), next = pattern.sliceOf(m_rawScan + 1);
+        if (next != slice) emitSlice(m_slice, whole, samples);
+        if (next / m_every != slice / m_every) emitSlice(m_sent, Reach::Sent, samples);
     }
 }
 
@@ -127,6 +133,7 @@ bool TurningScanner::configure(StreamRole role, const std::string& sensor, const
         const double usual = 1.0 / std::chrono::duration<double>(m_settings.pattern.slice).count();
         m_every =
             settings.rate > 0.0 ? std::max(1, static_cast<int>(std::ceil(usual / settings.rate - 1e-6))) : 1;
+        if (!isThinned()) m_sent = {};
         return true;
     }
     if (role == StreamRole::Ranges && !m_settings.fanFrame.empty() && sensor == m_settings.rangesSensor) {

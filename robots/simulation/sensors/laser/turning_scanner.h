@@ -37,9 +37,10 @@ public:
 
 private:
     void aim(const World& world, int robot);
-    void append(std::span<const LaserEcho> echoes, int ring);
+    void append(std::span<const LaserEcho> echoes, int ring, CloudSample& slice) const;
+    [[nodiscard]] bool isThinned() const { return m_enabled && m_every > 1; }
     void tellFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples);
-    void emitSlice(std::vector<HardwareSample>& samples);
+    void emitSlice(CloudSample& slice, Reach reach, std::vector<HardwareSample>& samples) const;
     [[nodiscard]] Time startOf(std::int64_t rawScan) const {
         return m_start + m_settings.pattern.startOf(rawScan);
     }
@@ -50,7 +51,8 @@ private:
     std::int64_t m_rawScan = 0;  ///< next one
     bool m_enabled = true, m_rangesEnabled = true;
     int m_every = 1;      ///< of so many raw scans one is sent, and so many slices as one
-    CloudSample m_slice;  ///< being filled
+    CloudSample m_slice;  ///< being filled, of all raw scans
+    CloudSample m_sent;   ///< likewise, of those that are sent where not all are
     std::vector<Ray> m_rays;
 };
 
