@@ -45,8 +45,9 @@ DrivenWorld::DrivenWorld(Arena arena, ArenaMesh mesh, const DriveSetup& setup)
     HardwareSettings fitting;
     fitting.seed = setup.seed;
     fitting.scanner = setup.scanner;
-    hardware = setup.kind == "crawler" ? makeCrawlerHardware(*world, robot, description, fitting)
-                                       : makeKurt3dHardware(*world, robot, description, fitting);
+    hardware = std::make_unique<BreakableHardware>(
+        setup.kind == "crawler" ? makeCrawlerHardware(*world, robot, description, fitting)
+                                : makeKurt3dHardware(*world, robot, description, fitting));
     agent = agentFor(setup.kind, *hardware, description);
     station = std::make_unique<leitstand::test::TestStation>(*agent, description.name);
     station->hold();

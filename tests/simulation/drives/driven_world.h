@@ -11,6 +11,7 @@
 #include "robots/agent/robot_agent.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "robots/simulation/world/world.h"
+#include "tests/simulation/drives/breakable_hardware.h"
 #include "tests/support/test_station.h"
 
 namespace leitstand::simulation::test {
@@ -57,7 +58,7 @@ public:
 
     std::unique_ptr<World> world;
     int robot = 0;
-    std::unique_ptr<RobotHardware> hardware;
+    std::unique_ptr<BreakableHardware> hardware;
     std::unique_ptr<RobotAgent> agent;
     std::unique_ptr<leitstand::test::TestStation> station;
     bool radio = true;                                    ///< false: nothing is heard of the station

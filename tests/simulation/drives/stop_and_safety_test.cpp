@@ -99,10 +99,7 @@ TEST(SafeTeleoperation, SlowsDownWhenTheScannerIsSilent) {
     driven.drive(0.0, 0.0, 0.3);
     driven.drive(0.5, 0.0, 2.0);
     EXPECT_GT(driven.speed(), 0.3);
-    StreamCommandSample off;
-    off.topic = "/kurt3d/points";
-    off.enabled = false;
-    driven.station->say(StreamRole::StreamCommand, off);
+    driven.hardware->breakSensor(StreamRole::Points);
     driven.drive(0.0, 0.0, 5.0);
     driven.drive(0.5, 0.0, 1.5);
     EXPECT_GT(driven.speed(), 0.02);

@@ -133,8 +133,7 @@ inline void turnOffShortcuts() {
 #endif
 }
 
-/// How often a writer that is not acknowledged says what it has. Version 3.1 says it with each piece of a
-/// sample too, in a datagram of its own, unless that is forbidden: what refilled a gap drowned in them.
+/// How often a writer says what it has while it is not acknowledged; 3.1 would say it with each piece.
 inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #if LEITSTAND_FASTDDS_3
     qos.reliable_writer_qos().times.heartbeat_period = period;
