@@ -100,7 +100,7 @@ protected:
 };
 using DriveLatency = Drive;
 
-TEST_F(DriveLatency, CommandsComeAtTwentyHertzAndChangesAtOnce) {
+TEST_F(DriveLatency, CommandsComeAtFortyHertzAndChangesAtOnce) {
     start(drivenRobot());
     ASSERT_TRUE(pushUntil(0.3, [&] { return m_wire->last()->speed() == 0.3; }));
     m_wire->forget();
@@ -110,9 +110,9 @@ TEST_F(DriveLatency, CommandsComeAtTwentyHertzAndChangesAtOnce) {
     ASSERT_GT(all.size(), 50U);
     std::printf("repeated: %zu commands in 5 s; between them p50 %.1f ms, p99 %.1f ms, worst %.1f ms\n",
                 all.size() + 1, all[all.size() / 2], all[all.size() * 99 / 100], all.back());
-    EXPECT_GE(all.size() + 1, 90U);
-    EXPECT_LE(all.size() + 1, 110U);
-    EXPECT_NEAR(all[all.size() / 2], 50.0, 10.0);
+    EXPECT_GE(all.size() + 1, 180U);
+    EXPECT_LE(all.size() + 1, 220U);
+    EXPECT_NEAR(all[all.size() / 2], 25.0, 5.0);
     EXPECT_LT(all.back(), 200.0);
 
     std::vector<double> delays;
@@ -126,7 +126,7 @@ TEST_F(DriveLatency, CommandsComeAtTwentyHertzAndChangesAtOnce) {
     std::sort(delays.begin(), delays.end());
     std::printf("changes: on the wire's other end after p50 %.1f ms, worst %.1f ms\n",
                 delays[delays.size() / 2], delays.back());
-    EXPECT_LT(delays[delays.size() / 2], 25.0) << "not with the next repetition";
+    EXPECT_LT(delays[delays.size() / 2], 15.0) << "not with the next repetition";
 }
 
 TEST_F(DriveLatency, ASetpointOlderThanTwoHundredMillisecondsBecomesZero) {
