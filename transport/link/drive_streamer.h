@@ -58,10 +58,10 @@ struct DriveStatus {
 /// Sends drive commands to one robot from a thread of its own (design, section 4): on change and at 40 Hz, as
 /// Twist, TwistStamped (with the stamp that the robot's file wants) or, when the robot has no drive_command,
 /// as speeds of its tracks [m/s] in a JointState. Zero when the sticks were not told for 200 ms, without
-/// focus, grant, or while a stop stands; zeros for a second after driving, and then nothing more. Whatever the
-/// input device, the speed is capped by what the driver sees; sticks that were held while nothing was seen
-/// must be neutral before the robot moves again. Any thread; no call waits for the network, for the log, or
-/// for anybody else.
+/// focus, grant, or while a stop stands; zeros for a second after driving, and then nothing more. Whatever
+/// the input device, the speed is capped by what the driver sees; sticks that were held while nothing was
+/// seen must be neutral before the robot moves again. Any thread; no call waits for the network, for the log,
+/// or for anybody else.
 class DriveStreamer {
 public:
     /// Errors: the robot takes no drive commands, or of a type that is none; it is tracked, and its footprint

@@ -14,10 +14,10 @@ struct DriveRhythm {
 };
 
 /// When the next drive command is to be sent: at once when it changed, and again every 25 ms. Pure. A robot
-/// brakes when it hears no command for 0.2 s: of the six that a radio's delay of 50 ms leaves in that time one
-/// always comes, though it loses one in twenty (at 20 Hz three lost in a row were a stutter, 2 in 10 minutes).
-/// While nobody drives it says zero for a second and is then silent, so that it overrides no navigation on
-/// board and no other station.
+/// brakes when it hears no command for 0.2 s: of the six that a radio's delay of 50 ms leaves in that time
+/// one always comes, though it loses one in twenty (at 20 Hz three lost in a row were a stutter, 2 in 10
+/// minutes). While nobody drives it says zero for a second and is then silent, so that it overrides no
+/// navigation on board and no other station.
 class DriveSchedule {
 public:
     explicit DriveSchedule(const DriveRhythm& rhythm = {});

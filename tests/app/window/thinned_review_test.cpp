@@ -1,7 +1,7 @@
-#include <map>
-#include <string>
 #include <QAction>
 #include <QKeySequence>
+#include <map>
+#include <string>
 
 #include <gtest/gtest.h>
 
