@@ -1,6 +1,6 @@
 /* cyclone_peer DOMAIN SEEDS: a process on Cyclone DDS that knows all our messages from our IDL by its own
- * generator. On rt/cyclone/<type> it says samples filled from the seeds 1..SEEDS; what comes on
- * rt/ours/<type> it decodes, encodes again and says on rt/echo/<type>. Runs until it is killed. */
+ * generator. On rt/cyclone/<type> it says samples filled from the seeds 1..SEEDS; what comes on rt/ours/<type>
+ * it decodes, encodes again and says on rt/echo/<type>. Runs until it is killed. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -33,8 +33,7 @@ static void send_back(dds_entity_t reader, void* writer) {
     }
 }
 
-static void serve(dds_entity_t participant, const struct PeerType* type, const dds_qos_t* qos,
-                  unsigned seeds) {
+static void serve(dds_entity_t participant, const struct PeerType* type, const dds_qos_t* qos, unsigned seeds) {
     const dds_entity_t own =
         checked("writer", dds_create_writer(participant, topic_of(participant, type, "cyclone"), qos, NULL));
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -61,8 +60,8 @@ int main(int argc, char** argv) {
     dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));
     dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
     dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 100);
-    dds_qset_durability_service(qos, 0, DDS_HISTORY_KEEP_LAST, 100, DDS_LENGTH_UNLIMITED,
-                                DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+    dds_qset_durability_service(qos, 0, DDS_HISTORY_KEEP_LAST, 100, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
+                                DDS_LENGTH_UNLIMITED);
     for (unsigned i = 0; i < peer_type_count; ++i) {
         serve(participant, &peer_types[i], qos, (unsigned)strtoul(argv[2], NULL, 10));
     }
