@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/finds/freezing.h"
 #include "app/session/finds/told_evidence.h"
 #include "app/session/log/event_decoder.h"
 #include "app/session/log/mission_robots.h"

@@ -37,9 +37,4 @@ private:
 /// The first four pictures of @p find in the log @p mission; what cannot be read is left out.
 [[nodiscard]] ReadEvidence readEvidence(const std::filesystem::path& mission, const VictimSample& find);
 
-/// Whether @p evidence is a picture.
-[[nodiscard]] inline bool isPictureEvidence(const VictimEvidence& evidence) {
-    return evidence.kind == "picture" || evidence.kind == "thermal";
-}
-
 }  // namespace leitstand

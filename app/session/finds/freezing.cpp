@@ -216,10 +216,14 @@ std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence&
     return found;
 }
 
+bool isPictureEvidence(const VictimEvidence& evidence) {
+    return evidence.kind == "picture" || evidence.kind == "thermal";
+}
+
 FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown) {
     bool warm = false;
     std::erase_if(frozen.evidence, [&](const VictimEvidence& one) {
-        if (one.kind != "picture" && one.kind != "thermal") return false;
+        if (!isPictureEvidence(one)) return false;
         const bool kept = std::any_of(shown.begin(), shown.end(), [&](const Event& picture) {
             return picture.sequence == one.sequence && picture.topic == one.topic;
         });

@@ -34,6 +34,8 @@ struct ChosenEvidence {
 
 /// @p event as evidence of @p kind, as VictimEvidence has them.
 [[nodiscard]] VictimEvidence evidenceOf(const char* kind, const Event& event);
+/// Whether @p evidence is a picture.
+[[nodiscard]] bool isPictureEvidence(const VictimEvidence& evidence);
 
 /// The pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since @p since.
 [[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/session/finds/freezing.h"
 #include "widgets/camera/picture_image.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/timeline/timeline_words.h"
@@ -11,6 +12,9 @@
 
 namespace leitstand {
 namespace {
+
+/// The log is opened for each question; what was lost never comes into it.
+constexpr qint64 AsksAgain = 1000;  ///< [ms]
 
 bool haveSameEvidence(const VictimSample& one, const VictimSample& other) {
     return one.kind == other.kind && one.number == other.number &&
@@ -43,10 +47,11 @@ FormPictures::~FormPictures() = default;
 void FormPictures::follow(const std::optional<VictimSample>& find) {
     const bool asked = find && m_wanted && haveSameEvidence(*find, *m_wanted);
     // What was frozen a moment ago is in the log a moment later.
-    if (asked && (m_written || !m_answered)) return;
+    if (asked && (m_written || !m_answered || m_sinceAsked.elapsed() < AsksAgain)) return;
     if (!find && !m_wanted) return;
     m_wanted = find;
     m_answered = m_written = false;
+    m_sinceAsked.start();
     if (asked) return m_reader.want(*find);
     const bool some = find && std::any_of(find->evidence.begin(), find->evidence.end(), isPictureEvidence);
     m_form.setPictures({}, some);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 
 #include "app/session/finds/evidence_reader.h"
@@ -27,6 +28,7 @@ private:
     VictimForm& m_form;
     std::optional<VictimSample> m_wanted;  ///< whose pictures are shown, or asked for
     bool m_answered = false, m_written = false;
+    QElapsedTimer m_sinceAsked;
     EvidenceReader m_reader;  ///< last: its thread ends first
 };
 
