@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "tests/support/temporary_folder.h"
 
@@ -70,6 +71,23 @@ void writeSession(const fs::path& mission, std::uint64_t first, std::uint64_t la
     ASSERT_TRUE(closed.ok()) << closed.error().text;
 }
 
+namespace {
+
+/// From now on, what is committed stays in the write-ahead log of the newest session: somebody reads what was
+/// before, and no checkpoint goes past them. Where checkpoints fall by themselves depends on how the writer's
+/// thread is served.
+bool readOn(const fs::path& mission) {
+    fs::path newest;
+    for (const auto& entry : fs::directory_iterator(mission)) {
+        if (entry.path().extension() == ".db3" && entry.path() > newest) newest = entry.path();
+    }
+    sqlite3* reader = nullptr;
+    return sqlite3_open_v2(newest.c_str(), &reader, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+           sqlite3_exec(reader, "BEGIN; SELECT count(*) FROM topics", nullptr, nullptr, nullptr) == SQLITE_OK;
+}
+
+}  // namespace
+
 void writeUnclosedSession(const fs::path& mission, std::uint64_t first, std::uint64_t last,
                           const BagWriterSettings& settings, std::uint64_t flushEvery) {
     const pid_t child = fork();
@@ -79,6 +97,7 @@ void writeUnclosedSession(const fs::path& mission, std::uint64_t first, std::uin
         const auto writer = std::move(opening).value();
         for (const TopicInfo& topic : sampleTopics()) writer->addTopic(topic);
         for (std::uint64_t i = first; i <= last; ++i) {
+            if (i == last && !(writer->flush().ok() && readOn(mission))) _exit(2);
             writer->write(sampleEvent(i));
             if (flushEvery != 0 && i % flushEvery == 0 && !writer->flush().ok()) _exit(1);
         }
