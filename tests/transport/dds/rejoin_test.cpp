@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <atomic>
 #include <deque>
+#include <filesystem>
+#include <iterator>
 #include <set>
 #include <thread>
 
@@ -44,6 +47,33 @@ TEST(Rejoin, SubscriptionsAndPublishersGoOnAsAnotherParticipant) {
     EXPECT_EQ(writersOf(commands), 4U) << "robots see a new publisher each time";
     EXPECT_TRUE(waitUntil([&] { return robot->participants().size() == 1U; })) << "the one before is gone";
     EXPECT_TRUE(station->mismatches().empty());
+}
+
+/// Of this process; those that are ending are waited for.
+std::size_t restingThreads() {
+    const auto now = [] {
+        const std::filesystem::directory_iterator tasks("/proc/self/task");
+        return static_cast<std::size_t>(std::distance(begin(tasks), end(tasks)));
+    };
+    std::size_t least = now();
+    for (int i = 0; i < 10; ++i) {
+        std::this_thread::sleep_for(50ms);
+        least = std::min(least, now());
+    }
+    return least;
+}
+
+TEST(Rejoin, LeavesNoThreadsOfTheParticipantBefore) {
+    const TestDomain domain;
+    const auto robot = nodeIn(domain, {.name = "kurt3d"}), station = nodeIn(domain);
+    Inbox odometry;
+    const auto heard = must(station->subscribe({"/k/odom", TestType, reliable(5)}, odometry.callback()));
+    const auto said = must(robot->publisher({"/k/odom", TestType, reliable(5)}));
+    const auto driven = must(station->publisher({"/k/cmd_vel", TestType, reliable(1), Flow::Immediate}));
+    ASSERT_TRUE(station->rejoin());  // what the library starts once is there
+    const std::size_t before = restingThreads();
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(station->rejoin());
+    EXPECT_EQ(restingThreads(), before);
 }
 
 TEST(Rejoin, WhatIsTransientLocalIsWrittenAgainForThoseWhoJoinLater) {
