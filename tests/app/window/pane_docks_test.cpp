@@ -1,9 +1,7 @@
 #include "app/window/live/pane_docks.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QLabel>
-#include <QMainWindow>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -133,30 +131,6 @@ TEST_F(PaneDocksTest, AnArrangementComesBack) {
     EXPECT_FALSE(m_docks.isPaneVisible("scan"));
     EXPECT_FALSE(m_docks.isPaneVisible("other"));
     EXPECT_TRUE(m_docks.isPaneVisible("map"));
-}
-
-// As when the program is opened again: the layout that was used last is chosen before the window has its
-// size.
-TEST_F(PaneDocksTest, AnArrangementComesBackBeforeTheWindowIsShown) {
-    m_docks.setArranging(true);
-    m_docks.setArranging(false);
-    auto* const camera = m_docks.findChild<QDockWidget*>("camera");
-    m_docks.resizeDocks({camera, m_docks.findChild<QDockWidget*>("map")}, {300, 900}, Qt::Horizontal);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(place("camera").width() - 300) < 12; }));
-    WindowLayout mine = layout();
-    mine.arrangement = m_docks.arrangement();
-
-    QMainWindow again;
-    auto* docks = new PaneDocks(&again);
-    again.setCentralWidget(docks);
-    for (const char* id : {"camera", "map", "scan", "strip", "other"}) docks->add(id, id, *new QLabel(id));
-    docks->arrange(layout());
-    docks->arrange(mine);
-    again.resize(1200, 800);
-    again.show();
-    const auto* const left = docks->findChild<QDockWidget*>("camera");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(left->width() - 300) < 12; })) << left->width();
-    EXPECT_NEAR(left->height(), 600, 12);
 }
 
 TEST_F(PaneDocksTest, PanesThatAreNotHereLeaveTheirRoom) {
