@@ -209,10 +209,13 @@ void PaneDocks::arrange(const WindowLayout& layout) {
     m_placed = {};
     m_strays.clear();
     m_stays.clear();
+    m_unseen.clear();
     const auto named = panesIn(tree);
     if (!layout.arrangement.empty()) {
         for (const auto& [id, dock] : m_docks) addDockWidget(Qt::LeftDockWidgetArea, dock);
-        if (restoreState(QByteArray::fromBase64(QByteArray::fromStdString(layout.arrangement)))) {
+        const auto state = QByteArray::fromBase64(QByteArray::fromStdString(layout.arrangement));
+        if (restoreState(state)) {
+            if (!isVisible()) m_unseen = state;
             for (const auto& [id, dock] : m_docks) {
                 // One that the operator hid where the layout has it comes back there.
                 const bool known = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
@@ -377,6 +380,8 @@ void PaneDocks::resizeEvent(QResizeEvent* event) {
 
 void PaneDocks::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
+    // Qt forgets the sizes in an arrangement when the window changes its own before it is shown.
+    if (!m_unseen.isEmpty()) restoreState(std::exchange(m_unseen, {}));
     fit();
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include <QByteArray>
 #include <QList>
 #include <QMainWindow>
 #include <QString>
@@ -84,7 +85,8 @@ private:
     std::map<QString, QStringList> m_sheets;  ///< where each may be
     std::map<QString, Stay> m_stays;          ///< where each is while it is open
     std::set<QDockWidget*> m_strays;          ///< that the layout has no place for and nobody gave one
-    PaneSplit m_placed;  ///< shares hold when the window changes its size, until a pane was moved
+    PaneSplit m_placed;   ///< shares hold when the window changes its size, until a pane was moved
+    QByteArray m_unseen;  ///< arrangement that was chosen before the window had its size
     bool m_arranging = false;
 };
 
