@@ -6,7 +6,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr std::array<std::string_view, GradeCount> Grades = {"yellow", "orange", "red"};
+constexpr std::array<std::string_view, GradeCount> Grades = {"yellow", "orange", "red", "building"};
 constexpr std::array<std::string_view, SituationCount> Situations = {"surface", "trapped", "void",
                                                                      "entombed"};
 
@@ -25,7 +25,7 @@ const std::array<KindEntry, ElementKindCount> Kinds = {{
     {"curtain", {1.0, 0.06, 1.1}, Material::Cloth},   {"loose_paper", {0.4, 0.3, 0.12}, Material::Paper},
     {"foil", {0.8, 0.04, 0.8}, Material::Foil},       {"rubble", {1.2, 1.2, 0.2}, Material::Concrete},
     {"victim", {1.3, 0.42, 0.26}, Material::Cloth},   {"sign", {0.3, 0.01, 0.3}, Material::Plaster},
-    {"spectator", {0.3, 0.5, 1.75}, Material::Cloth},
+    {"spectator", {0.3, 0.5, 1.75}, Material::Cloth}, {"smoke", {4.0, 2.0, 2.2}, Material::Cloth},
 }};
 
 }  // namespace
@@ -69,6 +69,9 @@ Element elementOf(ElementKind kind) {
             break;
         case ElementKind::Spectator:
             element.temperature = 33.0;
+            break;
+        case ElementKind::Smoke:
+            element.reach = 2.0;
             break;
         case ElementKind::Victim:
             element.victim.emplace();

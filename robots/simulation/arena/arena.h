@@ -13,9 +13,9 @@
 
 namespace leitstand::simulation {
 
-/// How hard an arena is (paper, section 1.1).
-enum class Grade : std::uint8_t { Yellow, Orange, Red };
-inline constexpr int GradeCount = 3;
+/// How hard an arena is (paper, section 1.1), or that it is a building.
+enum class Grade : std::uint8_t { Yellow, Orange, Red, Building };
+inline constexpr int GradeCount = 4;
 [[nodiscard]] std::string toString(Grade grade);
 
 /// Where a victim lies (paper, section 1.1).
@@ -49,9 +49,10 @@ enum class ElementKind : std::uint8_t {
     Rubble,      ///< tilted bricks and boards, placed by `seed`
     Victim,      ///< a manikin on its back, head at +x, that robots get to at -y; `victim` tells more
     Sign,        ///< a plate in the frame's xz plane that faces -y: hazard sign or QR code, by `text`
-    Spectator,   ///< a person outside, who paces along x by `width` to each side
+    Spectator,   ///< a person, who paces along x by `width` to each side
+    Smoke,       ///< a box of smoke, in which lasers see as far as `reach`
 };
-inline constexpr int ElementKindCount = 19;
+inline constexpr int ElementKindCount = 20;
 [[nodiscard]] std::string toString(ElementKind kind);
 
 /// Signs of life of a victim, and how it is hidden.
@@ -78,6 +79,7 @@ struct Element {
     double cell = 0.0;                   ///< of StepField [m]
     std::vector<double> heights;         ///< of StepField, row after row from -y, each along x [m]
     std::string text;                    ///< of Sign: "qr:TEXT", "hazard:flammable" ...
+    double reach = 0.0;                  ///< of a laser in Smoke [m]
     std::uint64_t seed = 0;              ///< of what is strewn
     std::optional<VictimTraits> victim;  ///< of Victim
 };

@@ -81,6 +81,7 @@ std::string elementText(const Element& element, double ambient) {
     if (element.angle != usual.angle) add("angle", degreesOf(element.angle));
     if (element.riser != usual.riser) add("riser", element.riser);
     if (element.cell != usual.cell) add("cell", element.cell);
+    if (element.reach != usual.reach) add("reach", element.reach);
     if (!element.text.empty()) add("text", quoted(element.text));
     if (element.seed != usual.seed) add("seed", element.seed);
     if (!element.heights.empty())

@@ -28,9 +28,9 @@ std::vector<std::pair<std::string, T>> choicesOf(int count) {
     return choices;
 }
 
-constexpr std::array<std::string_view, 15> ElementKeys = {
+constexpr std::array<std::string_view, 16> ElementKeys = {
     "kind",  "name",  "position", "turn",    "size", "material", "temperature", "width",
-    "angle", "riser", "cell",     "heights", "text", "seed",     "victim"};
+    "angle", "riser", "cell",     "heights", "text", "seed",     "victim",      "reach"};
 constexpr std::array<std::string_view, 6> VictimKeys = {"tag",         "situation", "waving",
                                                         "temperature", "co2",       "hidden"};
 
@@ -113,6 +113,7 @@ void readTraits(const YamlFields& fields, Element& element, YamlErrors& errors) 
     only("heights", {ElementKind::StepField});
     only("text", {ElementKind::Sign});
     only("victim", {ElementKind::Victim});
+    only("reach", {ElementKind::Smoke});
 
     fields.number("width", element.width, 0.0, LargestGround, " m");
     double angle = inDegrees(element.angle);
@@ -122,6 +123,7 @@ void readTraits(const YamlFields& fields, Element& element, YamlErrors& errors) 
     }
     fields.number("riser", element.riser, 0.005, 1.0, " m");
     fields.number("cell", element.cell, 0.01, 10.0, " m");
+    fields.number("reach", element.reach, 0.1, LargestGround, " m");
     fields.text("text", element.text);
     if (element.kind == ElementKind::StepField) readHeights(fields, element);
     if (element.kind == ElementKind::Stairs && element.size.z() / element.riser > 200.5) {

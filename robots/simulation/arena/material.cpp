@@ -23,6 +23,7 @@ const std::array<Entry, MaterialCount> Entries = {{
     {"skin", {{0.76F, 0.57F, 0.45F}, 0.60F, 0.98F, 0.0F, true}},
     {"glass", {{0.95F, 0.93F, 0.85F}, 0.20F, 0.90F, 0.0F, true}},
     {"rubber", {{0.08F, 0.08F, 0.08F}, 0.10F, 0.95F, 0.0F, true}},
+    {"pane", {{0.55F, 0.62F, 0.64F}, 0.03F, 0.90F, 0.0F, true}},
 }};
 
 }  // namespace

@@ -20,8 +20,9 @@ enum class Material : std::uint8_t {
     Skin,
     Glass,  ///< of lamps: shines
     Rubber,
+    Pane,  ///< of windows and glass walls: hardly an echo, and only of what is near and straight ahead
 };
-inline constexpr int MaterialCount = 11;
+inline constexpr int MaterialCount = 12;
 
 /// How light, laser, heat and robots meet a material.
 struct MaterialProperties {

@@ -4,24 +4,58 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace leitstand::simulation {
 namespace {
 
 constexpr double Overhead = 0.6;     ///< what hangs higher is driven under [m]
 constexpr double VictimReach = 0.7;  ///< of the floor from a victim's side [m]
+constexpr double Storey = 1.5;       ///< between floors that lie above each other, at least [m]
+constexpr double Sunk = 0.1;         ///< what stands so far below a storey's floor still belongs to it [m]
+constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Heights and obstacles on a grid.
+/// Heights of an arena's storeys, from the lowest up.
+std::vector<double> levelsOf(const Arena& arena) {
+    std::vector<double> tops;
+    for (const Element& element : arena.elements) {
+        if (element.kind == ElementKind::Floor) tops.push_back(element.pose.translation().z());
+    }
+    std::sort(tops.begin(), tops.end());
+    std::vector<double> levels = {0.0};
+    for (const double top : tops) {
+        if (top >= levels.back() + Storey) levels.push_back(top);
+    }
+    return levels;
+}
+
+/// Heights and obstacles of a storey on a grid.
 class Ground {
 public:
-    Ground(const Arena& arena, double cell)
+    /// What stands from height @p from up to below @p to. Above others, there is a floor only where one lies.
+    Ground(const Arena& arena, double cell, double level, double from, double to)
         : m_from(arena.from),
           m_cell(cell),
+          m_level(level),
           columns(static_cast<int>(std::ceil((arena.to.x() - arena.from.x()) / cell - 1e-9))),
           rows(static_cast<int>(std::ceil((arena.to.y() - arena.from.y()) / cell - 1e-9))),
-          height(static_cast<std::size_t>(std::max(0, columns) * std::max(0, rows)), 0.0),
-          blocked(height.size(), 0) {
-        for (const Element& element : arena.elements) add(element);
+          height(static_cast<std::size_t>(std::max(0, columns) * std::max(0, rows)),
+                 level > 0.0 ? Nothing : 0.0),
+          blocked(height.size(), 0),
+          open(height.size(), 0) {
+        for (const Element& element : arena.elements) {
+            const double base = element.pose.translation().z();
+            if (base >= from && base < to) add(element);
+        }
+    }
+    /// Where this storey has no floor, one sees @p below.
+    void lookThrough(const Ground& below) {
+        for (std::size_t square = 0; square < height.size(); ++square) {
+            if (!std::isnan(height[square])) continue;
+            open[square] = 1;
+            height[square] = below.height[square];
+            if (below.blocked[square] != 0) blocked[square] = 1;
+        }
     }
 
     [[nodiscard]] std::size_t place(int column, int row) const {
@@ -63,7 +97,7 @@ private:
         const Eigen::Vector2d half = element.size.head<2>() / 2;
         const double base = element.pose.translation().z();
         eachUnder(element.pose, -half, half, [&](std::size_t square, const Eigen::Vector2d& at) {
-            height[square] = std::max(height[square], base + heightAt(at.cwiseMax(-half).cwiseMin(half)));
+            height[square] = std::fmax(height[square], base + heightAt(at.cwiseMax(-half).cwiseMin(half)));
         });
     }
 
@@ -110,7 +144,7 @@ private:
             case ElementKind::Chair:
             case ElementKind::Overhang:
             case ElementKind::Rubble:
-                if (element.pose.translation().z() < height[middleOf(element)] + Overhead)
+                if (element.pose.translation().z() < std::fmax(height[middleOf(element)], m_level) + Overhead)
                     block(element.pose, -half, half);
                 return;
             case ElementKind::Victim: {
@@ -129,12 +163,13 @@ private:
     }
 
     Eigen::Vector2d m_from;
-    double m_cell;
+    double m_cell, m_level;
 
 public:
     int columns, rows;
     std::vector<double> height;
     std::vector<char> blocked;
+    std::vector<char> open;  ///< what is seen there belongs to the storey below
 };
 
 constexpr std::array<std::array<int, 2>, 4> Neighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -171,6 +206,73 @@ std::vector<char> freeFor(const Ground& ground, double cell, double radius, doub
     return free;
 }
 
+std::vector<Ground> groundsOf(const Arena& arena, const std::vector<double>& levels) {
+    constexpr double Everything = std::numeric_limits<double>::infinity();
+    std::vector<Ground> grounds;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const double from = i == 0 ? -Everything : levels[i] - Sunk;
+        const double to = i + 1 < levels.size() ? levels[i + 1] - Sunk : Everything;
+        grounds.emplace_back(arena, ReachableFloor().cell, levels[i], from, to);
+        if (i > 0) grounds[i].lookThrough(grounds[i - 1]);
+    }
+    return grounds;
+}
+
+/// Where robots get to from where they start, over all storeys.
+class Flood {
+public:
+    Flood(const std::vector<Ground>& grounds, double radius, double maxStep,
+          std::vector<ReachableFloor>& floors)
+        : m_grounds(grounds), m_maxStep(maxStep), m_floors(floors) {
+        for (const Ground& ground : grounds)
+            m_free.push_back(freeFor(ground, floors.front().cell, radius, maxStep));
+    }
+
+    void from(const std::map<std::string, Pose>& starts) {
+        const ReachableFloor& first = m_floors.front();
+        for (const auto& [name, start] : starts) {
+            const Eigen::Vector2d square = (start.translation().head<2>() - first.from) / first.cell;
+            for (std::size_t storey = 0; storey < m_grounds.size(); ++storey) {
+                visit(storey, static_cast<int>(std::floor(square.x())),
+                      static_cast<int>(std::floor(square.y())), start.translation().z());
+            }
+        }
+        while (!m_waiting.empty()) {
+            const Place place = m_waiting.back();
+            m_waiting.pop_back();
+            const Ground& ground = m_grounds[place.storey];
+            const double height = ground.height[ground.place(place.x, place.y)];
+            for (const auto& [dx, dy] : Neighbours) visit(place.storey, place.x + dx, place.y + dy, height);
+            // The same square is part of the storey below, or of the one above, that looks down on it.
+            const std::size_t square = ground.place(place.x, place.y);
+            if (ground.open[square] != 0) visit(place.storey - 1, place.x, place.y, height);
+            if (place.storey + 1 < m_grounds.size() && m_grounds[place.storey + 1].open[square] != 0)
+                visit(place.storey + 1, place.x, place.y, height);
+        }
+    }
+
+private:
+    struct Place {
+        std::size_t storey;
+        int x, y;
+    };
+    void visit(std::size_t storey, int x, int y, double height) {
+        const Ground& ground = m_grounds[storey];
+        if (x < 0 || y < 0 || x >= ground.columns || y >= ground.rows) return;
+        const std::size_t square = ground.place(x, y);
+        if (m_free[storey][square] == 0 || m_floors[storey].reached[square] != 0) return;
+        if (std::abs(ground.height[square] - height) > m_maxStep) return;
+        m_floors[storey].reached[square] = 1;
+        m_waiting.push_back({storey, x, y});
+    }
+
+    const std::vector<Ground>& m_grounds;
+    double m_maxStep;
+    std::vector<ReachableFloor>& m_floors;
+    std::vector<std::vector<char>> m_free;
+    std::vector<Place> m_waiting;
+};
+
 }  // namespace
 
 bool ReachableFloor::at(const Eigen::Vector2d& point) const {
@@ -195,34 +297,23 @@ double ReachableFloor::distanceTo(const Eigen::Vector2d& point) const {
     return nearest;
 }
 
+std::vector<ReachableFloor> reachableStoreys(const Arena& arena, double radius, double maxStep) {
+    const std::vector<double> levels = levelsOf(arena);
+    const std::vector<Ground> grounds = groundsOf(arena, levels);
+    std::vector<ReachableFloor> floors(levels.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        floors[i].level = levels[i];
+        floors[i].from = arena.from;
+        floors[i].columns = grounds[i].columns;
+        floors[i].rows = grounds[i].rows;
+        floors[i].reached.assign(grounds[i].height.size(), 0);
+    }
+    Flood(grounds, radius, maxStep, floors).from(arena.starts);
+    return floors;
+}
+
 ReachableFloor reachableFloor(const Arena& arena, double radius, double maxStep) {
-    ReachableFloor floor;
-    const Ground ground(arena, floor.cell);
-    floor.from = arena.from;
-    floor.columns = ground.columns;
-    floor.rows = ground.rows;
-    const std::vector<char> free = freeFor(ground, floor.cell, radius, maxStep);
-    floor.reached.assign(free.size(), 0);
-    std::vector<std::array<int, 2>> open;
-    const auto visit = [&](int x, int y, double from) {
-        if (x < 0 || y < 0 || x >= ground.columns || y >= ground.rows) return;
-        const std::size_t square = ground.place(x, y);
-        if (free[square] == 0 || floor.reached[square] != 0) return;
-        if (std::abs(ground.height[square] - from) > maxStep) return;
-        floor.reached[square] = 1;
-        open.push_back({x, y});
-    };
-    for (const auto& [name, start] : arena.starts) {
-        const Eigen::Vector2d square = (start.translation().head<2>() - arena.from) / floor.cell;
-        visit(static_cast<int>(std::floor(square.x())), static_cast<int>(std::floor(square.y())),
-              start.translation().z());
-    }
-    while (!open.empty()) {
-        const auto [x, y] = open.back();
-        open.pop_back();
-        for (const auto& [dx, dy] : Neighbours) visit(x + dx, y + dy, ground.height[ground.place(x, y)]);
-    }
-    return floor;
+    return std::move(reachableStoreys(arena, radius, maxStep).front());
 }
 
 Eigen::Vector2d placeBefore(const Element& victim, double distance) {

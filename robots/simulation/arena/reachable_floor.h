@@ -6,8 +6,9 @@
 
 namespace leitstand::simulation {
 
-/// The floor that the middle of a robot gets to, as squares.
+/// The floor that the middle of a robot gets to, as squares, seen from above.
 struct ReachableFloor {
+    double level = 0.0;                              ///< height of the storey [m]
     Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< corner of the first square [m]
     double cell = 0.05;                              ///< edge of a square [m]
     int columns = 0, rows = 0;
@@ -23,6 +24,11 @@ struct ReachableFloor {
 /// @p maxStep [m]. What gives way (curtains, paper, foil) is no obstacle, nor is what hangs higher than 0.6
 /// m.
 [[nodiscard]] ReachableFloor reachableFloor(const Arena& arena, double radius, double maxStep = 0.03);
+
+/// The same of a building: one floor a storey, from the lowest up. Storeys are floors that lie 1.5 m and more
+/// above each other; where one has a hole, its squares are those of what is seen through it.
+[[nodiscard]] std::vector<ReachableFloor> reachableStoreys(const Arena& arena, double radius,
+                                                           double maxStep = 0.03);
 
 /// The place before a victim where robots get to it, in the arena's frame: @p distance from its side [m].
 [[nodiscard]] Eigen::Vector2d placeBefore(const Element& victim, double distance);

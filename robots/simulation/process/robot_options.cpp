@@ -21,11 +21,19 @@ int told(const Result<void>& outcome) {
     return 1;
 }
 
-Result<void> writeTo(const std::string& file, const std::string& grade, std::uint64_t seed) {
-    if (!gradeFrom(grade)) return Error{grade + ": expected yellow, orange or red"};
-    const auto arena = chooseArena(grade, seed);
+Result<void> writeTo(const std::string& file, const RobotOptions& options) {
+    if (!gradeFrom(options.arena)) return Error{options.arena + ": expected yellow, orange, red or building"};
+    const auto arena = chooseArena(options.arena, options.seed, options.building);
     if (!arena) return arena.error();
     return detail::writeWhole(file, writeArena(*arena));
+}
+
+void addBuilding(CLI::App& command, BuildingOptions& building) {
+    command.add_option("--size", building.size, "Of a building, WIDTHxDEPTH in metres (60x40)");
+    command.add_option("--storeys", building.storeys, "Of a building, joined by ramps and stairs (1)");
+    command.add_flag("--twins", building.twins, "A building whose rooms and corridors are all alike");
+    command.add_flag("--smooth", building.smooth,
+                     "A building of bare corridors: no rooms, doors or furniture");
 }
 
 }  // namespace
@@ -35,8 +43,10 @@ void addRobots(CLI::App& app, int& exitCode) {
         auto options = std::make_shared<RobotOptions>();
         options->kind = kind;
         CLI::App* command = app.add_subcommand(kind, "Drives a simulated " + kind + " in real time");
-        command->add_option("--arena", options->arena, "yellow, orange, red, or an arena file (yellow)");
+        command->add_option("--arena", options->arena,
+                            "yellow, orange, red, building, or an arena file (yellow)");
         command->add_option("--seed", options->seed, "Of the arena and of all noise (1)");
+        addBuilding(*command, options->building);
         command->add_option("--robot", options->file,
                             "Its file (YAML), or the name of a shipped one (" + kind + ")");
         command->add_option("--name", options->name, "Of the robot and its topics (" + kind + ")");
@@ -59,11 +69,11 @@ void addArena(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<RobotOptions>();
     auto file = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("arena", "Writes a generated arena into a file");
-    command->add_option("GRADE", options->arena, "yellow, orange or red")->required();
+    command->add_option("GRADE", options->arena, "yellow, orange, red or building")->required();
     command->add_option("--seed", options->seed, "Another seed rearranges everything (1)");
+    addBuilding(*command, options->building);
     command->add_option("--out", *file, "Arena file (YAML)")->required();
-    command->callback(
-        [options, file, &exitCode] { exitCode = told(writeTo(*file, options->arena, options->seed)); });
+    command->callback([options, file, &exitCode] { exitCode = told(writeTo(*file, *options)); });
 }
 
 }  // namespace leitstand::simulation

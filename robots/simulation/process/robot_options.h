@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "robots/simulation/process/choose_arena.h"
+
 namespace CLI {
 class App;
 }
@@ -15,6 +17,7 @@ struct RobotOptions {
     std::string kind;              ///< "kurt3d", "crawler"
     std::string arena = "yellow";  ///< a grade, or a file
     std::uint64_t seed = 1;
+    BuildingOptions building;
     std::string file;  ///< of the robot, or a shipped one's name; empty: kind
     std::string name;  ///< empty: as its file says
     int domain = 0;

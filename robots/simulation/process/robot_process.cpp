@@ -157,7 +157,7 @@ void live(const Life& life, Pace& pace) {
 }  // namespace
 
 Result<void> runRobot(const RobotOptions& options) {
-    const auto arena = chooseArena(options.arena, options.seed);
+    const auto arena = chooseArena(options.arena, options.seed, options.building);
     if (!arena) return arena.error();
     const auto robot = describe(options);
     if (!robot) return robot.error();

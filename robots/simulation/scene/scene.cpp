@@ -9,6 +9,7 @@
 
 #include "robots/simulation/scene/embree.h"
 #include "robots/simulation/scene/embree_mesh.h"
+#include "robots/simulation/scene/smoke.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -37,6 +38,7 @@ struct Scene::State {
     std::vector<std::unique_ptr<EmbreeMesh>> meshes;  ///< still ones, moving parts, bodies: ids of the scene
     std::vector<std::size_t> bodies;                  ///< their places in meshes
     std::vector<int> bodyOf;                          ///< of each mesh; -1: none
+    Smoke smoke;
 
     [[nodiscard]] bool stopsRobots(const Surface& surface) const {
         if (propertiesOf(surface.material).solid) return true;
@@ -56,6 +58,7 @@ struct Scene::State {
 
 Scene::Scene(Arena arena, ArenaMesh mesh) : m_state(std::make_unique<State>()) {
     m_state->arena = std::move(arena);
+    m_state->smoke = Smoke(m_state->arena);
     // One thread: a scene is indexed once, and steps of the world are too small to share.
     m_state->device.reset(rtcNewDevice("threads=1"));
     if (!m_state->device) throw std::runtime_error("Embree cannot be started on this processor");
@@ -119,6 +122,7 @@ Hit Scene::cast(const Ray& ray, RayKind kind, int without) const {
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     intersect(m_state->scene.get(), query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    if (kind == RayKind::Laser && m_state->smoke.swallows(ray, query.ray.tfar)) return {};
     const std::size_t mesh = query.hit.instID[0];
     Hit hit = m_state->meshes[mesh]->hitOf(query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v,
                                            {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}, ray.direction,
@@ -154,6 +158,7 @@ void Scene::cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, i
             Hit& hit = hits[first + i];
             hit = {};
             if (valid[i] == 0 || query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+            if (kind == RayKind::Laser && m_state->smoke.swallows(packet[i], query.ray.tfar[i])) continue;
             const std::size_t mesh = query.hit.instID[0][i];
             hit = m_state->meshes[mesh]->hitOf(query.hit.geomID[i], query.hit.primID[i], query.hit.u[i],
                                                query.hit.v[i],

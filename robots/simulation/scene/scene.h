@@ -66,7 +66,8 @@ public:
     void commit();  ///< some microseconds: triangles are indexed once, only their places anew
 
     /// @p without: a body that is passed through, Everything, or StillOnly. A ray that is not finite or has
-    /// no direction ends nowhere.
+    /// no direction ends nowhere; so does a Laser's that smoke
+    /// swallows.
     [[nodiscard]] Hit cast(const Ray& ray, RayKind kind, int without = Everything) const;
     /// The same for many (hits.size() >= rays.size()); quick where neighbours go the same way.
     void cast(std::span<const Ray> rays, std::span<Hit> hits, RayKind kind, int without = Everything) const;

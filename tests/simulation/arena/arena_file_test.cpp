@@ -126,7 +126,7 @@ TEST(ArenaFile, ErrorsNameFileLineKeyAndExpectation) {
         {"from: [0, 0]\nto: [4, 4]\ngrad: red\n",
          {"a.yaml:3", "expected one of the keys", "\"grad\"", "did you mean grade?"}},
         {"from: [0, 0]\nto: [4, 4]\ngrade: green\n",
-         {"a.yaml:3: grade", "yellow, orange or red", "\"green\""}},
+         {"a.yaml:3: grade", "yellow, orange, red or building", "\"green\""}},
         {"from: [0, 0]\n", {"to: expected 2 numbers"}},
         {"from: [0, 0]\nto: [4, 0]\n", {"a.yaml:2: to", "beyond \"from\""}},
         {"from: [0, 0]\nto: [4, 400]\n", {"a.yaml:2: to", "at most 100 m"}},

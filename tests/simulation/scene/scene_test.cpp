@@ -317,5 +317,36 @@ TEST(SceneLatency, CastsMillionsOfRaysASecond) {
     EXPECT_LT(commits / 1'000, 0.001);
 }
 
+TEST(Scene, SmokeSwallowsWhatLasersSeeThroughTooMuchOfIt) {
+    Arena arena;
+    Element smoke = elementOf(ElementKind::Smoke);
+    smoke.size = {4.0, 2.0, 2.0};
+    smoke.reach = 1.5;
+    smoke.pose = poseFrom({2.0, 0.0, 0.0}, 0.0, 0.0, degrees(90));  // 1 to 3 along x, -2 to 2 along y
+    arena.elements = {smoke};
+    ArenaMesh mesh;
+    const int wall = addSurface(mesh.still, of(Material::Plaster));
+    addBox(mesh.still, wall, {2.0, -5.0, 0.0}, {2.1, 5.0, 3.0});
+    addBox(mesh.still, wall, {5.0, -5.0, 0.0}, {5.1, 5.0, 3.0});
+    const Scene scene(arena, mesh);
+    const auto seen = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& along, RayKind kind) {
+        const Ray ray{from, along.normalized()};
+        const Hit one = scene.cast(ray, kind);
+        std::array<Ray, 3> rays = {ray, ray, ray};
+        std::array<Hit, 3> hits;
+        scene.cast(rays, hits, kind);
+        for (const Hit& hit : hits) EXPECT_EQ(hit.there(), one.there());
+        return one.there() ? one.distance : Infinity;
+    };
+    const Eigen::Vector3f x = Eigen::Vector3f::UnitX();
+    EXPECT_NEAR(seen({0.0F, 0.0F, 1.0F}, x, RayKind::Laser), 2.0F, 1e-4F) << "1 m of smoke";
+    EXPECT_NEAR(seen({0.0F, 3.0F, 1.0F}, x, RayKind::Laser), 2.0F, 1e-4F) << "beside it";
+    EXPECT_EQ(seen({0.0F, -2.0F, 1.0F}, Eigen::Vector3f(1.0F, 1.2F, 0.0F), RayKind::Laser), Infinity);
+    EXPECT_NEAR(seen({0.0F, -2.0F, 1.0F}, Eigen::Vector3f(1.0F, 1.2F, 0.0F), RayKind::Camera),
+                2.0F * std::hypot(1.0F, 1.2F), 1e-4F);
+    EXPECT_NEAR(seen({2.5F, 0.0F, 1.0F}, x, RayKind::Laser), 2.5F, 1e-4F) << "from within, 0.5 m of it";
+    EXPECT_EQ(seen({4.0F, 0.0F, 1.0F}, Eigen::Vector3f::UnitZ(), RayKind::Laser), Infinity);
+}
+
 }  // namespace
 }  // namespace leitstand::simulation

@@ -2,10 +2,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "robots/simulation/arena/arena_generator.h"
+#include "robots/simulation/arena/building_generator.h"
 #include "tests/simulation/world/operated_robot.h"
 #include "tests/simulation/world/test_arena.h"
 
@@ -70,6 +72,30 @@ TEST(Climbing, TheCrawlerGetsUpTheStairsOfOrangeArenasAndKurt3dDoesNot) {
     EXPECT_EQ(climbed, 5);
     EXPECT_NEAR(lowest, 0.08, 1e-9) << "the easiest and ...";
     EXPECT_NEAR(highest, 0.10, 1e-9) << "... the hardest that the generator makes";
+}
+
+TEST(Climbing, Kurt3dGetsUpTheRampOfABuildingAndTheCrawlerUpItsStairs) {
+    BuildingSettings settings;
+    settings.width = 30.0;
+    settings.depth = 20.0;
+    settings.storeys = 2;
+    const Building building = std::move(generateBuilding(settings, 3)).value();
+    const Eigen::Vector3d from = building.ways.ramps.at(0).at(1), top = building.ways.ramps.at(0).at(4);
+    const Eigen::Vector3d along = top - from;
+    const Pose start = poseFrom(from, 0.0, 0.0, std::atan2(along.y(), along.x()));
+    const double length = along.head<2>().norm();
+    const Climb kurt3d = climb(building.arena, "kurt3d", start, length - 0.1, 90.0);
+    EXPECT_NEAR(kurt3d.height, top.z(), 0.005);
+    EXPECT_EQ(kurt3d.met, "");
+    EXPECT_LT(inDegrees(kurt3d.steepest), 12.5);
+    const auto stairs = std::find_if(building.arena.elements.begin(), building.arena.elements.end(),
+                                     [](const Element& one) { return one.kind == ElementKind::Stairs; });
+    ASSERT_NE(stairs, building.arena.elements.end());
+    const double before = stairs->size.x() / 2 + 0.35;
+    const Pose below = stairs->pose * poseFrom({-before, 0, 0}, 0, 0, 0);
+    const Climb crawler = climb(building.arena, "crawler", below, stairs->size.x() + 0.6, 60.0);
+    EXPECT_NEAR(crawler.height, top.z(), 0.005);
+    EXPECT_FALSE(crawler.tipped);
 }
 
 /// Whether nothing but the ground is ahead of @p start for @p length, as wide as both robots are.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robots/simulation/arena/building_generator.h"
 #include "robots/simulation/arena/generator/plan.h"
 #include "robots/simulation/arena/reachable_floor.h"
 
@@ -32,6 +33,7 @@ bool good(const Arena& arena) {
 }  // namespace
 
 Arena generateArena(Grade grade, std::uint64_t seed) {
+    if (grade == Grade::Building) return std::move(generateBuilding({}, seed)->arena);
     const auto make = grade == Grade::Yellow ? yellowArena : grade == Grade::Orange ? orangeArena : redArena;
     Arena arena;
     for (std::uint64_t attempt = 0; attempt < Attempts; ++attempt) {

@@ -42,6 +42,8 @@ void addElement(MeshBuilder& builder, const ElementPlace& place, std::vector<Mov
             return addSign(builder, place);
         case ElementKind::Spectator:
             return addSpectator(place, moving);
+        case ElementKind::Smoke:
+            return;  // nothing to meet: Scene shortens what lasers see in it
     }
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "robots/simulation/arena/arena.h"
+
+namespace leitstand::simulation {
+
+struct Ray;
+
+/// The boxes of smoke in an arena.
+class Smoke {
+public:
+    Smoke() = default;
+    explicit Smoke(const Arena& arena);
+
+    /// Whether nothing comes back of a laser that ends @p distance along @p ray: its way through smoke is
+    /// longer than that lets it see.
+    [[nodiscard]] bool swallows(const Ray& ray, float distance) const;
+
+private:
+    struct Box {
+        Eigen::Isometry3f arenaInBox = Eigen::Isometry3f::Identity();
+        Eigen::Vector3f low = Eigen::Vector3f::Zero(), high = Eigen::Vector3f::Zero();
+        float reach = 1.0F;  ///< [m]
+    };
+    std::vector<Box> m_boxes;
+};
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,128 @@
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/simulation/mapping/building_sets.h"
+
+namespace leitstand::simulation::test {
+namespace {
+
+/// Worlds 1 to 9 are for tuning, 101 and up for measuring: LEITSTAND_BUILDING_SEED=3 takes another one.
+constexpr std::uint64_t MeasuredSeed = 101;
+
+std::uint64_t seedOf() {
+    const char* told = std::getenv("LEITSTAND_BUILDING_SEED");
+    return told == nullptr ? MeasuredSeed : std::strtoull(told, nullptr, 10);
+}
+
+constexpr double Any = std::numeric_limits<double>::infinity();
+
+/// What the final poses of a set must come to.
+struct Bounds {
+    double ate = Any, seam = Any;  ///< [m]
+    double uncertain = Any;        ///< share of all scans
+    double surfaces = Any;         ///< [m]
+};
+
+enum class Route { Ring, Eight, Storeys };
+
+/// A line of the table.
+struct Set {
+    const char* name;
+    Route route = Route::Ring;
+    bool smooth = false, twins = false, troubles = false;
+    bool bent = false;  ///< turns are bent by odometry's drift, too
+    SensorErrors sensor = {};
+    Bounds today = {};   ///< what holds now
+    Bounds wanted = {};  ///< what is to hold: told beside each row, asked for by who mends the mapper
+};
+
+// What is wanted where no other bound stands beside a set: points within 6 m from true surfaces.
+constexpr double WantedSurfaces = 0.03;
+
+std::vector<Set> sets() {
+    std::vector<Set> all(9);
+    all[0] = {.name = "ring", .today = {0.08, 0.25, 0.01, 0.04}, .wanted = {0.02, 0.03, 0.0, WantedSurfaces}};
+    all[1] = {.name = "eight", .route = Route::Eight, .wanted = {0.03, 0.03, 0.01, WantedSurfaces}};
+    all[2] = {.name = "bare", .smooth = true, .wanted = {0.05, 0.05, Any, WantedSurfaces}};
+    all[3] = {.name = "real",
+              .sensor = realScanner(),
+              .today = {0.12, 0.40, 0.01, 0.06},
+              .wanted = {0.05, 0.03, Any, WantedSurfaces}};
+    all[4] = {.name = "worse",
+              .sensor = worseScanner(),
+              .today = {0.16, 0.15, 0.01, 0.06},
+              .wanted = {0.06, 0.04, Any, WantedSurfaces}};
+    all[5] = {.name = "storeys",
+              .route = Route::Storeys,
+              .today = {0.30, 0.30, 0.01, 0.09},
+              .wanted = {0.06, 0.04, Any, WantedSurfaces}};
+    all[6] = {.name = "twins",
+              .twins = true,
+              .today = {0.06, 0.20, 0.01, 0.04},
+              .wanted = {0.02, 0.03, Any, WantedSurfaces}};
+    all[7] = {.name = "troubles", .troubles = true, .wanted = {0.02, 0.03, Any, WantedSurfaces}};
+    all[8] = {.name = "bent",
+              .bent = true,
+              .today = {0.09, 0.30, 0.01, 0.04},
+              .wanted = {0.05, 0.03, Any, WantedSurfaces}};
+    return all;
+}
+
+BuildingRow measured(const Set& set, std::uint64_t seed) {
+    BuildingSettings settings;
+    settings.smooth = set.smooth;
+    settings.twins = set.twins;
+    settings.troubles = set.troubles;
+    settings.storeys = set.route == Route::Storeys ? 2 : 1;
+    const Building building = std::move(generateBuilding(settings, seed)).value();
+    ScriptSettings script;
+    script.seed = seed;
+    script.sensor = set.sensor;
+    script.driftBendsTurns = set.bent;
+    switch (set.route) {
+        case Route::Ring:
+            return driven(building, ringRoute(building.ways), script);
+        case Route::Eight:
+            script.longest = 357.0;
+            return driven(building, eightRoute(building.ways, 4), script);
+        case Route::Storeys:
+            break;
+    }
+    return driven(building, storeysRoute(building.ways), script);
+}
+
+void tell(const char* how, const BuildingResult& result) {
+    std::printf("    %-6s %7.3f %7.3f %7.3f %7.3f %7.2f\n", how, result.ate, result.seam, result.surfaces,
+                result.height, inDegrees(result.angle));
+}
+
+class BuildingTableLong : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(BuildingTableLong, Row) {
+    const Set set = sets()[GetParam()];
+    const std::uint64_t seed = seedOf();
+    const BuildingRow row = measured(set, seed);
+    std::printf(
+        "%s %llu: %zu scans, %zu key scans, %.0f m, odometry %.2f m, %d uncertain, %.0f ms a scan, longest "
+        "%.0f, made in %.1f s\n           ATE    seam   surfaces [m]  z   [degrees]\n",
+        set.name, static_cast<unsigned long long>(seed), row.scans, row.keyScans, row.way, row.odometry,
+        row.uncertain, 1e3 * row.median, 1e3 * row.longest, row.casting);
+    tell("entry", row.entry);
+    tell("final", row.final);
+    std::printf("    %-6s %7.3f %7.3f %7.3f, uncertain %.2f of all\n", "wanted", set.wanted.ate,
+                set.wanted.seam, set.wanted.surfaces, set.wanted.uncertain);
+    EXPECT_GT(row.odometry, 0.5) << "the drift that mapping takes out";
+    EXPECT_LE(row.final.ate, set.today.ate);
+    EXPECT_LE(row.final.seam, set.today.seam);
+    EXPECT_LE(row.final.surfaces, set.today.surfaces);
+    EXPECT_LE(row.uncertain, set.today.uncertain * static_cast<double>(row.scans));
+}
+
+INSTANTIATE_TEST_SUITE_P(Buildings, BuildingTableLong, testing::Range(std::size_t{0}, sets().size()),
+                         [](const auto& one) { return std::string(sets()[one.param].name); });
+
+}  // namespace
+}  // namespace leitstand::simulation::test
