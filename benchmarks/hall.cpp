@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/io/uos.h"
+#include "core/io/clouds/uos.h"
 #include "tests/support/shared_data.h"
 
 namespace leitstand::benchmarks {

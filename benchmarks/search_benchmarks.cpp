@@ -10,7 +10,7 @@
 #include <nanoflann.hpp>
 
 #include "benchmarks/hall.h"
-#include "core/search/search.h"
+#include "core/cloud/search/search.h"
 
 // Model: scan000. Queries: the points of scan001 in scan order, moved by the odometry. An item is a query or
 // a model point, so that items_per_second tells the time of one.

@@ -6,7 +6,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-#include "core/scan/voxel_grid.h"
+#include "core/cloud/filters/voxel_grid.h"
 #include "tests/support/rooms.h"
 
 // A million points spread over a furnished room in random order, cubes of 10 cm. An item is a point.

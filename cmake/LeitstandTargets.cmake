@@ -20,17 +20,11 @@ set(CMAKE_PCH_INSTANTIATE_TEMPLATES ON)
 # A build from nothing reads headers once a batch; after a change more is compiled than with a unit of each file.
 option(LEITSTAND_UNITY "Compile a target's files a dozen at a time" OFF)
 set(CMAKE_UNITY_BUILD ${LEITSTAND_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
 
 if(LEITSTAND_SANITIZE)
     add_compile_options(-fsanitize=${LEITSTAND_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1 -g1)
     add_link_options(-fsanitize=${LEITSTAND_SANITIZE})
 endif()
-
-# Files whose names of their own are also those of others in their target.
-file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt alone REGEX "^[^#]")
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/compiled-alone.txt)
-list(TRANSFORM alone PREPEND ${CMAKE_SOURCE_DIR}/)
 
 # leitstand_headers(name LIBS libs... HEADERS headers... [PROGRAMS]): headers of others that are read once for all
 # targets which take them, by leitstand_warnings(target name): libraries, or programs with PROGRAMS, since the two are
@@ -55,6 +49,26 @@ set(standard_headers <algorithm> <array> <atomic> <chrono> <cmath> <deque> <file
 set(window_headers <QAction> <QApplication> <QBoxLayout> <QLabel> <QMainWindow> <QPainter> <QTableView> <QToolButton>
     <QWidget>)
 
+# leitstand_groups(target): which of its files are compiled as one unit; a file in no group is compiled alone.
+function(leitstand_groups target)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    if(NOT LEITSTAND_UNITY OR NOT sources)
+        return()
+    endif()
+    list(TRANSFORM sources REPLACE "^([^/].*)$" "${CMAKE_CURRENT_SOURCE_DIR}/\\1")
+    list(FILTER sources INCLUDE REGEX "^${CMAKE_SOURCE_DIR}/")
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_BINARY_DIR}/")
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/cmake/unity_groups.py ${CMAKE_SOURCE_DIR}
+        ${CMAKE_BINARY_DIR}/unity_names.json ${target} ${sources} OUTPUT_VARIABLE groups COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX MATCHALL "[^\n]+" groups "${groups}")
+    while(groups)
+        list(POP_FRONT groups source group)
+        set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
+    endwhile()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # leitstand_warnings(target [headers]): what each target of ours has.
 function(leitstand_warnings target)
     get_target_property(type ${target} TYPE)
@@ -66,9 +80,12 @@ function(leitstand_warnings target)
         target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
         target_precompile_headers(${target} REUSE_FROM ${headers})
     endif()
-    set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    leitstand_groups(${target})
     # GCC's word counts; clang, which builds the fuzz targets, warns of other things.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wall -Wextra -Wconversion -Werror>)
+    if(LEITSTAND_UNITY)  # there each file looks like a header, whose unnamed namespaces others might see
+        target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endif()
     target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
 endfunction()
 

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "core/io/report/find_lists.h"
-#include "core/io/report/search_list.h"
+#include "core/io/handin/find_lists.h"
+#include "core/io/handin/search_list.h"
 #include "fuzz/input_file.h"
 
 /// Lists of finds and of what was searched. What was read can be written, and begins no formula then.

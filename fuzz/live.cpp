@@ -1,5 +1,5 @@
-#include "core/io/last_station_file.h"
 #include "core/io/robot/brake_file.h"
+#include "core/io/settings/last_station_file.h"
 #include "fuzz/input_file.h"
 
 /// What the station remembers from run to run: with what it was opened last, and results of brake tests.

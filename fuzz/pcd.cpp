@@ -1,4 +1,4 @@
-#include "core/io/pcd.h"
+#include "core/io/clouds/pcd.h"
 #include "fuzz/input_file.h"
 #include "fuzz/scan_checks.h"
 

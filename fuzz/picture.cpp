@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "fuzz/input_file.h"
 
 /// Pictures as robots send them. The first byte chooses the encoding, five more width, height and the bytes

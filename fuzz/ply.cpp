@@ -1,4 +1,4 @@
-#include "core/io/ply.h"
+#include "core/io/clouds/ply.h"
 #include "fuzz/input_file.h"
 #include "fuzz/scan_checks.h"
 

@@ -1,5 +1,5 @@
-#include "core/io/tum.h"
-#include "core/io/uos.h"
+#include "core/io/clouds/tum.h"
+#include "core/io/clouds/uos.h"
 #include "fuzz/input_file.h"
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/io/scan_reading.h"
+#include "core/io/clouds/scan_reading.h"
 
 namespace leitstand::fuzz {
 

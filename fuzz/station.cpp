@@ -1,6 +1,6 @@
 #include <string>
 
-#include "core/io/station_file.h"
+#include "core/io/settings/station_file.h"
 #include "fuzz/input_file.h"
 
 /// Who a station is.

@@ -2,7 +2,7 @@
 
 #include "core/base/printable.h"
 #include "core/base/said.h"
-#include "core/io/report/csv_fields.h"
+#include "core/io/handin/csv_fields.h"
 #include "fuzz/input_file.h"
 
 /// Names that others chose, on their way to a terminal and into lists.

@@ -1,4 +1,4 @@
-#include "core/io/xyz.h"
+#include "core/io/clouds/xyz.h"
 #include "fuzz/input_file.h"
 #include "fuzz/scan_checks.h"
 

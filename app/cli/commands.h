@@ -13,6 +13,8 @@ namespace leitstand::cli {
 void addRegister(CLI::App& app, int& exitCode);
 /// `table1`: measures Table 1 of the paper anew.
 void addTable1(CLI::App& app, int& exitCode);
+/// `graph`: solves a graph of poses.
+void addGraph(CLI::App& app, int& exitCode);
 /// `keys`: makes identities for a secured domain.
 void addKeys(CLI::App& app, int& exitCode);
 

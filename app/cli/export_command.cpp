@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/text_table.h"
-#include "app/session/interrupt.h"
-#include "app/session/report/mission_export.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/console/text_table.h"
+#include "app/cli/options/load_scans.h"
+#include "app/services/handin/writing/mission_export.h"
+#include "app/services/interrupt.h"
 #include "core/base/printable.h"
 
 namespace leitstand::cli {

@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/text_table.h"
-#include "app/session/log/mission_robots.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/console/text_table.h"
+#include "app/cli/options/load_scans.h"
+#include "app/services/log/mission_robots.h"
 #include "core/base/printable.h"
 #include "core/io/bag/bag_reader.h"
 

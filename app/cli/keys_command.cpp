@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/output.h"
-#include "app/cli/text_table.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/text_table.h"
 #include "transport/security/keys.h"
 
 namespace leitstand::cli {

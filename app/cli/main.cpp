@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     int exitCode = 0;
     leitstand::cli::addRegister(app, exitCode);
     leitstand::cli::addTable1(app, exitCode);
+    leitstand::cli::addGraph(app, exitCode);
     leitstand::cli::addKeys(app, exitCode);
     leitstand::cli::addRecord(app, exitCode);
     leitstand::cli::addInfo(app, exitCode);

@@ -7,14 +7,14 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/register_options.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/options/load_scans.h"
+#include "app/cli/options/register_options.h"
 #include "app/cli/register_report.h"
-#include "app/session/interrupt.h"
-#include "core/io/cloud_writer.h"
-#include "core/io/tum.h"
+#include "app/services/interrupt.h"
+#include "core/io/clouds/cloud_writer.h"
+#include "core/io/clouds/tum.h"
 #include "core/mapping/mapper.h"
 
 namespace leitstand::cli {

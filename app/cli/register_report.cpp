@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/output.h"
-#include "app/cli/text_table.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/text_table.h"
 
 namespace leitstand::cli {
 

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/domain_options.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/session/interrupt.h"
-#include "app/session/log/mission_replay.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/options/domain_options.h"
+#include "app/cli/options/load_scans.h"
+#include "app/services/interrupt.h"
+#include "app/services/log/replay/mission_replay.h"
 #include "core/base/printable.h"
 
 namespace leitstand::cli {

@@ -13,15 +13,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/offscreen_fonts.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/text_table.h"
+#include "app/cli/console/offscreen_fonts.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/console/text_table.h"
+#include "app/cli/options/load_scans.h"
 #include "app/language/language.h"
-#include "app/report/pdf_report.h"
-#include "app/session/interrupt.h"
-#include "app/session/report/report_writer.h"
+#include "app/report/pdf/pdf_report.h"
+#include "app/services/handin/writing/report_writer.h"
+#include "app/services/interrupt.h"
 #include "core/version/version.h"
 
 namespace leitstand::cli {

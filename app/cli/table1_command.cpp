@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/text_table.h"
-#include "app/session/interrupt.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/text_table.h"
+#include "app/cli/options/load_scans.h"
+#include "app/services/interrupt.h"
 #include "core/mapping/scan_preparation.h"
 #include "core/mapping/table1.h"
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/load_scans.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_line.h"
-#include "app/session/interrupt.h"
-#include "app/session/log/mission_thinning.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress_line.h"
+#include "app/cli/options/load_scans.h"
+#include "app/services/interrupt.h"
+#include "app/services/thinning/mission_thinning.h"
 
 namespace leitstand::cli {
 namespace {

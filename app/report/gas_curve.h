@@ -2,7 +2,7 @@
 
 #include <QRectF>
 
-#include "app/session/report/report_content.h"
+#include "app/services/handin/report_content.h"
 
 class QPainter;
 

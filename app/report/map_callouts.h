@@ -6,7 +6,7 @@
 #include <QRectF>
 #include <QSizeF>
 
-#include "core/mission/report/map_painter.h"
+#include "core/handin/map/map_painter.h"
 
 class QPainter;
 

@@ -13,7 +13,7 @@
 #include "app/report/report_times.h"
 #include "app/report/score_html.h"
 #include "app/report/work_html.h"
-#include "app/session/report/report_words.h"
+#include "app/services/handin/report_words.h"
 
 namespace leitstand {
 namespace {

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/session/report/report_content.h"
+#include "app/services/handin/report_content.h"
 
 namespace leitstand {
 

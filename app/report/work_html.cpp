@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-#include "app/session/report/report_words.h"
+#include "app/services/handin/report_words.h"
 
 namespace leitstand {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/session/report/report_content.h"
+#include "app/services/handin/report_content.h"
 
 namespace leitstand {
 

@@ -6,14 +6,14 @@
 
 #include "app/language/language.h"
 #include "app/window/live/live_application.h"
-#include "app/window/main_window.h"
-#include "app/window/options.h"
-#include "app/window/orderly_end.h"
-#include "app/window/picture_size.h"
 #include "app/window/review/review_application.h"
-#include "app/window/scans_window.h"
-#include "app/window/screenshot.h"
-#include "app/window/terminal.h"
+#include "app/window/scans/main_window.h"
+#include "app/window/scans/scans_window.h"
+#include "app/window/scans/screenshot.h"
+#include "app/window/shell/options.h"
+#include "app/window/shell/orderly_end.h"
+#include "app/window/shell/picture_size.h"
+#include "app/window/shell/terminal.h"
 #include "core/version/version.h"
 
 namespace leitstand {

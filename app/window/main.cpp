@@ -1,7 +1,7 @@
 #include <exception>
 
 #include "app/window/application.h"
-#include "app/window/terminal.h"
+#include "app/window/shell/terminal.h"
 
 int main(int argc, char** argv) {
     try {

@@ -8,8 +8,8 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/cloud/scan.h"
 #include "core/registration/icp.h"
-#include "core/scan/scan.h"
 
 namespace leitstand {
 

@@ -1,6 +1,6 @@
 #include "core/mapping/metascan.h"
 
-#include "core/scan/voxel_grid.h"
+#include "core/cloud/filters/voxel_grid.h"
 
 namespace leitstand {
 

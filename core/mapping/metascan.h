@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/pose.h"
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 
 namespace leitstand {
 

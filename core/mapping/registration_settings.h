@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/cloud/search/search.h"
 #include "core/registration/icp.h"
-#include "core/search/search.h"
 
 namespace leitstand {
 

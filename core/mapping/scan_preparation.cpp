@@ -1,10 +1,10 @@
 #include "core/mapping/scan_preparation.h"
 
-#include "core/scan/labels.h"
-#include "core/scan/median_filter.h"
-#include "core/scan/normals.h"
-#include "core/scan/range_filter.h"
-#include "core/scan/voxel_grid.h"
+#include "core/cloud/filters/median_filter.h"
+#include "core/cloud/filters/normals.h"
+#include "core/cloud/filters/range_filter.h"
+#include "core/cloud/filters/voxel_grid.h"
+#include "core/cloud/labels.h"
 
 namespace leitstand {
 namespace {

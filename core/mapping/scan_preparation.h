@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/cloud/scan.h"
 #include "core/mapping/registration_settings.h"
-#include "core/scan/scan.h"
 
 namespace leitstand {
 

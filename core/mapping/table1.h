@@ -6,8 +6,8 @@
 #include "core/base/pose.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/scan/scan.h"
-#include "core/search/search.h"
+#include "core/cloud/scan.h"
+#include "core/cloud/search/search.h"
 
 namespace leitstand {
 

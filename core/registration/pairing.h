@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/cloud/scan.h"
+#include "core/cloud/search/search.h"
 #include "core/registration/pair_sums.h"
-#include "core/scan/scan.h"
-#include "core/search/search.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/perception/robot_profile.h"
+#include "core/perception/surroundings/robot_profile.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {

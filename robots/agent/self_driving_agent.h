@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/perception/virtual_scan.h"
+#include "core/perception/surroundings/virtual_scan.h"
 #include "robots/agent/odometry_track.h"
 #include "robots/agent/robot_agent.h"
 #include "robots/control/driving/explorer.h"

@@ -10,10 +10,10 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/event/status_samples.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/robot_says.h"
-#include "core/robot/samples/status_samples.h"
 
 namespace leitstand {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 #include "core/robot/control/drive_setpoint.h"
 
 namespace leitstand {

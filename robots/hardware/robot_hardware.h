@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/mission/event.h"
+#include "core/event/event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

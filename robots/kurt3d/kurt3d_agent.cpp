@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "core/perception/heat.h"
-#include "core/perception/picture_decoding.h"
+#include "core/perception/heat/heat.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/robot/control/pan_tilt.h"
 
 namespace leitstand {

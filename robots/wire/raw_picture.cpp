@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 
 namespace leitstand {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/robot/samples/picture_samples.h"
+#include "core/event/picture_samples.h"
 
 namespace leitstand {
 

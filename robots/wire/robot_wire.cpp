@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 #include "robots/wire/raw_picture.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"

@@ -20,7 +20,7 @@
 #include <QToolButton>
 
 #include "tests/widgets/panes/shown.h"
-#include "widgets/elided_label.h"
+#include "widgets/painting/elided_label.h"
 
 namespace leitstand::test {
 namespace {

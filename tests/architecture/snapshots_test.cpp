@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/robot_description.h"
 #include "tests/architecture/sources.h"
 
 namespace leitstand::test {

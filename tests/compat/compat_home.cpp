@@ -8,7 +8,7 @@
 #include <QEvent>
 #include <QLocale>
 
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
 #include "tests/compat/lines.h"
 
 namespace leitstand::test {

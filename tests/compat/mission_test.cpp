@@ -12,12 +12,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/log/bag_history.h"
-#include "app/session/log/live_mission.h"
-#include "app/session/log/mission_robots.h"
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/log/mission_robots.h"
+#include "app/services/log/replay/bag_history.h"
+#include "core/event/station_topics.h"
 #include "core/io/settings/comparison_file.h"
-#include "core/mission/station_topics.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"
 #include "tests/compat/state_text.h"

@@ -15,8 +15,8 @@
 
 #include "app/window/live/live_application.h"
 #include "app/window/review/review_application.h"
-#include "app/window/scans_window.h"
-#include "tests/app/session/scan_folder.h"
+#include "app/window/scans/scans_window.h"
+#include "tests/app/services/scan_folder.h"
 #include "tests/compat/compat_home.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"

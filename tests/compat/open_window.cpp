@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/window/asks_before_closing.h"
+#include "app/window/shell/asks_before_closing.h"
 
 namespace leitstand::test {
 namespace {

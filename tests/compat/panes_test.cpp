@@ -11,7 +11,7 @@
 
 #include "app/window/live/live_application.h"
 #include "app/window/review/review_application.h"
-#include "app/window/scans_window.h"
+#include "app/window/scans/scans_window.h"
 #include "tests/compat/compat_home.h"
 #include "tests/compat/lines.h"
 #include "tests/compat/open_window.h"

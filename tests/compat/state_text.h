@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand::test {
 

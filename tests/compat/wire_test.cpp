@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/io/bag/topic_info.h"
-#include "core/robot/stream_defaults.h"
-#include "core/robot/stream_types.h"
+#include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_types.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"
 #include "transport/convert/message_catalog.h"

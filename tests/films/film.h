@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/base/time.h"
-#include "core/perception/picture.h"
+#include "core/perception/pictures/picture.h"
 
 namespace leitstand::test {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/io/uos.h"
+#include "core/io/clouds/uos.h"
 #include "core/mapping/scan_preparation.h"
 
 namespace leitstand::test {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 
 namespace leitstand::test {
 

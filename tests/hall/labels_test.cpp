@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scan/range_filter.h"
+#include "core/cloud/filters/range_filter.h"
 #include "tests/hall/hall.h"
 #include "tests/support/shared_data.h"
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <pcl/kdtree/kdtree_flann.h>
 
-#include "core/scan/range_filter.h"
-#include "core/search/kd_tree.h"
+#include "core/cloud/filters/range_filter.h"
+#include "core/cloud/search/kd_tree.h"
 #include "tests/hall/hall.h"
 #include "tests/support/rooms.h"
 #include "tests/support/shared_data.h"

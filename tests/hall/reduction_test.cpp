@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scan/median_filter.h"
-#include "core/scan/normals.h"
-#include "core/scan/outliers.h"
-#include "core/scan/range_filter.h"
+#include "core/cloud/filters/median_filter.h"
+#include "core/cloud/filters/normals.h"
+#include "core/cloud/filters/outliers.h"
+#include "core/cloud/filters/range_filter.h"
 #include "tests/hall/hall.h"
 #include "tests/support/shared_data.h"
 

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/pcd.h"
-#include "core/io/ply.h"
-#include "core/io/xyz.h"
+#include "core/io/clouds/pcd.h"
+#include "core/io/clouds/ply.h"
+#include "core/io/clouds/xyz.h"
 #include "tests/io/file_checks.h"
 
 namespace leitstand {

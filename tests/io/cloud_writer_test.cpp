@@ -1,4 +1,4 @@
-#include "core/io/cloud_writer.h"
+#include "core/io/clouds/cloud_writer.h"
 
 #include <sys/resource.h>
 
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/scan_source.h"
-#include "core/io/uos.h"
+#include "core/io/clouds/scan_source.h"
+#include "core/io/clouds/uos.h"
 #include "tests/io/file_checks.h"
 #include "tests/io/sample_scans.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/result.h"
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {

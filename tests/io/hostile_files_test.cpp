@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/pcd.h"
-#include "core/io/ply.h"
-#include "core/io/scan_source.h"
-#include "core/io/tum.h"
-#include "core/io/uos.h"
-#include "core/io/xyz.h"
+#include "core/io/clouds/pcd.h"
+#include "core/io/clouds/ply.h"
+#include "core/io/clouds/scan_source.h"
+#include "core/io/clouds/tum.h"
+#include "core/io/clouds/uos.h"
+#include "core/io/clouds/xyz.h"
 #include "tests/io/file_checks.h"
 #include "tests/io/sample_scans.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/last_station_file.h"
+#include "core/io/settings/last_station_file.h"
 
 #include <fstream>
 

@@ -5,8 +5,8 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/point_types.h>
 
-#include "core/io/pcd.h"
-#include "core/io/ply.h"
+#include "core/io/clouds/pcd.h"
+#include "core/io/clouds/ply.h"
 #include "tests/io/file_checks.h"
 #include "tests/io/sample_scans.h"
 

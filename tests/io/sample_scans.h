@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 #include "tests/support/rooms.h"
 
 namespace leitstand::test {

@@ -1,4 +1,4 @@
-#include "core/io/scan_source.h"
+#include "core/io/clouds/scan_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

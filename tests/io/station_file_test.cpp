@@ -1,4 +1,4 @@
-#include "core/io/station_file.h"
+#include "core/io/settings/station_file.h"
 
 #include <set>
 #include <string_view>

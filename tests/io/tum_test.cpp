@@ -1,4 +1,4 @@
-#include "core/io/tum.h"
+#include "core/io/clouds/tum.h"
 
 #include <string>
 

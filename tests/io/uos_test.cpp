@@ -1,4 +1,4 @@
-#include "core/io/uos.h"
+#include "core/io/clouds/uos.h"
 
 #include <cmath>
 #include <numbers>

@@ -15,7 +15,7 @@
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
-#include "transport/dds/detail/socket_buffers.h"
+#include "transport/dds/network/socket_buffers.h"
 
 namespace leitstand::test {
 namespace {

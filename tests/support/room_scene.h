@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 
 namespace leitstand::test {
 

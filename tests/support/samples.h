@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/event.h"
-#include "core/mission/raw_event.h"
+#include "core/event/event.h"
+#include "core/event/raw_event.h"
+#include "core/robot/robot_description.h"
 
 namespace leitstand::test {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "core/mission/station_topics.h"
-#include "core/robot/samples/frame_names.h"
+#include "core/event/station_topics.h"
+#include "core/robot/frame_names.h"
 #include "transport/convert/detail/from_wire.h"
 
 namespace leitstand {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/mission/event.h"
-#include "core/mission/raw_event.h"
+#include "core/event/event.h"
+#include "core/event/raw_event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

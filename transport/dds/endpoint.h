@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/robot/qos.h"
-#include "core/robot/wire_complaint.h"
+#include "core/robot/link/wire_complaint.h"
+#include "core/robot/streams/qos.h"
 #include "transport/dds/guid.h"
 
 namespace leitstand {

@@ -1,7 +1,7 @@
 #include "transport/dds/node.h"
 
 #include "transport/dds/detail/participant.h"
-#include "transport/dds/detail/socket_buffers.h"
+#include "transport/dds/network/socket_buffers.h"
 
 namespace leitstand {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/mission/raw_event.h"
-#include "core/robot/qos.h"
-#include "core/robot/screen_report.h"
+#include "core/event/raw_event.h"
+#include "core/robot/link/screen_report.h"
+#include "core/robot/streams/qos.h"
 #include "transport/dds/endpoint.h"
 #include "transport/dds/guid.h"
 #include "transport/dds/node_settings.h"

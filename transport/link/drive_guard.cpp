@@ -12,7 +12,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/link/grant_keeper.h"
 #include "transport/link/grant_sender.h"

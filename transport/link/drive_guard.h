@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/robot/control/guard_rules.h"
+#include "core/robot/control/stop/guard_rules.h"
 #include "transport/dds/node.h"
 #include "transport/link/drive_message.h"
 

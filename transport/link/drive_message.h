@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/mission/raw_event.h"
+#include "core/event/raw_event.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_description.h"
 

@@ -9,9 +9,9 @@
 #include "core/base/result.h"
 #include "core/robot/control/drive_schedule.h"
 #include "core/robot/control/drive_setpoint.h"
-#include "core/robot/control/guard_rules.h"
-#include "core/robot/control/sight_cap.h"
+#include "core/robot/control/stop/guard_rules.h"
 #include "core/robot/robot_description.h"
+#include "core/station/sight_cap.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {

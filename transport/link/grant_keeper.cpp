@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_sender.h"

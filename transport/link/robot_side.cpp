@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_keeper.h"

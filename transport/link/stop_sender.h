@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/robot/control/stop_control.h"
+#include "core/robot/control/stop/stop_control.h"
 #include "core/robot/robot_description.h"
 #include "transport/dds/node.h"
 

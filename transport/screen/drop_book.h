@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "core/robot/screen_report.h"
+#include "core/robot/link/screen_report.h"
 #include "transport/screen/datagram.h"
 #include "transport/screen/place.h"
 

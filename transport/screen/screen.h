@@ -3,7 +3,7 @@
 #include <functional>
 #include <mutex>
 
-#include "core/robot/screen_report.h"
+#include "core/robot/link/screen_report.h"
 #include "transport/screen/drop_book.h"
 #include "transport/screen/participants.h"
 

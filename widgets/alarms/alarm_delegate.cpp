@@ -9,7 +9,7 @@
 #include <QTextLayout>
 
 #include "widgets/models/live/alarm_list_model.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

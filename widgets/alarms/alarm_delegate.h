@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
-#include "core/robot/alarms/alarm.h"
+#include "core/station/alarms/alarm.h"
 
 namespace leitstand {
 

@@ -8,13 +8,13 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "core/perception/heat.h"
-#include "core/perception/picture.h"
+#include "core/perception/heat/heat.h"
+#include "core/perception/pictures/picture.h"
 #include "widgets/camera/picture_image.h"
 #include "widgets/models/camera/camera_words.h"
-#include "widgets/models/live/mode_label.h"
-#include "widgets/models/live/proximity.h"
-#include "widgets/pane_paint.h"
+#include "widgets/models/live/robots/proximity.h"
+#include "widgets/models/live/texts/mode_label.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 

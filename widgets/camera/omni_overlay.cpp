@@ -10,7 +10,7 @@
 
 #include "widgets/camera/camera_overlay.h"
 #include "widgets/models/camera/camera_words.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/perception/heat_picture.h"
+#include "core/perception/heat/heat_picture.h"
 
 namespace leitstand {
 namespace {

@@ -6,7 +6,7 @@
 #include <QColor>
 #include <QImage>
 
-#include "core/perception/picture.h"
+#include "core/perception/pictures/picture.h"
 
 namespace leitstand {
 

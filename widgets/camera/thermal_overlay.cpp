@@ -9,7 +9,7 @@
 #include "widgets/camera/camera_overlay.h"
 #include "widgets/models/camera/heat_labels.h"
 #include "widgets/models/numbers.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

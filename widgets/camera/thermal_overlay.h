@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QRectF>
 
-#include "core/perception/heat.h"
+#include "core/perception/heat/heat.h"
 #include "widgets/camera/picture_image.h"
 
 namespace leitstand {

@@ -7,7 +7,7 @@
 #include "widgets/drive/energy_cell.h"
 #include "widgets/drive/gas_cell.h"
 #include "widgets/drive/mode_cell.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

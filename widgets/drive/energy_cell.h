@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/robots/drive_state.h"
 
 namespace leitstand {
 

@@ -3,7 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/robots/drive_state.h"
 
 namespace leitstand {
 

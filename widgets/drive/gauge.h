@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <QWidget>
 
-#include "widgets/models/live/drive_state.h"
-#include "widgets/pane_paint.h"
+#include "widgets/models/live/robots/drive_state.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 

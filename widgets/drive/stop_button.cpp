@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/link/stream_list.h"
-#include "widgets/number_box.h"
-#include "widgets/scans/fields.h"
+#include "widgets/painting/number_box.h"
+#include "widgets/tables/fields.h"
 
 namespace leitstand {
 namespace {

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "core/robot/streams/stream_wish.h"
-#include "widgets/models/live/stream_table.h"
+#include "widgets/models/live/robots/stream_table.h"
 
 class QAction;
 class QCheckBox;

@@ -4,7 +4,7 @@
 
 #include <QTableView>
 
-#include "widgets/models/live/stream_table.h"
+#include "widgets/models/live/robots/stream_table.h"
 
 namespace leitstand {
 

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/models/map/key_scan_model.h"
-#include "widgets/number_box.h"
+#include "widgets/painting/number_box.h"
 #include "widgets/tables/column_fitter.h"
 #include "widgets/tables/table_dress.h"
 

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/map_view/camera_moves.h"
+#include "widgets/map_view/camera/camera_moves.h"
 
 namespace leitstand {
 namespace {

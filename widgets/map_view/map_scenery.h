@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "core/mapping/map.h"
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/render/view_renderer.h"
 #include "widgets/map_view/robots/follow_camera.h"
 #include "widgets/map_view/scene/scene_builder.h"

@@ -15,7 +15,7 @@
 #include "widgets/map_view/picking.h"
 #include "widgets/map_view/robots/robot_overlay.h"
 #include "widgets/map_view/victims/victim_overlay.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 namespace {

@@ -9,9 +9,9 @@
 #include <QWidget>
 
 #include "core/mapping/map.h"
-#include "core/mission/searched/floor_tint.h"
+#include "core/mission/coverage/floor_tint.h"
 #include "widgets/map_view/gestures/ground_pose.h"
-#include "widgets/map_view/map_view_settings.h"
+#include "widgets/models/map/map_view_settings.h"
 #include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {

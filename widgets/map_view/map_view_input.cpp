@@ -5,7 +5,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "widgets/map_view/camera_moves.h"
+#include "widgets/map_view/camera/camera_moves.h"
 #include "widgets/map_view/map_view_state.h"
 
 namespace leitstand {

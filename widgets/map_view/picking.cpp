@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/scene/scene_content.h"
 #include "widgets/map_view/scene/scene_statistics.h"

@@ -5,7 +5,7 @@
 
 #include <QPainter>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <QAbstractButton>
 
-#include "widgets/models/live/clock_text.h"
+#include "widgets/models/live/texts/clock_text.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <QString>
 
-#include "core/robot/samples/station_samples.h"
+#include "core/event/station_samples.h"
 
 class QComboBox;
 class QLineEdit;

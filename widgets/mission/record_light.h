@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "widgets/models/live/record_text.h"
+#include "widgets/models/live/texts/record_text.h"
 
 namespace leitstand {
 

@@ -1,5 +1,7 @@
 #include "widgets/models/times.h"
 
+#include <chrono>
+
 #include <QLocale>
 
 namespace leitstand {
@@ -12,6 +14,13 @@ QString timeOfDayText(const QTime& moment, bool tenths) {
         format.replace(QLatin1String("ss"),
                        QStringLiteral("ss'%1%2'").arg(locale.decimalPoint()).arg(moment.msec() / 100));
     return locale.toString(moment, format);
+}
+
+QString wallText(Time at, bool tenths) {
+    const auto milliseconds =
+        std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count();
+    const QDateTime moment = QDateTime::fromMSecsSinceEpoch(milliseconds);
+    return timeOfDayText(moment.time(), tenths);
 }
 
 }  // namespace leitstand

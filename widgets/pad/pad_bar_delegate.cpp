@@ -3,7 +3,7 @@
 #include <QPainter>
 
 #include "widgets/models/pad/pad_table.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 

@@ -4,7 +4,7 @@
 
 #include <QPainterPath>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <QRectF>
 
-#include "core/robot/pad/pad_state.h"
+#include "core/station/pad/pad_state.h"
 #include "widgets/models/pad/pad_callouts.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 

@@ -7,7 +7,7 @@
 
 #include "widgets/models/pad/pad_callouts.h"
 #include "widgets/pad/pad_drawing.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

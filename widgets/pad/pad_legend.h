@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "core/robot/pad/pad_bindings.h"
+#include "core/station/pad/pad_bindings.h"
 #include "widgets/models/pad/pad_texts.h"
 
 namespace leitstand {

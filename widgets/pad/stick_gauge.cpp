@@ -3,7 +3,7 @@
 #include <QPainter>
 
 #include "widgets/models/pad/pad_texts.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/robot/pad/pad_bindings.h"
+#include "core/station/pad/pad_bindings.h"
 
 namespace leitstand {
 

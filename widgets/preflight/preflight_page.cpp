@@ -12,7 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 #include "widgets/tables/table_dress.h"
 
 namespace leitstand {

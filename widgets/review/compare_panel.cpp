@@ -13,8 +13,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/number_box.h"
-#include "widgets/scans/fields.h"
+#include "widgets/painting/number_box.h"
+#include "widgets/tables/fields.h"
 #include "widgets/tables/table_dress.h"
 
 namespace leitstand {

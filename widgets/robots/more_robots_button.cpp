@@ -1,6 +1,6 @@
 #include "widgets/robots/more_robots_button.h"
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 #include "widgets/robots/robot_bar_sizes.h"
 #include "widgets/robots/robot_signs.h"
 

@@ -2,7 +2,7 @@
 
 #include <QAbstractButton>
 
-#include "widgets/models/live/robot_row.h"
+#include "widgets/models/live/robots/robot_row.h"
 
 namespace leitstand {
 

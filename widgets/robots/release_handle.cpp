@@ -7,7 +7,7 @@
 #include <QMouseEvent>
 #include <QTimerEvent>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 #include "widgets/robots/robot_bar_sizes.h"
 #include "widgets/robots/robot_signs.h"
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "widgets/models/live/hold_to_act.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/texts/stop_line.h"
 
 namespace leitstand {
 

@@ -7,7 +7,7 @@
 #include <QEvent>
 #include <QWheelEvent>
 
-#include "widgets/models/live/robot_row.h"
+#include "widgets/models/live/robots/robot_row.h"
 #include "widgets/robots/more_robots_button.h"
 #include "widgets/robots/release_handle.h"
 #include "widgets/robots/robot_bar_sizes.h"

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "widgets/models/live/robot_chip.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/robots/robot_chip.h"
+#include "widgets/models/live/texts/stop_line.h"
 
 class QButtonGroup;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/models/live/robot_row.h"
-#include "widgets/pane_paint.h"
+#include "widgets/models/live/robots/robot_row.h"
+#include "widgets/painting/pane_paint.h"
 #include "widgets/robots/release_handle.h"
 #include "widgets/robots/robot_bar_sizes.h"
 #include "widgets/robots/robot_signs.h"

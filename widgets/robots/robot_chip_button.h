@@ -2,8 +2,8 @@
 
 #include <QAbstractButton>
 
-#include "widgets/models/live/robot_chip.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/robots/robot_chip.h"
+#include "widgets/models/live/texts/stop_line.h"
 #include "widgets/robots/robot_bar_sizes.h"
 
 namespace leitstand {

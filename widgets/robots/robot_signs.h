@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <QRectF>
 
-#include "core/robot/link_status.h"
-#include "widgets/models/live/stop_line.h"
-#include "widgets/theme.h"
+#include "core/robot/link/link_status.h"
+#include "widgets/models/live/texts/stop_line.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 

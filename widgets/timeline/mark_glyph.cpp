@@ -5,7 +5,7 @@
 #include <QFontMetricsF>
 #include <QPainterPath>
 
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

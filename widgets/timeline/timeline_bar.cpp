@@ -11,7 +11,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/pane_paint.h"
+#include "widgets/models/times.h"
+#include "widgets/painting/pane_paint.h"
 #include "widgets/timeline/mark_glyph.h"
 
 namespace leitstand {

@@ -6,7 +6,8 @@
 #include <QToolButton>
 
 #include "widgets/models/timeline/timeline_words.h"
-#include "widgets/pane_paint.h"
+#include "widgets/models/times.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 

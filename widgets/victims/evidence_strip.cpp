@@ -7,8 +7,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/pane_paint.h"
-#include "widgets/theme.h"
+#include "widgets/painting/pane_paint.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 namespace {

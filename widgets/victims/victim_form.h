@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "core/robot/samples/victim_sample.h"
+#include "core/event/victim_sample.h"
 #include "widgets/models/victims/victim_choices.h"
 
 class QComboBox;

@@ -12,7 +12,7 @@
 #include <QPolygonF>
 
 #include "widgets/models/numbers.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

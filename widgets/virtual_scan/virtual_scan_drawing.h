@@ -6,10 +6,10 @@
 #include <QPointF>
 #include <QRectF>
 
-#include "core/perception/virtual_scan_view.h"
-#include "widgets/models/live/proximity.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
+#include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/view_geometry.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "widgets/models/live/proximity.h"
-#include "widgets/pane_paint.h"
+#include "widgets/models/live/robots/proximity.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 

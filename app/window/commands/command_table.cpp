@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <QMenuBar>
 
-#include "widgets/icons.h"
+#include "widgets/painting/icons.h"
 
 namespace leitstand {
 

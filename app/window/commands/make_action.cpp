@@ -1,6 +1,6 @@
 #include "app/window/commands/make_action.h"
 
-#include "widgets/icons.h"
+#include "widgets/painting/icons.h"
 
 namespace leitstand {
 

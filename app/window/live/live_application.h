@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/window/options.h"
+#include "app/window/shell/options.h"
 
 namespace leitstand {
 

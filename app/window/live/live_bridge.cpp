@@ -3,9 +3,9 @@
 #include <chrono>
 #include <utility>
 
-#include "app/session/log/sequencer.h"
-#include "app/session/station/live_mapping.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/mapping/live_mapping.h"
+#include "app/services/station/station_mapping.h"
 
 namespace leitstand {
 namespace {

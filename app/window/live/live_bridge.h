@@ -7,11 +7,11 @@
 
 #include <QTimer>
 
-#include "app/session/station/picture_feed.h"
-#include "app/session/station/station.h"
+#include "app/services/station/cameras/picture_feed.h"
+#include "app/services/station/station.h"
 #include "app/window/live/moment_source.h"
 #include "core/base/result.h"
-#include "widgets/models/live/gas_trend.h"
+#include "widgets/models/live/robots/gas_trend.h"
 
 namespace leitstand {
 

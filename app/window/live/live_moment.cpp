@@ -1,6 +1,6 @@
 #include "app/window/live/live_moment.h"
 
-#include "core/mission/robot_state.h"
+#include "core/mission/state/robot_state.h"
 
 namespace leitstand {
 

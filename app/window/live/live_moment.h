@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/base/time.h"
-#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
-#include "core/mission/mission_state.h"
-#include "core/robot/robot_view.h"
+#include "core/mission/state/mission_state.h"
+#include "core/station/robot_view.h"
 
 namespace leitstand {
 

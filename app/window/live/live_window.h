@@ -5,10 +5,10 @@
 
 #include <QMainWindow>
 
-#include "app/session/layouts/layout_book.h"
-#include "app/session/pad/pad_memory.h"
-#include "app/window/asks_before_closing.h"
-#include "widgets/map_view/map_view_settings.h"
+#include "app/services/layouts/layout_book.h"
+#include "app/services/pad/pad_memory.h"
+#include "app/window/shell/asks_before_closing.h"
+#include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 

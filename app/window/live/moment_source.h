@@ -6,12 +6,12 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/station/picture_feed.h"
+#include "app/services/station/cameras/picture_feed.h"
 #include "app/window/live/live_moment.h"
-#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/mapping/map.h"
 #include "core/robot/robot_description.h"
-#include "widgets/models/live/freshness.h"
+#include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/message_list_model.h"
 
 namespace leitstand {

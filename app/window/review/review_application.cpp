@@ -10,15 +10,15 @@
 #include <QTimer>
 
 #include "app/language/language.h"
-#include "app/session/review/review_log.h"
-#include "app/window/first_geometry.h"
+#include "app/services/recorded/review_log.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/picture_size.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
-#include "app/window/scans_window.h"
-#include "app/window/terminal.h"
+#include "app/window/scans/scans_window.h"
+#include "app/window/shell/first_geometry.h"
+#include "app/window/shell/picture_size.h"
+#include "app/window/shell/terminal.h"
 
 namespace leitstand {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/options.h"
+#include "app/window/shell/options.h"
 
 namespace leitstand {
 

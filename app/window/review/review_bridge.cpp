@@ -7,9 +7,9 @@
 
 #include <QSysInfo>
 
-#include "app/session/review/newest_writing.h"
-#include "app/session/review/review_cadence.h"
-#include "app/session/review/reviewed_robot.h"
+#include "app/services/recorded/review_cadence.h"
+#include "app/services/review/playing/newest_writing.h"
+#include "app/services/review/reviewed_robot.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_report.h"
 #include "core/version/version.h"

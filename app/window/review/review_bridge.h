@@ -10,9 +10,9 @@
 
 #include <QTimer>
 
-#include "app/session/job_queue.h"
-#include "app/session/review/review_pen.h"
-#include "app/session/review/review_player.h"
+#include "app/services/job_queue.h"
+#include "app/services/review/playing/review_player.h"
+#include "app/services/review/review_pen.h"
 #include "app/window/live/moment_source.h"
 #include "core/base/result.h"
 

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/comparison/map_comparing.h"
+#include "app/services/comparison/map_comparing.h"
 
 namespace leitstand {
 

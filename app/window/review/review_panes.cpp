@@ -8,18 +8,18 @@
 
 #include <QMainWindow>
 
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/review/review_bridge.h"
-#include "core/mission/mission_clock.h"
+#include "core/mission/state/mission_clock.h"
 #include "widgets/alarms/alarm_panel.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/link/stream_list.h"
 #include "widgets/mission/clock_face.h"
-#include "widgets/models/live/alarm_words.h"
-#include "widgets/models/live/clock_text.h"
-#include "widgets/models/live/drive_state.h"
-#include "widgets/models/live/stream_rows.h"
+#include "widgets/models/live/robots/drive_state.h"
+#include "widgets/models/live/robots/stream_rows.h"
+#include "widgets/models/live/texts/alarm_words.h"
+#include "widgets/models/live/texts/clock_text.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <QObject>
 
 #include "app/window/live/live_context.h"
-#include "widgets/models/live/gas_trend.h"
+#include "widgets/models/live/robots/gas_trend.h"
 
 class QWidget;
 

@@ -5,9 +5,9 @@
 
 #include <QCoreApplication>
 
-#include "app/report/pdf_report.h"
-#include "app/session/report/report_telling.h"
-#include "app/session/report/report_writer.h"
+#include "app/report/pdf/pdf_report.h"
+#include "app/services/handin/writing/report_telling.h"
+#include "app/services/handin/writing/report_writer.h"
 
 namespace leitstand {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <QMainWindow>
 
-#include "app/session/layouts/layout_book.h"
-#include "widgets/map_view/map_view_settings.h"
+#include "app/services/layouts/layout_book.h"
+#include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 

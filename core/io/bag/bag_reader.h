@@ -11,8 +11,8 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/event/raw_event.h"
 #include "core/io/bag/topic_info.h"
-#include "core/mission/raw_event.h"
 
 namespace leitstand {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/robot/qos.h"
+#include "core/robot/streams/qos.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/robot/pad/pad_bindings.h"
+#include "core/station/pad/pad_bindings.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/robot/preflight/brake_test.h"
+#include "core/station/preflight/brake_test.h"
 
 namespace leitstand {
 

@@ -8,7 +8,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/robot_words.h"
 #include "core/robot/default_body.h"
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 
 namespace leitstand {
 namespace {

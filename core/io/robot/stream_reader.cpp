@@ -7,8 +7,8 @@
 #include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_words.h"
-#include "core/robot/stream_defaults.h"
-#include "core/robot/stream_types.h"
+#include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_types.h"
 
 namespace leitstand::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/robot/alarms/alarm_rules.h"
+#include "core/station/alarms/alarm_rules.h"
 
 namespace leitstand {
 

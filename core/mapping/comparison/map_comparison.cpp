@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "core/cloud/search/search.h"
 #include "core/mapping/mapper.h"
 #include "core/mapping/scan_preparation.h"
-#include "core/search/search.h"
 
 namespace leitstand {
 namespace {

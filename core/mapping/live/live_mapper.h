@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/mapping/live/live_map.h"
-#include "core/mapping/live/live_scan.h"
+#include "core/event/map_samples.h"
 #include "core/mapping/live/live_settings.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/map/live_scan.h"
 #include "core/registration/icp.h"
-#include "core/robot/samples/map_samples.h"
 
 namespace leitstand {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "core/mapping/live/cropped_scans.h"
 #include "core/mapping/live/live_mapper.h"
-#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/map/cropped_scans.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
 
 namespace leitstand {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/local_map.h"
-#include "core/mapping/live/matched_clouds.h"
+#include "core/mapping/live/map/local_map.h"
+#include "core/mapping/live/map/matched_clouds.h"
 #include "core/mapping/live/scan_cleaning.h"
-#include "core/mapping/live/turn_refinement.h"
+#include "core/mapping/motion/turn_refinement.h"
 
 namespace leitstand {
 

@@ -11,9 +11,9 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mapping/live/motion_buffer.h"
+#include "core/event/motion_samples.h"
 #include "core/mapping/live/robot_in_map.h"
-#include "core/robot/samples/motion_samples.h"
+#include "core/mapping/motion/motion_buffer.h"
 
 namespace leitstand {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/robot/samples/map_samples.h"
+#include "core/event/map_samples.h"
 
 namespace leitstand {
 

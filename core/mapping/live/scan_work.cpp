@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/scan/cell_table.h"
-#include "core/scan/labels.h"
-#include "core/scan/normals.h"
-#include "core/scan/outliers.h"
-#include "core/scan/range_filter.h"
-#include "core/scan/shades.h"
-#include "core/scan/voxel_grid.h"
+#include "core/cloud/filters/cell_table.h"
+#include "core/cloud/filters/normals.h"
+#include "core/cloud/filters/outliers.h"
+#include "core/cloud/filters/range_filter.h"
+#include "core/cloud/filters/voxel_grid.h"
+#include "core/cloud/labels.h"
+#include "core/cloud/shades.h"
 
 namespace leitstand {
 

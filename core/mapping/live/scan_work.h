@@ -6,13 +6,13 @@
 #include <span>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/live_map.h"
-#include "core/mapping/live/live_scan.h"
+#include "core/cloud/scan.h"
+#include "core/event/map_samples.h"
 #include "core/mapping/live/live_settings.h"
-#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/map/live_scan.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/registration/icp.h"
-#include "core/robot/samples/map_samples.h"
-#include "core/scan/scan.h"
 
 namespace leitstand {
 

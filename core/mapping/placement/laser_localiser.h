@@ -6,9 +6,9 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mapping/live/local_map.h"
-#include "core/mapping/live/motion_buffer.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/motion/motion_buffer.h"
 #include "core/mapping/placement/laser_view.h"
 #include "core/mapping/placement/placement.h"
 

@@ -8,13 +8,13 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mapping/live/live_map.h"
-#include "core/mapping/live/local_map.h"
+#include "core/event/map_samples.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/placement/laser_localiser.h"
 #include "core/mapping/placement/laser_view.h"
 #include "core/mapping/sighting/seen_bodies.h"
-#include "core/robot/samples/map_samples.h"
 
 namespace leitstand {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/cloud/filters/cell_table.h"
 #include "core/mapping/placement/flat_pose.h"
-#include "core/scan/cell_table.h"
 
 namespace leitstand {
 namespace {

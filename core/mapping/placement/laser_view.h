@@ -7,10 +7,10 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mapping/live/live_scan.h"
-#include "core/mapping/live/motion_buffer.h"
+#include "core/event/cloud_sample.h"
+#include "core/mapping/live/map/live_scan.h"
 #include "core/mapping/live/scan_cleaning.h"
-#include "core/robot/samples/cloud_sample.h"
+#include "core/mapping/motion/motion_buffer.h"
 
 namespace leitstand {
 

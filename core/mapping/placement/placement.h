@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/local_map.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/mapping/placement/correlation.h"
 #include "core/mapping/placement/laser_view.h"
 

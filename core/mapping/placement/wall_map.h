@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/local_map.h"
-#include "core/search/search.h"
+#include "core/cloud/search/search.h"
+#include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {
 

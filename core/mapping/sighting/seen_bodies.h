@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/local_map.h"
+#include "core/cloud/scan.h"
+#include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/placement/laser_view.h"
-#include "core/scan/scan.h"
 
 namespace leitstand {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/scan/voxel_grid.h"
+#include "core/cloud/filters/voxel_grid.h"
 
 namespace leitstand {
 namespace {

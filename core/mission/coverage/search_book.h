@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/event/map_samples.h"
+#include "core/mapping/report_scan.h"
 #include "core/mission/coverage/coverage_map.h"
 #include "core/mission/coverage/scan_views.h"
-#include "core/mission/report/report_scan.h"
-#include "core/robot/samples/map_samples.h"
 
 namespace leitstand {
 

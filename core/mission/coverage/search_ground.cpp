@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mission/report/floor_heights.h"
+#include "core/mapping/floor_heights.h"
 
 namespace leitstand {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "core/mapping/report_scan.h"
 #include "core/mission/coverage/coverage_settings.h"
-#include "core/mission/report/report_scan.h"
 
 namespace leitstand {
 

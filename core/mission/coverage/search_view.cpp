@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/perception/omni/mei_camera.h"
-#include "core/perception/pixel_ray.h"
+#include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand {
 namespace {

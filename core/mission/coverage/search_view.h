@@ -7,8 +7,8 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/event/picture_samples.h"
 #include "core/mission/coverage/coverage_settings.h"
-#include "core/robot/samples/picture_samples.h"
 
 namespace leitstand {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 
 namespace leitstand {
 namespace {

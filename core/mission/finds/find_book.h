@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 

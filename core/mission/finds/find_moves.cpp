@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "core/mission/decisions.h"
+#include "core/mission/state/decisions.h"
 
 namespace leitstand {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/mission/mission_state.h"
 #include "core/mission/score/score_profile.h"
 #include "core/mission/score/touches.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 

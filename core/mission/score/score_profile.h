@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/victims/victim_tags.h"
+#include "core/mission/finds/victim_tags.h"
 
 namespace leitstand {
 

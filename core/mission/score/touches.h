@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/robot/robot_description.h"
 
 namespace leitstand {
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/mission/finds/dismissal.h"
 #include "core/mission/finds/find_book.h"
-#include "core/mission/fold.h"
-#include "core/mission/victims/dismissal.h"
+#include "core/mission/state/fold.h"
 
 namespace leitstand {
 namespace {

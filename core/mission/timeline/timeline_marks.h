@@ -10,9 +10,9 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "core/mission/event.h"
+#include "core/event/event.h"
 #include "core/mission/finds/find_moves.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 
 #include <zbar.h>
 
-#include "core/perception/cues/picture_mat.h"
+#include "core/perception/pictures/coding/picture_mat.h"
 
 namespace leitstand {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/perception/cues/picture_mat.h"
+#include "core/perception/pictures/coding/picture_mat.h"
 
 namespace leitstand {
 namespace {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "core/perception/picture.h"
+#include "core/perception/pictures/picture.h"
 
 namespace leitstand {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/pose.h"
 #include "core/perception/omni/mei_camera.h"
-#include "core/perception/picture.h"
+#include "core/perception/pictures/picture.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/robot/control/grants.h"
-#include "core/robot/link_status.h"
+#include "core/robot/link/link_status.h"
 
 namespace leitstand {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/robot/samples/station_samples.h"
+#include "core/event/station_samples.h"
 
 namespace leitstand {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/robot/link_status.h"
+#include "core/robot/link/link_status.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

@@ -8,7 +8,7 @@
 
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/control/grant_arbiter.h"
-#include "core/robot/control/stop_latch.h"
+#include "core/robot/control/stop/stop_latch.h"
 
 namespace leitstand {
 

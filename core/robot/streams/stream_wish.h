@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/robot/link_status.h"
-#include "core/robot/samples/command_samples.h"
+#include "core/event/command_samples.h"
+#include "core/robot/link/link_status.h"
 
 namespace leitstand {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/robot/link_status.h"
+#include "core/robot/link/link_status.h"
 #include "core/robot/streams/stream_wish.h"
 
 namespace leitstand {

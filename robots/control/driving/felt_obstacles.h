@@ -6,7 +6,7 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 
 namespace leitstand {
 

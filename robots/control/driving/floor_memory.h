@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 
 namespace leitstand {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/base/result.h"
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "robots/control/fuzzy/fuzzy_system.h"
 #include "robots/control/safe_teleoperation.h"

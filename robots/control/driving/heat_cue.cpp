@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/perception/cues/body_heat.h"
+#include "core/perception/heat/body_heat.h"
 
 namespace leitstand {
 

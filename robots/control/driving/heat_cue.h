@@ -4,8 +4,8 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/perception/heat.h"
-#include "core/perception/pixel_ray.h"
+#include "core/perception/heat/heat.h"
+#include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand {
 

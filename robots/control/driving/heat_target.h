@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/perception/virtual_scan.h"
+#include "core/perception/surroundings/virtual_scan.h"
 #include "robots/control/driving/heat_cue.h"
 
 namespace leitstand {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/robot/samples/status_samples.h"
+#include "core/event/status_samples.h"
 #include "robots/control/driving/explorer.h"
 #include "robots/control/driving/fuzzy_drive.h"
 #include "robots/control/driving/heat_target.h"

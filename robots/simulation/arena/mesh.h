@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 #include "robots/simulation/arena/arena.h"
 
 namespace leitstand::simulation {

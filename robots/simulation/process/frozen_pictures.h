@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "core/robot/samples/picture_samples.h"
+#include "core/event/picture_samples.h"
 #include "robots/hardware/robot_hardware.h"
 
 namespace leitstand::simulation {

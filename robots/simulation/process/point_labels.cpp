@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 #include "robots/simulation/sensors/sensor_place.h"
 
 namespace leitstand::simulation {

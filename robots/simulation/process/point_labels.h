@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/pose.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/picture_samples.h"
 #include "core/robot/robot_description.h"
-#include "core/robot/samples/cloud_sample.h"
-#include "core/robot/samples/picture_samples.h"
 #include "robots/simulation/world/world.h"
 
 namespace leitstand::simulation {

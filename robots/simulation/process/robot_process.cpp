@@ -17,7 +17,7 @@
 #include "core/base/printable.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
-#include "core/robot/screen_report.h"
+#include "core/robot/link/screen_report.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/event/cloud_sample.h"
 #include "core/robot/robot_description.h"
-#include "core/robot/samples/cloud_sample.h"
 #include "robots/simulation/arena/arena.h"
 #include "robots/simulation/world/world.h"
 #include "transport/dds/node.h"

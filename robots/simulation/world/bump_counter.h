@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "robots/simulation/world/feelers.h"
+#include "robots/simulation/world/motion/feelers.h"
 
 namespace leitstand::simulation {
 

@@ -9,11 +9,11 @@
 #include "robots/simulation/scene/scene.h"
 #include "robots/simulation/world/body.h"
 #include "robots/simulation/world/bump_counter.h"
-#include "robots/simulation/world/drive_train.h"
-#include "robots/simulation/world/feelers.h"
+#include "robots/simulation/world/motion/drive_train.h"
+#include "robots/simulation/world/motion/feelers.h"
+#include "robots/simulation/world/motion/suspension.h"
 #include "robots/simulation/world/normal_draws.h"
 #include "robots/simulation/world/pose_history.h"
-#include "robots/simulation/world/suspension.h"
 #include "robots/simulation/world/world.h"
 
 namespace leitstand::simulation {

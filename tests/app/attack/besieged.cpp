@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/session/log/sequencer.h"
+#include "app/services/log/sequencer.h"
 #include "tests/transport/screen/packets.h"
 #include "transport/security/enclave.h"
 #include "transport/security/keys.h"

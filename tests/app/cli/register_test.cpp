@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/tum.h"
-#include "core/io/uos.h"
+#include "core/io/clouds/tum.h"
+#include "core/io/clouds/uos.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/rooms.h"

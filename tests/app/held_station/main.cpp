@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/station/station.h"
-#include "app/session/station/station_brakes.h"
-#include "app/session/station/station_guards.h"
+#include "app/services/station/safety/station_brakes.h"
+#include "app/services/station/safety/station_guards.h"
+#include "app/services/station/station.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/support/places.h"
 
 namespace {

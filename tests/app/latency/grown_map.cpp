@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/log/live_mission.h"
-#include "app/session/log/sequencer.h"
-#include "core/mission/station_topics.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/log/sequencer.h"
+#include "core/event/station_topics.h"
 
 namespace leitstand::test {
 

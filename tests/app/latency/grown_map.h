@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand::test {

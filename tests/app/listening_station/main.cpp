@@ -12,10 +12,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/session/station/station.h"
-#include "app/session/station/station_streams.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_streams.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/support/places.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <QListView>
 #include <QToolButton>
 
-#include "app/session/station/station_alarms.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {

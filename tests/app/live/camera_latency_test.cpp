@@ -19,10 +19,10 @@
 
 #include "app/window/live/cameras/camera_feature.h"
 #include "app/window/live/demo_robots.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
-#include "app/window/live/selection.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/latency.h"
 #include "tests/support/places.h"

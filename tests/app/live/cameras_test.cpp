@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/station/station_cameras.h"
+#include "app/services/station/cameras/station_cameras.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/cameras/camera_feature.h"
 #include "core/base/pose.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mission/mission_state.h"
-#include "core/mission/robot_state.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/robot_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/live/quiet_page.h"
 

@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/station/station_alarms.h"
-#include "app/window/live/pane_docks.h"
-#include "core/mission/mission_state.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/station/safety/station_alarms.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "core/mission/state/mission_state.h"
 #include "widgets/victims/victim_form.h"
 
 namespace leitstand::test {

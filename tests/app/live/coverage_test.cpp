@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/pane_docks.h"
-#include "core/mission/searched/searched_floor.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "core/mission/coverage/searched_floor.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/station/station.h"
-#include "app/session/station/station_alarms.h"
-#include "core/mission/mission_state.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/station/safety/station_alarms.h"
+#include "app/services/station/station.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand::test {
 

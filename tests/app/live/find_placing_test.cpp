@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/log/live_mission.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "core/mission/mission_state.h"
-#include "core/mission/station_topics.h"
-#include "core/mission/victims/dismissal.h"
+#include "core/event/station_topics.h"
+#include "core/mission/finds/dismissal.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"

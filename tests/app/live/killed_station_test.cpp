@@ -18,14 +18,14 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "app/session/station/station_clock.h"
+#include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/report/report_feature.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_window.h"
-#include "core/io/report/find_lists.h"
-#include "core/mission/mission_state.h"
+#include "core/io/handin/find_lists.h"
+#include "core/mission/state/mission_state.h"
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/scene/scene.h"

@@ -12,14 +12,14 @@
 #include <gtest/gtest.h>
 
 #include "app/language/language.h"
-#include "app/session/station/station_clock.h"
+#include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/report/report_feature.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
 #include "widgets/drive/gas_cell.h"
-#include "widgets/messages_panel.h"
+#include "widgets/messages/messages_panel.h"
 
 namespace leitstand::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <QTableView>
 
 #include "core/io/robot/robot_file.h"
-#include "core/mission/mission_state.h"
-#include "core/mission/robot_state.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/robot_state.h"
 #include "tests/app/window_size.h"
 #include "tests/support/places.h"
 

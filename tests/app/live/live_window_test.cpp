@@ -14,15 +14,15 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/map_view/scene/map_colours.h"
+#include "widgets/map_view/scene/points/map_colours.h"
+#include "widgets/painting/theme.h"
 #include "widgets/robots/release_handle.h"
-#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/report/report_writer.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/handin/writing/report_writer.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {

@@ -9,13 +9,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/station/station_mapping.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/selection.h"
 #include "core/base/pose.h"
 #include "core/mapping/placement/placement.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"

@@ -15,14 +15,14 @@
 
 #include <gmock/gmock.h>
 
-#include "app/session/station/station_alarms.h"
-#include "app/session/station/station_cameras.h"
+#include "app/services/station/cameras/station_cameras.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/drive_input.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/drive_input.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/pad/pad_input.h"
-#include "app/window/live/pane_docks.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/pad/virtual_pad.h"
 #include "widgets/pad/pad_legend.h"

@@ -18,10 +18,10 @@
 
 #include <gmock/gmock.h>
 
-#include "app/session/station/station_brakes.h"
+#include "app/services/station/safety/station_brakes.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/preflight/preflight_feature.h"
-#include "app/window/live/selection.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/support/child_process.h"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/report/report_folder.h"
-#include "app/session/report/report_keeper.h"
+#include "app/services/handin/writing/report_folder.h"
+#include "app/services/handin/writing/report_keeper.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/report/report_feature.h"

@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/station/station_clock.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/station/station_clock.h"
+#include "app/services/station/station_mapping.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/pane_docks.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {

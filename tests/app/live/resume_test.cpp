@@ -18,7 +18,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"

@@ -15,9 +15,9 @@
 #include "tests/support/places.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/drive/mode_cell.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
+#include "widgets/painting/theme.h"
 #include "widgets/robots/robot_chip_button.h"
-#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include "app/session/log/sequencer.h"
-#include "app/session/station/station_alarms.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "robots/wire/robot_wire.h"
 #include "tests/app/live/live_page.h"

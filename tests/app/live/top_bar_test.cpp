@@ -16,18 +16,18 @@
 #include <gtest/gtest.h>
 
 #include "app/language/language.h"
-#include "app/session/station/station_brakes.h"
+#include "app/services/station/safety/station_brakes.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/selection.h"
 #include "core/io/robot/brake_file.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
 #include "tests/widgets/panes/shown.h"
+#include "widgets/painting/theme.h"
 #include "widgets/preflight/preflight_page.h"
 #include "widgets/robots/robot_chip_button.h"
-#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/mission/mission_form.h"

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/live/demo_robots.h"
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/latency.h"
 #include "tests/support/net/radio_link.h"

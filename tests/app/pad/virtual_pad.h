@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/robot/pad/pad_state.h"
+#include "core/station/pad/pad_state.h"
 
 struct _SDL_Joystick;
 

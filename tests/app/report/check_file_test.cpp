@@ -9,11 +9,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/report/report_files.h"
-#include "core/io/ply.h"
-#include "core/io/report/geotiff.h"
+#include "app/services/handin/writing/report_files.h"
+#include "core/io/clouds/ply.h"
+#include "core/io/handin/geotiff.h"
 #include "tests/app/report/sample_mission.h"
-#include "tests/core/mission/report/report_scene.h"
+#include "tests/core/handin/report_scene.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

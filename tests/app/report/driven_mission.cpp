@@ -12,14 +12,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/log/event_decoder.h"
-#include "app/session/log/mission_robots.h"
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/mission_robots.h"
+#include "core/event/station_topics.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mission/checkpoint.h"
-#include "core/mission/fold.h"
-#include "core/mission/station_topics.h"
-#include "core/perception/picture_png.h"
+#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/fold.h"
+#include "core/perception/pictures/coding/picture_png.h"
 #include "tests/support/places.h"
 #include "tests/support/rooms.h"
 #include "tests/support/samples.h"

@@ -8,12 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/log/live_mission.h"
-#include "app/session/report/report_writer.h"
-#include "core/io/report/checksums.h"
+#include "app/services/handin/writing/report_writer.h"
+#include "app/services/log/live_mission.h"
+#include "core/event/station_topics.h"
+#include "core/io/handin/checksums.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
-#include "core/mission/station_topics.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mission/event.h"
+#include "core/event/event.h"
 
 struct sqlite3;
 

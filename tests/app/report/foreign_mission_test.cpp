@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/report/report_source.h"
-#include "core/io/report/geotiff.h"
+#include "app/services/handin/report_source.h"
+#include "core/io/handin/geotiff.h"
 #include "tests/app/report/foreign_bag.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"

@@ -1,5 +1,5 @@
 // What a report shows of evidence that is no picture.
-#include "app/session/report/frozen_traces.h"
+#include "app/services/handin/frozen_traces.h"
 
 #include <chrono>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/report/scan_picture.h"
+#include "app/services/handin/scan_picture.h"
 
 namespace leitstand::test {
 namespace {

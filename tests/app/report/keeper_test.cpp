@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/report/report_keeper.h"
+#include "app/services/handin/writing/report_keeper.h"
 #include "core/base/parallel.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/temporary_folder.h"

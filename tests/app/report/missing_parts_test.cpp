@@ -10,9 +10,9 @@
 #include <sqlite3.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/report/find_lists.h"
-#include "core/io/report/geotiff.h"
-#include "core/io/tum.h"
+#include "core/io/clouds/tum.h"
+#include "core/io/handin/find_lists.h"
+#include "core/io/handin/geotiff.h"
 #include "tests/app/report/foreign_bag.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/places.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/ply.h"
+#include "core/io/clouds/ply.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/places.h"

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/pcd.h"
-#include "core/io/report/geotiff.h"
+#include "core/io/clouds/pcd.h"
+#include "core/io/handin/geotiff.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"

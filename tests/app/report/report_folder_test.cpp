@@ -1,4 +1,4 @@
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/report/report_telling.h"
-#include "app/session/report/report_writer.h"
+#include "app/services/handin/writing/report_telling.h"
+#include "app/services/handin/writing/report_writer.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"

@@ -12,12 +12,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/report/report_files.h"
+#include "app/services/handin/writing/report_files.h"
 #include "core/io/bag/bag_writer.h"
-#include "core/io/report/find_lists.h"
-#include "core/io/report/geotiff.h"
-#include "core/io/report/search_list.h"
-#include "core/io/tum.h"
+#include "core/io/clouds/tum.h"
+#include "core/io/handin/find_lists.h"
+#include "core/io/handin/geotiff.h"
+#include "core/io/handin/search_list.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/pdf_pictures.h"
 #include "tests/support/places.h"

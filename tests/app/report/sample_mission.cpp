@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/log/live_mission.h"
+#include "app/services/log/live_mission.h"
+#include "core/event/station_topics.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
-#include "core/mission/station_topics.h"
-#include "core/perception/picture_png.h"
-#include "tests/core/mission/report/report_scene.h"
+#include "core/perception/pictures/coding/picture_png.h"
+#include "tests/core/handin/report_scene.h"
 #include "tests/support/samples.h"
 #include "transport/convert/encode.h"
 

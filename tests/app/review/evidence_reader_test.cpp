@@ -1,4 +1,4 @@
-#include "app/session/finds/evidence_reader.h"
+#include "app/services/finds/evidence_reader.h"
 
 #include <future>
 

@@ -12,10 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/comparison/map_comparing.h"
-#include "app/session/review/review_pen.h"
-#include "app/session/review/review_player.h"
-#include "core/mission/checkpoint.h"
+#include "app/services/comparison/map_comparing.h"
+#include "app/services/review/playing/review_player.h"
+#include "app/services/review/review_pen.h"
+#include "core/mission/state/checkpoint.h"
 #include "tests/app/report/foreign_bag.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"

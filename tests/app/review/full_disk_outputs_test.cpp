@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/log/mission_thinning.h"
-#include "app/session/report/mission_export.h"
-#include "app/session/report/report_writer.h"
+#include "app/services/handin/writing/mission_export.h"
+#include "app/services/handin/writing/report_writer.h"
+#include "app/services/thinning/mission_thinning.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/attack.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "app/session/coverage/logged_views.h"
+#include "app/services/coverage/logged_views.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/coverage/coverage_replay.h"
-#include "app/session/coverage/coverage_watch.h"
-#include "app/session/log/event_decoder.h"
-#include "app/session/review/review_log.h"
-#include "app/session/station/mission_map.h"
-#include "core/mission/station_topics.h"
+#include "app/services/coverage/coverage_replay.h"
+#include "app/services/coverage/coverage_watch.h"
+#include "app/services/log/event_decoder.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/recorded/review_log.h"
+#include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/core/mission/coverage/search_scene.h"
 #include "tests/support/temporary_folder.h"

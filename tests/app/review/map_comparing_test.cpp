@@ -1,4 +1,4 @@
-#include "app/session/comparison/map_comparing.h"
+#include "app/services/comparison/map_comparing.h"
 
 #include <chrono>
 #include <future>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/review/review_log.h"
+#include "app/services/recorded/review_log.h"
 #include "core/io/settings/comparison_file.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"

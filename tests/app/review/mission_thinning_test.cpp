@@ -1,12 +1,12 @@
-#include "app/session/log/mission_thinning.h"
+#include "app/services/thinning/mission_thinning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/log/bag_history.h"
-#include "app/session/log/event_decoder.h"
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/replay/bag_history.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

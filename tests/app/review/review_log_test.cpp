@@ -1,4 +1,4 @@
-#include "app/session/review/review_log.h"
+#include "app/services/recorded/review_log.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/log/bag_history.h"
+#include "app/services/log/replay/bag_history.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/checkpoint.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/fold.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"

@@ -1,10 +1,10 @@
-#include "app/session/review/review_opening.h"
+#include "app/services/recorded/review_opening.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/review/review_cadence.h"
-#include "app/session/review/review_log.h"
-#include "app/session/review/review_player.h"
+#include "app/services/recorded/review_cadence.h"
+#include "app/services/recorded/review_log.h"
+#include "app/services/review/playing/review_player.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

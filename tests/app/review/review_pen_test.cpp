@@ -1,14 +1,14 @@
-#include "app/session/review/review_pen.h"
+#include "app/services/review/review_pen.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/review/review_evidence.h"
-#include "app/session/review/review_index.h"
-#include "app/session/review/review_log.h"
-#include "app/session/review/until_written.h"
+#include "app/services/recorded/review_index.h"
+#include "app/services/recorded/review_log.h"
+#include "app/services/review/playing/until_written.h"
+#include "app/services/review/review_evidence.h"
+#include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"

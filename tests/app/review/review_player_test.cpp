@@ -1,4 +1,4 @@
-#include "app/session/review/review_player.h"
+#include "app/services/review/playing/review_player.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/log/mission_thinning.h"
-#include "core/mission/station_topics.h"
+#include "app/services/thinning/mission_thinning.h"
+#include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

@@ -1,4 +1,4 @@
-#include "app/session/review/review_pointing.h"
+#include "app/services/review/review_pointing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/review/review_pen.h"
-#include "core/mission/station_topics.h"
+#include "app/services/review/review_pen.h"
+#include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/session/review/reviewed_robot.h"
+#include "app/services/review/reviewed_robot.h"
 #include "tests/app/review/written_mission.h"
 
 namespace leitstand::test {

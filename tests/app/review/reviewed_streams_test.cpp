@@ -1,4 +1,4 @@
-#include "app/session/review/reviewed_streams.h"
+#include "app/services/review/reviewed_streams.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/review/review_scene.h"
+#include "app/services/review/review_scene.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,12 +1,12 @@
-#include "app/session/finds/told_evidence.h"
+#include "app/services/finds/told_evidence.h"
 
 #include <utility>
 #include <variant>
 
 #include <gtest/gtest.h>
 
-#include "app/session/log/event_decoder.h"
-#include "app/session/report/report_source.h"
+#include "app/services/handin/report_source.h"
+#include "app/services/log/event_decoder.h"
 #include "core/io/bag/bag_reader.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"

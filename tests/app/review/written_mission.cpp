@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/session/log/event_decoder.h"
-#include "app/session/log/mission_robots.h"
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/mission_robots.h"
+#include "core/event/station_topics.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mission/checkpoint.h"
-#include "core/mission/station_topics.h"
+#include "core/mission/state/checkpoint.h"
 #include "tests/support/places.h"
 #include "transport/convert/encode.h"
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "core/event/event.h"
 #include "core/io/bag/bag_writer.h"
-#include "core/mission/event.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand::test {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/scans/mission_scans.h"
+#include "app/services/offline/mission_scans.h"
 #include "tests/app/recording.h"
 
 namespace leitstand::test {

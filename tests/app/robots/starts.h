@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/station/station.h"
+#include "app/services/station/station.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/net/radio_link.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/link/control_station.h"

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "app/session/station/station.h"
-#include "core/mission/mission_state.h"
-#include "core/mission/robot_state.h"
+#include "app/services/station/station.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/robot_state.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/temporary_folder.h"

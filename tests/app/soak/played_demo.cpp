@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "app/session/log/replay_rules.h"
-#include "app/session/log/sequencer.h"
+#include "app/services/log/replay/replay_rules.h"
+#include "app/services/log/sequencer.h"
+#include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/station_topics.h"
 #include "tests/app/soak/demo_recording.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"

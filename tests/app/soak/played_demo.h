@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "app/session/log/mission_replay.h"
+#include "app/services/log/replay/mission_replay.h"
 #include "core/base/time.h"
 #include "tests/app/soak/station_process.h"
 

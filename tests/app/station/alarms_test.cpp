@@ -1,8 +1,8 @@
-#include "app/session/station/station_alarms.h"
+#include "app/services/station/safety/station_alarms.h"
 
 #include <algorithm>
 
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/station/seeing_robot.h"
 #include "tests/app/station/station_scene.h"
 

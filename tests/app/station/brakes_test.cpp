@@ -1,4 +1,4 @@
-#include "app/session/station/station_brakes.h"
+#include "app/services/station/safety/station_brakes.h"
 
 #include <cmath>
 #include <map>
@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/station/station_guards.h"
+#include "app/services/station/safety/station_guards.h"
 #include "core/io/robot/brake_file.h"
-#include "core/mission/mission_state.h"
-#include "core/robot/stream_defaults.h"
+#include "core/mission/state/mission_state.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/places.h"

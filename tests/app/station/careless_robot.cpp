@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/link/control_robot.h"
 #include "transport/convert/decode.h"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/session/station/station_alarms.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/transport/link/control_robot.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/station/picture_feed.h"
+#include "app/services/station/cameras/picture_feed.h"
 
 #include <future>
 

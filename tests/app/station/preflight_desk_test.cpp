@@ -1,4 +1,4 @@
-#include "app/session/preflight/preflight_desk.h"
+#include "app/services/preflight/preflight_desk.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/station/choose_robots.h"
+#include "app/services/station/choose_robots.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/places.h"
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/station/station.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"

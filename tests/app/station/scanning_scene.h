@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/station/station_mapping.h"
-#include "core/robot/stream_defaults.h"
+#include "app/services/station/station_mapping.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/rooms.h"
 #include "tests/transport/link/control_robot.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/station/station.h"
+#include "app/services/station/station.h"
 
 #include <atomic>
 

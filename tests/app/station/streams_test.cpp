@@ -1,11 +1,11 @@
-#include "app/session/station/station_streams.h"
+#include "app/services/station/station_streams.h"
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/places.h"

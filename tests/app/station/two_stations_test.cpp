@@ -6,13 +6,13 @@
 
 #include <gmock/gmock.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/log/live_mission.h"
-#include "app/session/station/mission_map.h"
-#include "app/session/station/station_clock.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/station/station_clock.h"
+#include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/mission_state.h"
-#include "core/mission/station_topics.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/station/scanning_scene.h"
 
 namespace leitstand::test {

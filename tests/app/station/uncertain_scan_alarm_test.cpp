@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/session/station/station_alarms.h"
-#include "core/mission/mission_state.h"
+#include "app/services/station/safety/station_alarms.h"
+#include "core/mission/state/mission_state.h"
 #include "tests/app/station/scanning_scene.h"
 
 namespace leitstand::test {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/scan_source.h"
-#include "core/mission/event.h"
+#include "core/event/event.h"
+#include "core/io/clouds/scan_source.h"
 #include "tests/support/rooms.h"
 #include "transport/convert/encode.h"
 #include "transport/dds/node.h"

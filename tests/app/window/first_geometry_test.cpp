@@ -1,4 +1,4 @@
-#include "app/window/first_geometry.h"
+#include "app/window/shell/first_geometry.h"
 
 #include <gtest/gtest.h>
 #include <QScreen>

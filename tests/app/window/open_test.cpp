@@ -9,7 +9,7 @@
 #include <QMimeData>
 #include <QUrl>
 
-#include "tests/app/session/scan_folder.h"
+#include "tests/app/services/scan_folder.h"
 #include "tests/app/window/window_page.h"
 
 namespace leitstand {

@@ -1,4 +1,4 @@
-#include "app/window/live/pane_docks.h"
+#include "app/window/live/frame/pane_docks.h"
 
 #include <QAction>
 #include <QLabel>

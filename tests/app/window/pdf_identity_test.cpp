@@ -1,5 +1,5 @@
 // What tells one PDF from another: when it was made, and by which identity.
-#include "app/report/pdf_identity.h"
+#include "app/report/pdf/pdf_identity.h"
 
 #include <chrono>
 #include <filesystem>
@@ -12,8 +12,8 @@
 #include <QDateTime>
 
 #include "app/language/language.h"
-#include "app/report/pdf_report.h"
-#include "app/session/report/report_writer.h"
+#include "app/report/pdf/pdf_report.h"
+#include "app/services/handin/writing/report_writer.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"

@@ -1,4 +1,4 @@
-#include "app/window/picture_size.h"
+#include "app/window/shell/picture_size.h"
 
 #include <gtest/gtest.h>
 #include <QColor>

@@ -7,12 +7,12 @@
 #include <gmock/gmock.h>
 
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/main_window.h"
-#include "core/mission/station_topics.h"
+#include "app/window/scans/main_window.h"
+#include "core/event/station_topics.h"
 #include "tests/app/plain_tips.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
-#include "widgets/plain_texts.h"
+#include "widgets/painting/plain_texts.h"
 
 namespace leitstand::test {
 namespace {

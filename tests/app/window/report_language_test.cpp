@@ -15,14 +15,14 @@
 #include <QApplication>
 
 #include "app/language/language.h"
-#include "app/report/pdf_report.h"
-#include "app/session/report/report_writer.h"
+#include "app/report/pdf/pdf_report.h"
+#include "app/services/handin/writing/report_writer.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/language/language.h"
 #include "app/report/evidence_html.h"
-#include "app/report/pdf_report.h"
+#include "app/report/pdf/pdf_report.h"
 #include "app/report/report_times.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/process.h"

@@ -12,9 +12,9 @@
 #include <QToolButton>
 
 #include "app/language/language.h"
-#include "app/session/comparison/map_comparing.h"
+#include "app/services/comparison/map_comparing.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/pane_docks.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/review/review_comparison.h"
 
 namespace leitstand::test {

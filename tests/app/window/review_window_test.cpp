@@ -9,14 +9,14 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "app/session/review/review_index.h"
-#include "app/session/review/review_log.h"
-#include "app/session/review/review_pen.h"
+#include "app/services/recorded/review_index.h"
+#include "app/services/recorded/review_log.h"
+#include "app/services/review/review_pen.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/review/finds_feature.h"
-#include "app/window/review/timeline_feature.h"
+#include "app/window/review/panes/finds_feature.h"
+#include "app/window/review/panes/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/link/stream_list.h"

@@ -1,4 +1,4 @@
-#include "app/window/scans_window.h"
+#include "app/window/scans/scans_window.h"
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/language/language.h"
-#include "app/window/main_window.h"
+#include "app/window/scans/main_window.h"
 #include "tests/app/window/window_page.h"
 
 namespace leitstand::test {

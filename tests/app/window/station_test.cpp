@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <QImage>
 
-#include "tests/app/session/scan_folder.h"
+#include "tests/app/services/scan_folder.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/shared_data.h"

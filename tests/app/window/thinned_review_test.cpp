@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/review/timeline_feature.h"
-#include "core/mission/station_topics.h"
+#include "app/window/review/panes/timeline_feature.h"
+#include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
 #include "widgets/timeline/timeline_bar.h"

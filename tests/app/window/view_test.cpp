@@ -5,7 +5,7 @@
 #include <QDoubleSpinBox>
 
 #include "tests/app/window/window_page.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 namespace {

@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <QTableView>
 
-#include "tests/app/session/scan_folder.h"
+#include "tests/app/services/scan_folder.h"
 
 namespace leitstand::test {
 

@@ -11,8 +11,8 @@
 #include <QTableView>
 #include <QTest>
 
-#include "app/window/main_window.h"
-#include "app/window/window_state.h"
+#include "app/window/scans/main_window.h"
+#include "app/window/shell/window_state.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
 

@@ -10,17 +10,17 @@
 #include <QMainWindow>
 #include <QTest>
 
-#include "app/session/layouts/layout_book.h"
-#include "app/session/pad/pad_memory.h"
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
+#include "app/services/layouts/layout_book.h"
+#include "app/services/pad/pad_memory.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"
-#include "app/window/live/pane_docks.h"
 #include "app/window/review/review_application.h"
 #include "app/window/review/review_window.h"
-#include "app/window/scans_window.h"
-#include "app/window/window_state.h"
+#include "app/window/scans/scans_window.h"
+#include "app/window/shell/window_state.h"
 #include "core/io/robot/brake_file.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/settings/layout_file.h"

@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/log/live_mission.h"
-#include "app/session/report/report_folder.h"
+#include "app/services/handin/writing/report_folder.h"
+#include "app/services/log/live_mission.h"
+#include "core/event/station_topics.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/settings/comparison_file.h"
 #include "core/mapping/comparison/map_comparison.h"
-#include "core/mission/station_topics.h"
-#include "core/perception/picture_png.h"
-#include "core/robot/stream_defaults.h"
-#include "core/robot/stream_types.h"
+#include "core/perception/pictures/coding/picture_png.h"
+#include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_types.h"
 #include "tests/compat/make/fixtures.h"
 #include "tests/support/places.h"
 #include "tests/support/rooms.h"

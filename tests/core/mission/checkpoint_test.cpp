@@ -1,4 +1,4 @@
-#include "core/mission/checkpoint.h"
+#include "core/mission/state/checkpoint.h"
 
 #include <cstring>
 #include <random>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {

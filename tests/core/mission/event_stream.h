@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "core/mission/event.h"
-#include "core/mission/fold.h"
+#include "core/event/event.h"
+#include "core/mission/state/fold.h"
 
 namespace leitstand::test {
 

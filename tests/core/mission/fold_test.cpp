@@ -1,4 +1,4 @@
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 
 #include <optional>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "core/mission/mission_clock.h"
+#include "core/mission/state/mission_clock.h"
 
 #include <gtest/gtest.h>
 

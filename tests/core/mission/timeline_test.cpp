@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 
 namespace leitstand {
 namespace {

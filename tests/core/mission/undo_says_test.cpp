@@ -1,4 +1,4 @@
-#include "core/mission/undo_says.h"
+#include "core/mission/state/undo_says.h"
 
 #include <limits>
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mission/undo.h"
+#include "core/mission/state/undo.h"
 
 namespace leitstand {
 namespace {

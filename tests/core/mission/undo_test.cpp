@@ -1,9 +1,9 @@
-#include "core/mission/undo.h"
+#include "core/mission/state/undo.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {

@@ -1,4 +1,4 @@
-#include "core/perception/content_hash.h"
+#include "core/perception/pictures/content_hash.h"
 
 #include <array>
 

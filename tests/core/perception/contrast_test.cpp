@@ -1,4 +1,4 @@
-#include "core/perception/contrast.h"
+#include "core/perception/pictures/contrast.h"
 
 #include <algorithm>
 #include <random>

@@ -1,11 +1,11 @@
-#include "core/perception/heat.h"
+#include "core/perception/heat/heat.h"
 
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/perception/pixel_ray.h"
+#include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/perception/laser_points.h"
+#include "core/perception/surroundings/laser_points.h"
 
 #include <chrono>
 #include <limits>

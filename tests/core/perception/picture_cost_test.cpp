@@ -1,5 +1,5 @@
 // Small files that cost seconds or gigabytes when they are decoded are refused before.
-#include "core/perception/picture_cost.h"
+#include "core/perception/pictures/coding/picture_cost.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/perception/picture_file.h"
+#include "core/perception/pictures/coding/picture_file.h"
 #include "tests/core/perception/pictures.h"
 
 namespace leitstand::test {

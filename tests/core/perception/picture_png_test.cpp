@@ -1,4 +1,4 @@
-#include "core/perception/picture_png.h"
+#include "core/perception/pictures/coding/picture_png.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 
 namespace leitstand {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/support/samples.h"
 
 namespace leitstand::test {

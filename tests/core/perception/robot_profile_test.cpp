@@ -1,4 +1,4 @@
-#include "core/perception/robot_profile.h"
+#include "core/perception/surroundings/robot_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/perception/sharpness.h"
+#include "core/perception/pictures/sharpness.h"
 
 #include <gtest/gtest.h>
 

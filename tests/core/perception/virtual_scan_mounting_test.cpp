@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/perception/near_obstacles.h"
-#include "core/perception/own_body_mask.h"
+#include "core/perception/surroundings/near_obstacles.h"
+#include "core/perception/surroundings/own_body_mask.h"
 #include "tests/core/perception/virtual_world.h"
 
 namespace leitstand::test {

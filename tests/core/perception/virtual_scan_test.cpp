@@ -1,4 +1,4 @@
-#include "core/perception/virtual_scan.h"
+#include "core/perception/surroundings/virtual_scan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

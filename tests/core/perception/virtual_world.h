@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/perception/virtual_scan.h"
+#include "core/perception/surroundings/virtual_scan.h"
 
 namespace leitstand::test {
 

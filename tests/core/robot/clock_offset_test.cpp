@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/robot/clock_offset.h"
+#include "core/robot/clock/clock_offset.h"
 
 namespace leitstand::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/time.h"
 #include "core/robot/control/grants.h"
-#include "core/robot/link_status.h"
+#include "core/robot/link/link_status.h"
 
 namespace leitstand::test {
 

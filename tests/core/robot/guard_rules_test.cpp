@@ -1,4 +1,4 @@
-#include "core/robot/control/guard_rules.h"
+#include "core/robot/control/stop/guard_rules.h"
 
 #include <limits>
 #include <vector>

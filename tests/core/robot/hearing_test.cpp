@@ -1,4 +1,4 @@
-#include "core/robot/hearing.h"
+#include "core/robot/link/hearing.h"
 
 #include <gmock/gmock.h>
 

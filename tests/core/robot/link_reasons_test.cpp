@@ -1,4 +1,4 @@
-#include "core/robot/link_reasons.h"
+#include "core/robot/link/link_reasons.h"
 
 #include <gtest/gtest.h>
 

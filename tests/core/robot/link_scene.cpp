@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 
 namespace leitstand::test {
 namespace {

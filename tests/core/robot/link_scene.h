@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/robot/link_monitor.h"
+#include "core/robot/link/link_monitor.h"
 
 namespace leitstand::test {
 

@@ -7,8 +7,8 @@
 
 #include "core/robot/default_body.h"
 #include "core/robot/footprint.h"
-#include "core/robot/stream_defaults.h"
-#include "core/robot/stream_types.h"
+#include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_types.h"
 
 namespace leitstand::test {
 namespace {

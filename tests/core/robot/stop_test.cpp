@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/robot/control/stop_control.h"
+#include "core/robot/control/stop/stop_control.h"
 #include "tests/core/robot/control_scene.h"
 
 namespace leitstand::test {

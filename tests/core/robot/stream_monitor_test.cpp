@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/robot/round_trips.h"
-#include "core/robot/stream_monitor.h"
+#include "core/robot/link/round_trips.h"
+#include "core/robot/link/stream_monitor.h"
 
 namespace leitstand::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 
 namespace leitstand::test {
 namespace {

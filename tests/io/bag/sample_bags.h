@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/event/raw_event.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
-#include "core/mission/raw_event.h"
 
 namespace leitstand::test {
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/robot/alarms/log_says.h"
+#include "core/station/alarms/log_says.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/io/bag/slow_store.h"
 

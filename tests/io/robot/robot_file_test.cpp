@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
-#include "core/robot/stream_defaults.h"
-#include "core/robot/stream_types.h"
+#include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_types.h"
 #include "tests/io/robot/robot_texts.h"
 #include "tests/support/temporary_folder.h"
 

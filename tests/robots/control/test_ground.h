@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/perception/virtual_scan.h"
+#include "core/perception/surroundings/virtual_scan.h"
 #include "robots/control/driving/fuzzy_drive.h"
 
 namespace leitstand::test {

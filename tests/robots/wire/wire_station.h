@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/event/station_topics.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mission/station_topics.h"
 #include "robots/wire/robot_wire.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/places.h"

@@ -44,7 +44,7 @@ TEST(QrCode, IsReadByAnIndependentDecoder) {
     const std::filesystem::path decoder = "/usr/bin/zbarimg";
     if (!std::filesystem::exists(decoder))
         LEITSTAND_MISSING_TOOL("no zbarimg here: needs Debian's zbar-tools");
-    const test::TemporaryFolder folder;
+    const leitstand::test::TemporaryFolder folder;
     const std::string alphabet = "V-07 yellow/3: Hello, World! 0123456789 abcdefghijklmnopqrstuvwx";
     for (const std::size_t length : {1U, 4U, 14U, 15U, 26U, 27U, 42U, 43U, 61U, 62U}) {
         const std::string text = alphabet.substr(0, length);
@@ -53,7 +53,7 @@ TEST(QrCode, IsReadByAnIndependentDecoder) {
         const cv::Mat pixels(picture.height, picture.width, CV_8UC3, picture.pixels.data());
         const auto file = folder.path() / "code.png";
         ASSERT_TRUE(cv::imwrite(file.string(), pixels));
-        EXPECT_EQ(test::runProcess(decoder, {"--quiet", "--raw", file.string()}).out, text + "\n");
+        EXPECT_EQ(leitstand::test::runProcess(decoder, {"--quiet", "--raw", file.string()}).out, text + "\n");
     }
 }
 

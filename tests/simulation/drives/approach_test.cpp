@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/perception/heat.h"
-#include "core/perception/picture_decoding.h"
+#include "core/perception/heat/heat.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/arena/random.h"
 #include "tests/simulation/drives/driven_world.h"
 #include "tests/simulation/drives/rooms.h"

@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mapping/live/motion_buffer.h"
-#include "core/perception/robot_profile.h"
-#include "core/perception/virtual_scan.h"
+#include "core/mapping/motion/motion_buffer.h"
+#include "core/perception/surroundings/robot_profile.h"
+#include "core/perception/surroundings/virtual_scan.h"
 #include "tests/simulation/drives/driven_world.h"
 #include "tests/simulation/world/test_arena.h"
 

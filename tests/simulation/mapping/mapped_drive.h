@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mapping/live/live_mapper.h"
-#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/motion/scan_cutter.h"
 #include "tests/simulation/mapping/recorded_drive.h"
 #include "tests/simulation/mapping/true_surfaces.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/cloud/pose_track.h"
 #include "core/robot/robot_description.h"
-#include "core/scan/pose_track.h"
 #include "robots/hardware/robot_hardware.h"
 #include "robots/simulation/arena/arena.h"
 

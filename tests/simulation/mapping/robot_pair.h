@@ -8,7 +8,7 @@
 
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/robot_tracker.h"
-#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/motion/scan_cutter.h"
 #include "core/mapping/placement/laser_robot.h"
 #include "tests/simulation/world/operated_robot.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/mapping/live/scan_cutter.h"
-#include "core/scan/pose_track.h"
+#include "core/cloud/pose_track.h"
+#include "core/mapping/motion/scan_cutter.h"
 #include "tests/simulation/drives/driven_world.h"
 #include "tests/simulation/mapping/scripted_motion.h"
 #include "tests/simulation/mapping/scripted_scanner.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/mapping/live/live_scan.h"
+#include "core/mapping/live/map/live_scan.h"
 #include "robots/simulation/sensors/laser/laser_head.h"
 #include "tests/simulation/mapping/drive_path.h"
 #include "tests/simulation/mapping/recorded_drive.h"

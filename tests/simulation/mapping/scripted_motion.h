@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/robot/samples/motion_samples.h"
+#include "core/event/motion_samples.h"
 #include "tests/simulation/mapping/scripted_drive.h"
 
 namespace leitstand::simulation::test {

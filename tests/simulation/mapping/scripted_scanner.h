@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/robot/samples/cloud_sample.h"
+#include "core/event/cloud_sample.h"
 #include "tests/simulation/mapping/scripted_motion.h"
 
 namespace leitstand::simulation::test {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "core/search/kd_tree.h"
+#include "core/cloud/search/kd_tree.h"
 #include "robots/simulation/arena/mesh.h"
 
 namespace leitstand::simulation::test {

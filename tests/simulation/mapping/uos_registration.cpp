@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "core/io/scan_source.h"
-#include "core/io/uos.h"
+#include "core/io/clouds/scan_source.h"
+#include "core/io/clouds/uos.h"
 #include "core/mapping/mapper.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cloud/scan.h"
 #include "core/io/robot/robot_file.h"
-#include "core/scan/scan.h"
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "tests/support/places.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/camera/camera_model.h"
 #include "robots/simulation/sensors/sensor_place.h"
 #include "robots/simulation/simulated_hardware.h"

@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/perception/omni/panorama.h"
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/pan_tilt.h"
 #include "robots/simulation/sensors/sensor_place.h"
 #include "tests/simulation/sensors/room.h"

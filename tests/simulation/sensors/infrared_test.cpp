@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/perception/picture_decoding.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"
 #include "tests/simulation/sensors/room.h"
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/perception/picture_decoding.h"
-#include "core/scan/labels.h"
-#include "core/scan/turn_assembler.h"
+#include "core/cloud/labels.h"
+#include "core/mapping/motion/turn_assembler.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/reachable_floor.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"

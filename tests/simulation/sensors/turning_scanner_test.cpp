@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scan/turn_assembler.h"
+#include "core/mapping/motion/turn_assembler.h"
 #include "robots/simulation/sensors/laser/tilting_scanner.h"
 #include "robots/simulation/sensors/laser/turning_scanner.h"
 #include "tests/simulation/sensors/room.h"

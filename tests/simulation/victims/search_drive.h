@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/session/places/frame_tracks.h"
-#include "app/session/victims/victim_search.h"
+#include "app/services/places/frame_tracks.h"
+#include "app/services/victims/victim_search.h"
 #include "core/mapping/live/live_mapper.h"
-#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/motion/scan_cutter.h"
 #include "tests/simulation/drives/driven_world.h"
 
 namespace leitstand::simulation::test {

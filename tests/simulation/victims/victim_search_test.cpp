@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/victims/victim_watch.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/victims/victim_watch.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/reachable_floor.h"
 #include "tests/simulation/drives/exploration.h"

@@ -9,7 +9,7 @@
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
-#include "robots/simulation/world/suspension.h"
+#include "robots/simulation/world/motion/suspension.h"
 #include "tests/support/places.h"
 
 namespace leitstand::simulation {

@@ -1,4 +1,4 @@
-#include "robots/simulation/world/resting_plane.h"
+#include "robots/simulation/world/motion/resting_plane.h"
 
 #include <algorithm>
 #include <limits>

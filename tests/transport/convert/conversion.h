@@ -3,7 +3,7 @@
 #include <bit>
 #include <string_view>
 
-#include "core/mission/raw_event.h"
+#include "core/event/raw_event.h"
 #include "tests/support/samples.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"

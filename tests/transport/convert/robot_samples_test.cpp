@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/robot/samples/frame_names.h"
+#include "core/robot/frame_names.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/nav_msgs.h"
 #include "messages/sensor_msgs.h"

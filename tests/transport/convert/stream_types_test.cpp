@@ -1,4 +1,4 @@
-#include "core/robot/stream_types.h"
+#include "core/robot/streams/stream_types.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
-#include "transport/dds/detail/interfaces.h"
-#include "transport/dds/detail/socket_buffers.h"
 #include "transport/dds/guid.h"
+#include "transport/dds/network/interfaces.h"
+#include "transport/dds/network/socket_buffers.h"
 
 namespace leitstand::test {
 namespace {

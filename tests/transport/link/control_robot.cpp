@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 

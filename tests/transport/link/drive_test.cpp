@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
 #include "tests/transport/link/control_robot.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/link/link_robot.h"
 #include "tests/transport/link/link_station.h"
 #include "transport/convert/decode.h"

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <variant>
 
-#include "core/robot/stream_defaults.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"

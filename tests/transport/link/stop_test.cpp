@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mission/station_topics.h"
+#include "core/event/station_topics.h"
 #include "tests/support/child_process.h"
 #include "tests/support/net/radio_link.h"
 #include "tests/support/places.h"

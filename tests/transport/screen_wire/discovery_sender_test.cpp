@@ -1,4 +1,4 @@
-#include "transport/dds/detail/discovery_sender.h"
+#include "transport/dds/network/discovery_sender.h"
 
 #include <cstring>
 #include <map>

@@ -11,10 +11,10 @@
 
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/fastdds.h"
-#include "transport/dds/detail/participant_qos.h"
+#include "transport/dds/network/participant_qos.h"
 #include "transport/dds/detail/raw_type.h"
-#include "transport/dds/detail/screened_transport.h"
 #include "transport/dds/names.h"
+#include "transport/dds/network/screened_transport.h"
 
 namespace leitstand::test {
 namespace efd = eprosima::fastdds::dds;

@@ -10,7 +10,7 @@
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
-#include "core/robot/qos.h"
+#include "core/robot/streams/qos.h"
 #include "transport/dds/node_settings.h"
 #include "transport/screen/screen.h"
 

@@ -7,7 +7,7 @@
 #include "tests/transport/screen/packets.h"
 #include "tests/transport/screen_wire/mutations.h"
 #include "transport/dds/detail/fastdds.h"
-#include "transport/dds/detail/screened_transport.h"
+#include "transport/dds/network/screened_transport.h"
 
 namespace leitstand::test {
 namespace {

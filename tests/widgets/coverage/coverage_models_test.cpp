@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mission/searched/floor_tint.h"
+#include "core/mission/coverage/floor_tint.h"
 #include "tests/core/mission/coverage/search_scene.h"
 #include "widgets/models/coverage/missed_model.h"
 

@@ -1,4 +1,4 @@
-#include "widgets/models/live/alarm_words.h"
+#include "widgets/models/live/texts/alarm_words.h"
 
 #include <limits>
 

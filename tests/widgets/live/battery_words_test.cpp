@@ -3,8 +3,8 @@
 #include <QLocale>
 
 #include "tests/widgets/live/sample_robot.h"
-#include "widgets/models/live/drive_state.h"
-#include "widgets/models/live/robot_chip.h"
+#include "widgets/models/live/robots/drive_state.h"
+#include "widgets/models/live/robots/robot_chip.h"
 
 namespace leitstand {
 namespace {

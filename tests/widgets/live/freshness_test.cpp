@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <QLocale>
 
-#include "widgets/models/live/freshness.h"
 #include "widgets/models/live/hold_to_act.h"
-#include "widgets/models/live/picture_age.h"
+#include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/live/texts/picture_age.h"
 
 namespace leitstand {
 namespace {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "widgets/models/live/clock_text.h"
-#include "widgets/models/live/record_text.h"
+#include "widgets/models/live/texts/clock_text.h"
+#include "widgets/models/live/texts/record_text.h"
 
 namespace leitstand {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/models/live/robot_row.h"
+#include "widgets/models/live/robots/robot_row.h"
 
 #include <set>
 

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "core/mission/robot_state.h"
+#include "core/mission/state/robot_state.h"
 #include "core/robot/robot_description.h"
-#include "core/robot/robot_view.h"
-#include "widgets/models/live/gas_trend.h"
-#include "widgets/models/live/robot_face.h"
+#include "core/station/robot_view.h"
+#include "widgets/models/live/robots/gas_trend.h"
+#include "widgets/models/live/robots/robot_face.h"
 
 namespace leitstand::test {
 

@@ -1,4 +1,4 @@
-#include "widgets/models/live/stream_table.h"
+#include "widgets/models/live/robots/stream_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

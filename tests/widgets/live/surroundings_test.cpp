@@ -5,7 +5,7 @@
 
 #include "core/base/pose.h"
 #include "tests/widgets/live/sample_robot.h"
-#include "widgets/models/live/proximity.h"
+#include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/view_geometry.h"
 
 namespace leitstand {

@@ -8,11 +8,11 @@
 
 #include "core/base/pose.h"
 #include "tests/widgets/live/sample_robot.h"
-#include "widgets/models/live/drive_state.h"
-#include "widgets/models/live/link_text.h"
-#include "widgets/models/live/robot_chip.h"
-#include "widgets/models/live/sight_text.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/robots/drive_state.h"
+#include "widgets/models/live/robots/robot_chip.h"
+#include "widgets/models/live/texts/link_text.h"
+#include "widgets/models/live/texts/sight_text.h"
+#include "widgets/models/live/texts/stop_line.h"
 
 namespace leitstand {
 namespace {

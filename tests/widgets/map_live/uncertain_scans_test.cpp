@@ -6,7 +6,7 @@
 
 #include "tests/widgets/map_live/live_map.h"
 #include "tests/widgets/map_view/shown_view.h"
-#include "widgets/map_view/scene/map_colours.h"
+#include "widgets/map_view/scene/points/map_colours.h"
 
 namespace leitstand::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 
 namespace leitstand::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/scene/scene_content.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
 #include "widgets/models/map/robot_mark.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/map_view/scene/scan_points.h"
+#include "widgets/map_view/scene/points/scan_points.h"
 
 #include <algorithm>
 #include <limits>

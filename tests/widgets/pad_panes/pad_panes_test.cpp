@@ -11,7 +11,7 @@
 #include "tests/widgets/panes/shown.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

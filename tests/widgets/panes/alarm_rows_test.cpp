@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "app/language/language.h"
-#include "core/robot/alarms/log_says.h"
+#include "core/station/alarms/log_says.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/alarms/alarm_panel.h"
 

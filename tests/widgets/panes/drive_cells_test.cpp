@@ -10,7 +10,7 @@
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/energy_cell.h"
 #include "widgets/drive/mode_cell.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/texts/stop_line.h"
 #include "widgets/robots/robot_chip_button.h"
 
 namespace leitstand::test {

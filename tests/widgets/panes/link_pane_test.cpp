@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "tests/widgets/panes/shown.h"
-#include "widgets/number_box.h"
+#include "widgets/painting/number_box.h"
 
 namespace leitstand::test {
 namespace {

@@ -4,14 +4,14 @@
 #include <QSignalSpy>
 #include <QTableView>
 
-#include "core/mission/searched/floor_tint.h"
+#include "core/mission/coverage/floor_tint.h"
 #include "tests/core/mission/coverage/search_scene.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/coverage/missed_panel.h"
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/floor_overlay.h"
 #include "widgets/map_view/overlays/overlay_style.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -14,10 +14,10 @@
 
 #include "app/language/language.h"
 #include "tests/widgets/panes/shown.h"
+#include "widgets/painting/theme.h"
 #include "widgets/robots/more_robots_button.h"
 #include "widgets/robots/release_handle.h"
 #include "widgets/robots/robot_chip_button.h"
-#include "widgets/theme.h"
 
 namespace leitstand::test {
 namespace {

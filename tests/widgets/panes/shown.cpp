@@ -9,7 +9,7 @@
 #include <QPaintEngine>
 #include <QPainter>
 
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <QWidget>
 
 #include "tests/widgets/live/sample_robot.h"
-#include "widgets/map_view/map_view_settings.h"
-#include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/robots/drive_state.h"
+#include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand::test {
 

@@ -10,7 +10,7 @@
 
 #include "tests/widgets/panes/shown.h"
 #include "widgets/models/victims/tag_choices.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
 

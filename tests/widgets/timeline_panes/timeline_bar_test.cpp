@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "tests/widgets/panes/shown.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 #include "widgets/timeline/transport_bar.h"
 
 namespace leitstand {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/fold.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "core/mission/state/fold.h"
+#include "widgets/models/times.h"
 #include "widgets/models/victims/move_words.h"
 #include "widgets/models/victims/victim_list_model.h"
 

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/pose.h"
-#include "core/robot/samples/sample_header.h"
+#include "core/event/sample_header.h"
 #include "messages/geometry_msgs.h"
 #include "messages/std_msgs.h"
 

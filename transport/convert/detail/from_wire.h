@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/mission/event.h"
-#include "core/mission/raw_event.h"
+#include "core/event/event.h"
+#include "core/event/raw_event.h"
+#include "core/robot/robot_description.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/leitstand_msgs.h"
 #include "messages/nav_msgs.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "core/perception/picture_encoding.h"
-#include "core/perception/picture_file.h"
+#include "core/perception/pictures/coding/picture_encoding.h"
+#include "core/perception/pictures/coding/picture_file.h"
 #include "transport/convert/detail/from_wire.h"
 #include "transport/convert/detail/to_wire.h"
 

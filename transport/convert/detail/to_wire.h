@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/mission/event.h"
+#include "core/event/event.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/leitstand_msgs.h"
 #include "messages/nav_msgs.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "transport/dds/detail/participant_qos.h"
+#include "transport/dds/network/participant_qos.h"
 
 namespace leitstand::detail {
 

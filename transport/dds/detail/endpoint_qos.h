@@ -3,7 +3,7 @@
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 
-#include "core/robot/qos.h"
+#include "core/robot/streams/qos.h"
 #include "transport/dds/detail/fastdds.h"
 #include "transport/dds/node_settings.h"
 

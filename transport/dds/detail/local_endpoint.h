@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/robot/qos.h"
+#include "core/robot/streams/qos.h"
 #include "transport/dds/guid.h"
 
 namespace leitstand::detail {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/robot/wire_complaint.h"
+#include "core/robot/link/wire_complaint.h"
 #include "transport/dds/detail/local_endpoint.h"
 #include "transport/dds/endpoint.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/mission/raw_event.h"
+#include "core/event/raw_event.h"
 #include "transport/dds/detail/fastdds.h"
 
 namespace leitstand::detail {

@@ -10,7 +10,7 @@
 #include <QPainterPath>
 
 #include "widgets/map_view/overlays/overlay_style.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 namespace {

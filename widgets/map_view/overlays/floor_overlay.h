@@ -4,8 +4,8 @@
 #include <QRect>
 #include <QSize>
 
-#include "core/mission/searched/floor_tint.h"
-#include "widgets/map_view/map_camera.h"
+#include "core/mission/coverage/floor_tint.h"
+#include "widgets/map_view/camera/map_camera.h"
 
 class QPainter;
 

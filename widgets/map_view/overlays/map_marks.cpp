@@ -11,7 +11,7 @@
 #include <QPixmap>
 
 #include "core/mapping/live/trail.h"
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/overlays/painted_cells.h"
 #include "widgets/map_view/scene/scene_content.h"

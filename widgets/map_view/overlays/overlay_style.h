@@ -7,7 +7,7 @@
 #include <QRect>
 #include <QString>
 
-#include "widgets/map_view/scene/map_colours.h"
+#include "widgets/map_view/scene/points/map_colours.h"
 
 namespace leitstand {
 

@@ -8,7 +8,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 
 namespace leitstand {

@@ -5,7 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "widgets/map_view/scene/drawn_points.h"
+#include "widgets/map_view/scene/points/drawn_points.h"
 
 class vtkActor;
 class vtkMapper;

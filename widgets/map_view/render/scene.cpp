@@ -20,7 +20,7 @@
 #include "widgets/map_view/render/detail_budget.h"
 #include "widgets/map_view/render/egl_context.h"
 #include "widgets/map_view/render/render_window.h"
-#include "widgets/map_view/scene/drawn_points.h"
+#include "widgets/map_view/scene/points/drawn_points.h"
 #include "widgets/map_view/scene/scene_sample.h"
 
 namespace leitstand {

@@ -6,7 +6,7 @@
 #include <QImage>
 
 #include "core/base/result.h"
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/scene/scene_content.h"
 
 namespace leitstand {

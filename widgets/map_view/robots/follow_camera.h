@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/base/pose.h"
-#include "widgets/map_view/map_camera.h"
-#include "widgets/map_view/map_view_settings.h"
+#include "widgets/map_view/camera/map_camera.h"
+#include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 

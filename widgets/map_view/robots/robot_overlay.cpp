@@ -8,12 +8,12 @@
 #include <QPainter>
 #include <QVector>
 
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/overlays/painted_cells.h"
 #include "widgets/map_view/robots/robot_shape.h"
 #include "widgets/models/map/robot_mark.h"
-#include "widgets/pane_paint.h"
+#include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
 namespace {

@@ -113,7 +113,7 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
     SceneContent content = outline(order);
     forgetAllBut(order.map ? *order.map : Map{});
     const auto finish = [&](std::size_t count) {
-        const SceneSample sample = sampleOf(content);
+        const SceneStatistics sample = statisticsOf(content);
         content.places = filledPlaces(sample);
         for (const SceneScan& scan : content.scans) {
             if (scan.visible && scan.points) content.places.emplace_back(scan.poseInMap.translation());

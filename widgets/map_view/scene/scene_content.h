@@ -10,10 +10,10 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "widgets/map_view/map_view_settings.h"
-#include "widgets/map_view/scene/map_colours.h"
-#include "widgets/map_view/scene/point_paint.h"
-#include "widgets/map_view/scene/scan_points.h"
+#include "widgets/map_view/scene/points/map_colours.h"
+#include "widgets/map_view/scene/points/point_paint.h"
+#include "widgets/map_view/scene/points/scan_points.h"
+#include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "widgets/map_view/scene/drawn_points.h"
+#include "widgets/map_view/scene/points/drawn_points.h"
 
 namespace leitstand {
 

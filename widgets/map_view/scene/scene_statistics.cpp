@@ -60,12 +60,12 @@ bool isShown(double height, Label label, const MapViewSettings& settings) {
     return settings.withCeiling() || label != Label::Ceiling;
 }
 
-SceneSample sampleOf(const SceneContent& content) {
+SceneStatistics statisticsOf(const SceneContent& content) {
     std::size_t total = 0;
     for (const SceneScan& scan : content.scans) {
         if (scan.visible && scan.points) total += scan.points->points.size();
     }
-    SceneSample sample;
+    SceneStatistics sample;
     const double share = std::min(1.0, static_cast<double>(SampleSize) / static_cast<double>(total + 1));
     for (const SceneScan& scan : content.scans) {
         if (!scan.visible || !scan.points) continue;
@@ -83,7 +83,7 @@ SceneSample sampleOf(const SceneContent& content) {
     return sample;
 }
 
-std::vector<Eigen::Vector3d> filledPlaces(const SceneSample& sample) {
+std::vector<Eigen::Vector3d> filledPlaces(const SceneStatistics& sample) {
     constexpr double Stray = 0.01;  ///< share of the points that does not count: those in the emptiest places
     std::vector<Place> places = occupiedPlaces(sample.points);
     std::stable_sort(places.begin(), places.end(),
@@ -100,7 +100,7 @@ std::vector<Eigen::Vector3d> filledPlaces(const SceneSample& sample) {
     return filled;
 }
 
-std::optional<ColourRamp> rampOf(const SceneSample& sample, MapColouring colouring) {
+std::optional<ColourRamp> rampOf(const SceneStatistics& sample, MapColouring colouring) {
     if (sample.points.empty()) return std::nullopt;
     if (colouring == MapColouring::Height) {
         std::vector<double> heights;

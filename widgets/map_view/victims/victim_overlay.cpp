@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "widgets/map_view/map_camera.h"
+#include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/models/victims/mark_places.h"
 

@@ -5,8 +5,8 @@
 
 #include <QString>
 
-#include "core/perception/contrast.h"
 #include "core/perception/omni/panorama.h"
+#include "core/perception/pictures/contrast.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

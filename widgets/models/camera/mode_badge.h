@@ -5,7 +5,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "widgets/models/live/mode_label.h"
+#include "widgets/models/live/texts/mode_label.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 #include <QRectF>
 #include <QSizeF>
 
-#include "widgets/models/live/proximity.h"
+#include "widgets/models/live/robots/proximity.h"
 
 namespace leitstand {
 

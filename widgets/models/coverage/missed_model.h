@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "core/base/pose.h"
-#include "core/mission/searched/searched_floor.h"
+#include "core/mission/coverage/searched_floor.h"
 #include "widgets/models/text_rows_model.h"
 
 namespace leitstand {

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "core/robot/link_status.h"
+#include "core/robot/link/link_status.h"
 
 namespace leitstand {
 

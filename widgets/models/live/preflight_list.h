@@ -7,8 +7,8 @@
 #include <QAbstractTableModel>
 #include <QString>
 
-#include "core/robot/preflight/preflight.h"
-#include "widgets/models/live/robot_face.h"
+#include "core/station/preflight/preflight.h"
+#include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/perception/virtual_scan_view.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
 #include "core/robot/control/drive_setpoint.h"
 
 namespace leitstand {

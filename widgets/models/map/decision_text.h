@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/mission/undo.h"
+#include "core/mission/state/undo.h"
 
 namespace leitstand {
 

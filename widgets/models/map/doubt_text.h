@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/robot/samples/map_samples.h"
+#include "core/event/map_samples.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

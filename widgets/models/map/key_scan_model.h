@@ -7,8 +7,8 @@
 
 #include <QAbstractTableModel>
 
-#include "core/mapping/live/live_map.h"
-#include "widgets/models/live/robot_face.h"
+#include "core/mapping/live/map/live_map.h"
+#include "widgets/models/live/robots/robot_face.h"
 
 namespace leitstand {
 

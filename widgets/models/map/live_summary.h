@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/mapping/live/live_map.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "widgets/models/map_summary.h"
 

@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/event/map_samples.h"
 #include "core/mapping/live/scan_doubts.h"
 #include "core/mapping/placement/placement_says.h"
-#include "core/robot/samples/map_samples.h"
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/numbers.h"
 

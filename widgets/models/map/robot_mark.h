@@ -9,7 +9,7 @@
 
 #include "core/base/pose.h"
 #include "core/mapping/live/trail.h"
-#include "widgets/models/live/robot_face.h"
+#include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

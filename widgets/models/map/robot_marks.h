@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/mapping/live/robot_in_map.h"
-#include "core/robot/robot_view.h"
+#include "core/station/robot_view.h"
 #include "widgets/models/map/robot_mark.h"
 
 namespace leitstand {

@@ -5,7 +5,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/robot/pad/pad_capture.h"
+#include "core/station/pad/pad_capture.h"
 #include "widgets/models/pad/pad_texts.h"
 
 namespace leitstand {

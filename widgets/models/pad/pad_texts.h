@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "core/robot/pad/pad_bindings.h"
+#include "core/station/pad/pad_bindings.h"
 
 namespace leitstand {
 

@@ -4,8 +4,8 @@
 
 #include <QString>
 
-#include "core/mission/mission_clock.h"
 #include "core/mission/score/score.h"
+#include "core/mission/state/mission_clock.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

@@ -9,10 +9,10 @@
 #include <QLocale>
 #include <QStringList>
 
-#include "core/robot/alarms/logged_alarm.h"
-#include "core/robot/preflight/brake_says.h"
-#include "widgets/models/live/alarm_words.h"
-#include "widgets/models/live/mode_label.h"
+#include "core/station/alarms/logged_alarm.h"
+#include "core/station/preflight/brake_says.h"
+#include "widgets/models/live/texts/alarm_words.h"
+#include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/map/decision_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/times.h"
@@ -195,13 +195,6 @@ std::vector<TimelineGlyph> glyphsOf(const std::vector<TimelineMark>& marks, cons
         glyphs.push_back(std::move(glyph));
     }
     return glyphs;
-}
-
-QString wallText(Time at, bool tenths) {
-    const auto milliseconds =
-        std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count();
-    const QDateTime moment = QDateTime::fromMSecsSinceEpoch(milliseconds);
-    return timeOfDayText(moment.time(), tenths);
 }
 
 QString recordedText(std::chrono::nanoseconds time) {

@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "core/mission/timeline/timeline_marks.h"
-#include "widgets/models/live/robot_face.h"
+#include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/timeline/timeline_axis.h"
 #include "widgets/models/tone.h"
 
@@ -43,8 +43,6 @@ struct TimelineGlyph {
 /// What a mark says, without its time: "K · victim V1: confirmed".
 [[nodiscard]] QString markText(const TimelineMark& mark, const std::vector<RobotFace>& faces);
 
-/// A moment as a wall clock shows it in local time, by timeOfDayText().
-[[nodiscard]] QString wallText(Time at, bool tenths = false);
 /// Recorded time: "4:31.5", "1:04:31.5".
 [[nodiscard]] QString recordedText(std::chrono::nanoseconds time);
 /// "4×", "0.5×", "backwards 2×", "stands".

@@ -4,7 +4,7 @@
 #include <QStringList>
 
 #include "widgets/models/numbers.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/times.h"
 
 namespace leitstand {
 namespace {

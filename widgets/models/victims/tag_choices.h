@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/robot/samples/victim_sample.h"
+#include "core/event/victim_sample.h"
 
 namespace leitstand {
 

@@ -9,7 +9,7 @@
 
 #include "core/mission/finds/find_book.h"
 #include "widgets/models/numbers.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/times.h"
 #include "widgets/models/victims/move_words.h"
 
 namespace leitstand {

@@ -11,7 +11,7 @@
 
 #include "core/base/pose.h"
 #include "core/mission/finds/find_moves.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

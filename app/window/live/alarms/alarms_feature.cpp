@@ -8,13 +8,13 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include "app/session/station/station_alarms.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/alarms/alarm_panel.h"
-#include "widgets/models/live/alarm_words.h"
+#include "widgets/models/live/texts/alarm_words.h"
 
 namespace leitstand {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/window/live/alarms/tone_player.h"
 #include "app/window/live/live_context.h"
-#include "core/robot/alarms/alarm_voice.h"
+#include "core/station/alarms/alarm_voice.h"
 
 class QAction;
 

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/robot/alarms/alarm_tone.h"
+#include "core/station/alarms/alarm_tone.h"
 
 class QAudioSink;
 class QBuffer;

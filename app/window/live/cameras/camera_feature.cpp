@@ -9,17 +9,17 @@
 #include <QMainWindow>
 #include <QMenu>
 
-#include "app/session/station/station.h"
-#include "app/session/station/station_cameras.h"
+#include "app/services/station/cameras/station_cameras.h"
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/cameras/camera_keys.h"
 #include "app/window/live/cameras/camera_overlays.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/models/camera/camera_words.h"
-#include "widgets/models/live/sight_text.h"
+#include "widgets/models/live/texts/sight_text.h"
 
 namespace leitstand {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "app/session/finds/freezing.h"
+#include "app/services/finds/freezing.h"
 #include "app/window/live/cameras/camera_views.h"
 #include "app/window/live/cameras/picture_looks.h"
 #include "app/window/live/live_context.h"

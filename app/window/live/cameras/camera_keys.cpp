@@ -6,7 +6,7 @@
 #include <QKeyEvent>
 #include <QWidget>
 
-#include "app/window/live/worked_in.h"
+#include "app/window/live/input/worked_in.h"
 #include "core/base/pose.h"
 
 namespace leitstand {

@@ -7,8 +7,8 @@
 #include <QCoreApplication>
 
 #include "core/perception/omni/panorama.h"
-#include "core/perception/pixel_ray.h"
-#include "widgets/models/live/drive_state.h"
+#include "core/perception/pictures/pixel_ray.h"
+#include "widgets/models/live/robots/drive_state.h"
 
 namespace leitstand {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <QString>
 
-#include "app/session/station/camera_turning.h"
-#include "app/session/station/picture_feed.h"
+#include "app/services/station/cameras/camera_turning.h"
+#include "app/services/station/cameras/picture_feed.h"
 #include "app/window/live/live_moment.h"
 #include "core/robot/robot_description.h"
 #include "widgets/camera/camera_pane.h"

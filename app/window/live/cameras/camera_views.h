@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/station/picture_feed.h"
+#include "app/services/station/cameras/picture_feed.h"
 #include "core/robot/robot_description.h"
-#include "widgets/models/live/picture_age.h"
+#include "widgets/models/live/texts/picture_age.h"
 
 namespace leitstand {
 

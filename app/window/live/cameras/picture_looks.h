@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "app/session/station/picture_feed.h"
+#include "app/services/station/cameras/picture_feed.h"
 #include "widgets/camera/picture_image.h"
 
 namespace leitstand {

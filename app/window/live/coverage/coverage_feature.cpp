@@ -9,11 +9,11 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/map/map_actions.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/coverage/missed_panel.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/coverage/missed_model.h"

@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "app/window/live/live_context.h"
-#include "core/mission/searched/searched_floor.h"
+#include "core/mission/coverage/searched_floor.h"
 
 class QAction;
 class QActionGroup;

@@ -3,13 +3,13 @@
 #include <QAction>
 #include <QMainWindow>
 
-#include "app/session/station/station_alarms.h"
+#include "app/services/station/safety/station_alarms.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/drive/drive_strip.h"
-#include "widgets/models/live/drive_state.h"
+#include "widgets/models/live/robots/drive_state.h"
 
 namespace leitstand {
 

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/window/live/drive_input.h"
+#include "app/window/live/input/drive_input.h"
 #include "app/window/live/live_context.h"
 
 class QAction;

@@ -13,11 +13,11 @@
 #include <QMenu>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/drive_input.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/drive_input.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/layouts/layout_switch.h"
 #include "app/window/live/map/map_feature.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 
 namespace leitstand {
 namespace {

@@ -6,8 +6,8 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/layouts/layout_book.h"
-#include "app/session/layouts/layout_sights.h"
+#include "app/services/layouts/layout_book.h"
+#include "app/services/layouts/layout_sights.h"
 #include "app/window/live/live_context.h"
 
 class QAction;

@@ -7,14 +7,14 @@
 #include <QLabel>
 #include <QMainWindow>
 
-#include "app/session/station/station_streams.h"
+#include "app/services/station/station_streams.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/corner_badge.h"
+#include "app/window/live/frame/corner_badge.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/link/link_pane.h"
-#include "widgets/models/live/stream_rows.h"
+#include "widgets/models/live/robots/stream_rows.h"
 
 namespace leitstand {
 namespace {

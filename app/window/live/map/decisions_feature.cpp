@@ -6,14 +6,14 @@
 #include <QKeySequence>
 #include <QMainWindow>
 
-#include "app/session/station/station_mapping.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/map_decisions/decisions_panel.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/decision_text.h"

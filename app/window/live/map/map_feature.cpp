@@ -7,19 +7,19 @@
 #include <QApplication>
 #include <QMainWindow>
 
-#include "app/session/station/station.h"
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/commands/view_commands.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
-#include "app/window/map_pane.h"
-#include "widgets/map_readout.h"
+#include "app/window/scans/view_commands.h"
+#include "app/window/shell/map_pane.h"
+#include "widgets/map_view/map_readout.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/live_summary.h"
-#include "widgets/theme.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand {
 namespace {

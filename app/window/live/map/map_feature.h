@@ -8,7 +8,7 @@
 #include <QTimer>
 
 #include "app/window/live/live_context.h"
-#include "app/window/view_state.h"
+#include "app/window/shell/view_state.h"
 #include "widgets/models/map_summary.h"
 
 namespace leitstand {

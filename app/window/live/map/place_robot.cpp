@@ -2,12 +2,12 @@
 
 #include <QAction>
 
-#include "app/session/station/station_mapping.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
-#include "app/window/live/selection.h"
 
 namespace leitstand {
 

@@ -9,10 +9,10 @@
 #include <QKeySequence>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/selection.h"
-#include "app/window/view_state.h"
+#include "app/window/shell/view_state.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_marks.h"
 

@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/window/live/live_context.h"
-#include "widgets/map_view/map_view_settings.h"
+#include "widgets/models/map/map_view_settings.h"
 #include "widgets/models/map/robot_mark.h"
 
 class QAction;

@@ -4,9 +4,9 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/pane_docks.h"
-#include "widgets/messages_panel.h"
+#include "widgets/messages/messages_panel.h"
 #include "widgets/models/message_list_model.h"
 
 namespace leitstand {

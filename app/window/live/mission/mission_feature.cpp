@@ -12,15 +12,15 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/session/score/score_board.h"
-#include "app/session/station/station.h"
-#include "app/session/station/station_clock.h"
+#include "app/services/score/score_board.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "widgets/mission/clock_face.h"
 #include "widgets/mission/record_light.h"
-#include "widgets/models/live/clock_text.h"
-#include "widgets/models/live/record_text.h"
+#include "widgets/models/live/texts/clock_text.h"
+#include "widgets/models/live/texts/record_text.h"
 
 namespace leitstand {
 namespace {

@@ -9,10 +9,10 @@
 #include <QWindow>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/drive_input.h"
+#include "app/window/live/input/drive_input.h"
+#include "app/window/live/input/selection.h"
+#include "app/window/live/input/worked_in.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/selection.h"
-#include "app/window/live/worked_in.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
 

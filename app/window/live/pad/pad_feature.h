@@ -6,7 +6,7 @@
 
 #include <QObject>
 
-#include "app/session/pad/pad_memory.h"
+#include "app/services/pad/pad_memory.h"
 #include "app/window/live/live_context.h"
 #include "app/window/live/pad/pad_input.h"
 #include "widgets/models/pad/pad_texts.h"

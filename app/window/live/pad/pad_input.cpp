@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/robot/pad/pad_overlay.h"
+#include "core/station/pad/pad_overlay.h"
 
 namespace leitstand {
 

@@ -10,9 +10,9 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/pad/pad_memory.h"
+#include "app/services/pad/pad_memory.h"
 #include "app/window/live/pad/sdl_pads.h"
-#include "core/robot/pad/pad_mapping.h"
+#include "core/station/pad/pad_mapping.h"
 
 namespace leitstand {
 

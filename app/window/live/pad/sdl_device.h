@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/robot/pad/pad_state.h"
+#include "core/station/pad/pad_state.h"
 
 // As SDL names them.
 struct _SDL_GameController;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/window/live/pad/sdl_device.h"
-#include "core/robot/pad/pad_state.h"
+#include "core/station/pad/pad_state.h"
 
 namespace leitstand {
 

@@ -11,13 +11,13 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/session/station/choose_robots.h"
-#include "app/session/station/station_brakes.h"
+#include "app/services/station/choose_robots.h"
+#include "app/services/station/safety/station_brakes.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/corner_badge.h"
+#include "app/window/live/frame/corner_badge.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/preflight/preflight_page.h"
 
 namespace leitstand {

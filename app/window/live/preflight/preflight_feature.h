@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/preflight/preflight_desk.h"
+#include "app/services/preflight/preflight_desk.h"
 #include "app/window/live/live_context.h"
 
 class QDialog;

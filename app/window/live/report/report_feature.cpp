@@ -5,15 +5,15 @@
 #include <QFileDialog>
 #include <QMainWindow>
 
-#include "app/report/pdf_report.h"
-#include "app/session/report/report_folder.h"
-#include "app/session/report/report_keeper.h"
-#include "app/session/report/report_telling.h"
-#include "app/session/station/station.h"
-#include "app/session/station/station_clock.h"
+#include "app/report/pdf/pdf_report.h"
+#include "app/services/handin/writing/report_folder.h"
+#include "app/services/handin/writing/report_keeper.h"
+#include "app/services/handin/writing/report_telling.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/live_bridge.h"
-#include "app/window/live/pane_docks.h"
 #include "app/window/live/report/folder_dialog.h"
 #include "widgets/mission/mission_form.h"
 #include "widgets/score/score_pane.h"

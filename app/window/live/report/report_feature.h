@@ -7,7 +7,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/session/score/score_board.h"
+#include "app/services/score/score_board.h"
 #include "app/window/live/live_context.h"
 
 class QAction;

@@ -6,15 +6,15 @@
 #include <QMainWindow>
 #include <QMenu>
 
-#include "app/session/station/station.h"
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/live/input/selection.h"
+#include "app/window/live/input/stop_key.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/selection.h"
-#include "app/window/live/stop_key.h"
 #include "widgets/drive/stop_button.h"
-#include "widgets/models/live/mode_label.h"
-#include "widgets/models/live/robot_chip.h"
-#include "widgets/models/live/stop_line.h"
+#include "widgets/models/live/robots/robot_chip.h"
+#include "widgets/models/live/texts/mode_label.h"
+#include "widgets/models/live/texts/stop_line.h"
 #include "widgets/robots/robot_bar.h"
 
 namespace leitstand {

@@ -9,9 +9,9 @@
 #include <QMainWindow>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/moment_source.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand {

@@ -7,17 +7,17 @@
 #include <QAction>
 #include <QMainWindow>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/station/station.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/scan/scan_feature.h"
-#include "app/window/live/selection.h"
 #include "core/mission/finds/find_book.h"
 #include "widgets/models/map/robot_mark.h"
 

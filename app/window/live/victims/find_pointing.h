@@ -7,7 +7,7 @@
 #include <QKeySequence>
 #include <QObject>
 
-#include "app/session/finds/freezing.h"
+#include "app/services/finds/freezing.h"
 #include "app/window/live/live_context.h"
 
 class QAction;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/session/finds/freezing.h"
+#include "app/services/finds/freezing.h"
 #include "widgets/camera/picture_image.h"
 #include "widgets/models/numbers.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/times.h"
 #include "widgets/victims/evidence_strip.h"
 #include "widgets/victims/victim_form.h"
 

@@ -6,7 +6,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 
-#include "app/session/finds/evidence_reader.h"
+#include "app/services/finds/evidence_reader.h"
 
 namespace leitstand {
 

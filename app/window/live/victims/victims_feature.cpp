@@ -7,17 +7,17 @@
 #include <QApplication>
 #include <QMainWindow>
 
-#include "app/session/finds/find_desk.h"
-#include "app/session/station/station.h"
-#include "app/session/station/station_mapping.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
-#include "app/window/live/pane_docks.h"
-#include "app/window/live/selection.h"
 #include "app/window/live/victims/form_pictures.h"
 #include "app/window/live/victims/sheet_hosts.h"
 #include "core/mission/finds/find_book.h"

@@ -9,7 +9,7 @@
 #include "app/window/live/live_context.h"
 #include "core/base/result.h"
 #include "core/mission/finds/find_moves.h"
-#include "core/mission/mission_state.h"
+#include "core/mission/state/mission_state.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 
 class QAction;

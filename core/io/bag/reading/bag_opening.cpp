@@ -7,10 +7,10 @@
 
 #include "core/base/words.h"
 #include "core/io/bag/detail/mission_folder.h"
-#include "core/io/bag/reading/log_frames.h"
 #include "core/io/bag/reading/other_kinds.h"
-#include "core/io/bag/reading/salvaged_file.h"
 #include "core/io/bag/reading/sqlite_file.h"
+#include "core/io/bag/salvage/log_frames.h"
+#include "core/io/bag/salvage/salvaged_file.h"
 
 namespace leitstand::detail {
 

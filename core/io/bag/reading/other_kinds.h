@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/event/raw_event.h"
 #include "core/io/bag/detail/bag_metadata.h"
 #include "core/io/bag/detail/mission_folder.h"
-#include "core/mission/raw_event.h"
 
 namespace leitstand::detail {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/words.h"
 #include "core/io/bag/reading/other_kinds.h"
-#include "core/io/bag/reading/salvaged_file.h"
+#include "core/io/bag/salvage/salvaged_file.h"
 
 namespace leitstand::detail {
 

@@ -12,7 +12,7 @@
 #include "core/io/bag/detail/bag_metadata.h"
 #include "core/io/bag/detail/sqlite.h"
 #include "core/io/bag/reading/bag_file.h"
-#include "core/io/bag/reading/overlay_vfs.h"
+#include "core/io/bag/salvage/overlay_vfs.h"
 
 namespace leitstand::detail {
 

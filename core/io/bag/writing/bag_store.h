@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/event/raw_event.h"
 #include "core/io/bag/topic_info.h"
-#include "core/mission/raw_event.h"
 
 namespace leitstand::detail {
 

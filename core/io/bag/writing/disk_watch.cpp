@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/said.h"
-#include "core/robot/alarms/log_says.h"
+#include "core/station/alarms/log_says.h"
 
 namespace leitstand::detail {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/raw_event.h"
+#include "core/event/raw_event.h"
 
 namespace leitstand::detail {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/robot/samples/picture_samples.h"
+#include "core/event/picture_samples.h"
 
 namespace leitstand::simulation {
 

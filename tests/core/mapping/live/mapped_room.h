@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mapping/live/live_mapper.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 #include "tests/support/rooms.h"
 
 namespace leitstand::test {

@@ -1,4 +1,4 @@
-#include "core/mapping/live/matched_clouds.h"
+#include "core/mapping/live/map/matched_clouds.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "core/mapping/live/motion_buffer.h"
+#include "core/mapping/motion/motion_buffer.h"
 
 #include <cmath>
 #include <limits>

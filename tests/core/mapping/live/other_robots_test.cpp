@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mapping/live/cropped_scans.h"
+#include "core/mapping/live/map/cropped_scans.h"
 #include "core/mapping/live/scan_cleaning.h"
 
 namespace leitstand::test {

@@ -1,4 +1,4 @@
-#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/motion/scan_cutter.h"
 
 #include <algorithm>
 #include <random>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mapping/live/scan_cutter.h"
+#include "core/mapping/motion/scan_cutter.h"
 
 namespace leitstand::test {
 

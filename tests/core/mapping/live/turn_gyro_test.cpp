@@ -1,4 +1,4 @@
-#include "core/mapping/live/turn_gyro.h"
+#include "core/mapping/motion/turn_gyro.h"
 
 #include <cmath>
 #include <limits>

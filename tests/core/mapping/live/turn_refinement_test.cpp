@@ -1,4 +1,4 @@
-#include "core/mapping/live/turn_refinement.h"
+#include "core/mapping/motion/turn_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cloud/search/search.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/scan_work.h"
-#include "core/search/search.h"
 #include "tests/support/room_scene.h"
 
 namespace leitstand::test {

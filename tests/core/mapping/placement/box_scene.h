@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/mapping/live/local_map.h"
-#include "core/scan/scan.h"
+#include "core/cloud/scan.h"
+#include "core/mapping/live/map/local_map.h"
 
 namespace leitstand::test {
 

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 
-#include "core/mapping/live/local_map.h"
-#include "core/mapping/live/motion_buffer.h"
+#include "core/event/cloud_sample.h"
+#include "core/mapping/live/map/local_map.h"
+#include "core/mapping/motion/motion_buffer.h"
 #include "core/mapping/placement/laser_view.h"
-#include "core/robot/samples/cloud_sample.h"
 
 namespace leitstand::test {
 

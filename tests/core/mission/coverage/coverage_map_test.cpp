@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mission/searched/missed_floor.h"
+#include "core/mission/coverage/missed_floor.h"
 #include "tests/core/mission/coverage/search_scene.h"
 
 namespace leitstand::test {

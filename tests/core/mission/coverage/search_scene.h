@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mission/coverage/search_book.h"
-#include "core/perception/pixel_ray.h"
+#include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand::test {
 

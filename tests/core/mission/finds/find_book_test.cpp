@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/decisions.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/decisions.h"
+#include "core/mission/state/fold.h"
 
 namespace leitstand {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mission/finds/find_book.h"
-#include "core/mission/fold.h"
+#include "core/mission/state/fold.h"
 
 namespace leitstand {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/perception/cues/body_heat.h"
+#include "core/perception/heat/body_heat.h"
 
 #include <cmath>
 #include <random>

@@ -6,7 +6,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/perception/picture.h"
+#include "core/perception/pictures/picture.h"
 
 namespace leitstand::test {
 

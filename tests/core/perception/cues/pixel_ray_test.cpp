@@ -1,4 +1,4 @@
-#include "core/perception/pixel_ray.h"
+#include "core/perception/pictures/pixel_ray.h"
 
 #include <cmath>
 #include <limits>

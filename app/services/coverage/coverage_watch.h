@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/event/event.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mission/coverage/search_view.h"
+#include "core/mission/coverage/searched_floor.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// What a CoverageWatch begins with.
+struct CoverageWatchSetup {
+    std::vector<RobotDescription> robots;
+    std::function<RobotsInMapPtr()> places;        ///< where the robots are now, with their trails
+    std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are
+    std::vector<KeyScanSample> earlier;            ///< key scans of the mission's earlier sessions
+    /// What cameras looked at in earlier sessions; called on the watch's thread, returns soon when it is
+    /// asked to stop. May be empty.
+    std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
+    /// Told once, in words, when something cannot be counted; on any of the threads. May be empty.
+    std::function<void(const std::string&)> tell = {};
+};
+
+/// Keeps what was searched while a mission runs, on a thread of its own: made anew when something changed, at
+/// most every two seconds, and more rarely where that takes long. Any thread. Where it cannot
+/// keep up for minutes, or cameras looked from too many places, views are left out and the operator is told.
+class CoverageWatch {
+public:
+    static constexpr std::chrono::seconds Every{2};
+
+    explicit CoverageWatch(CoverageWatchSetup setup);
+    ~CoverageWatch();
+    CoverageWatch(const CoverageWatch&) = delete;
+    CoverageWatch& operator=(const CoverageWatch&) = delete;
+
+    void take(const Event& event);  ///< all events of the mission, in order
+    void end();                     ///< what waits is left
+    /// What was searched, as made last; null until there is a map.
+    [[nodiscard]] SearchedFloorPtr searched() const;
+
+private:
+    struct Work;
+    [[nodiscard]] bool isTooSoon(const Event& picture);
+    void run(const std::stop_token& stop);
+
+    CoverageWatchSetup m_setup;  ///< of the thread
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::deque<Event> m_waiting;
+    std::map<std::pair<std::string, std::string>, Time> m_taken;  ///< newest picture, by robot and sensor
+    std::size_t m_pictures = 0;                                   ///< that wait
+    bool m_toldOfPictures = false;
+    SearchedFloorPtr m_searched;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

@@ -1,0 +1,91 @@
+#include "app/services/coverage/logged_views.h"
+
+#include <algorithm>
+#include <map>
+#include <variant>
+
+#include "app/services/coverage/view_search.h"
+#include "app/services/log/mission_robots.h"
+#include "app/services/places/mission_map.h"
+#include "core/event/station_topics.h"
+#include "core/mission/coverage/search_book.h"
+#include "core/mission/state/fold.h"
+
+namespace leitstand {
+
+namespace {
+
+/// A search in a log, where the events themselves tell what was taken back.
+class LoggedSearch {
+public:
+    explicit LoggedSearch(const std::vector<RobotDescription>& robots) : m_search(robots) {}
+
+    void take(const Event& event) {
+        const bool undo = std::holds_alternative<UndoSample>(event.sample);
+        if (undo || std::holds_alternative<KeyScanSample>(event.sample) ||
+            std::holds_alternative<ScanPosesSample>(event.sample))
+            m_decisions.add(event);
+        if (undo) return m_search.follow(posesOf(m_decisions.state()));
+        m_search.take(event);
+        for (const SearchView& view : m_search.found()) (void)m_book.add(view);
+    }
+    [[nodiscard]] LoggedViews views() const { return {m_book.allViews(), m_book.leftOut()}; }
+
+private:
+    ViewSearch m_search;
+    SearchBook m_book;
+    Fold m_decisions;  ///< on scans
+};
+
+}  // namespace
+
+LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& progress) {
+    BagQuery query;
+    query.topics = {std::string(station_topic::KeyScans), std::string(station_topic::ScanPoses),
+                    std::string(station_topic::RobotPlaces), std::string(station_topic::Undo)};
+    std::map<std::string, Time> pictures;  // newest that was decoded, by topic
+    for (const RobotDescription& robot : decoder.robots()) {
+        for (const StreamDescription& stream : robot.streams) {
+            switch (stream.role) {
+                case StreamRole::Picture:
+                case StreamRole::Thermal:
+                    pictures[stream.topic] = Time{};
+                    [[fallthrough]];
+                case StreamRole::Odometry:
+                case StreamRole::Imu:
+                case StreamRole::Transforms:
+                case StreamRole::StaticTransforms:
+                case StreamRole::CameraInfo:
+                    query.topics.push_back(stream.topic);
+                    break;
+                default:
+                    break;
+            }
+        }
+    }
+    LoggedSearch search(decoder.robots());
+    BagCursor cursor = bag.read(query);
+    const auto last = static_cast<double>(std::max<std::uint64_t>(1, bag.lastSequence()));
+    while (const auto raw = cursor.next()) {
+        if (const auto picture = pictures.find(raw->topic); picture != pictures.end()) {
+            const bool soon =
+                raw->received >= picture->second && raw->received - picture->second < ViewFinder::Every;
+            if (soon) continue;
+            picture->second = raw->received;
+        }
+        decoder.decode(*raw, [&](const Event& event) { search.take(event); });
+        progress.done(static_cast<double>(raw->sequence) / last);
+        if (progress.cancelled()) break;
+    }
+    return search.views();
+}
+
+LoggedViews loggedViews(const std::filesystem::path& folder, const Progress& progress) {
+    const auto bag = BagReader::open(folder);
+    if (!bag) return {};
+    std::vector<std::string> ignored;  // who opens the mission says so
+    EventDecoder decoder(robotsOf(folder, **bag, ignored));
+    return loggedViews(**bag, decoder, progress);
+}
+
+}  // namespace leitstand

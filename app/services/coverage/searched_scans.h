@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/event/map_samples.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/report_scan.h"
+
+namespace leitstand {
+
+/// A key scan as SearchBook takes it.
+[[nodiscard]] ReportScan scanOf(const KeyScanSample& sample);
+/// base_link where @p robots were and are, in the map [m].
+[[nodiscard]] std::vector<Eigen::Vector3d> trailsOf(const RobotsInMap& robots);
+
+}  // namespace leitstand

@@ -1,0 +1,124 @@
+#include "app/services/domain/domain_probe.h"
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/services/domain/seen_topics.h"
+#include "app/services/domain/topic_lane.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A topic listened to.
+struct Heard {
+    ProbedTopic probed;
+    std::set<std::string> hosts;
+    std::unique_ptr<Subscription> subscription;
+    Clock::time_point since;
+};
+
+class Listening {
+public:
+    explicit Listening(Node& node) : m_node(node) {}
+    /// Looks who is there, and listens to what is new.
+    void look();
+    [[nodiscard]] std::vector<ProbedTopic> topics();
+
+private:
+    void listen(Heard& heard);
+
+    Node& m_node;
+    std::map<std::string, Heard> m_heard;  ///< by topic
+};
+
+void Listening::listen(Heard& heard) {
+    const SeenTopic& topic = heard.probed.topic;
+    Qos qos = topic.qos;
+    qos.depth = 100;
+    qos.lifespan = qos.deadline = 0.0;
+    auto subscription =
+        m_node.subscribe({.topic = topic.name, .type = topic.type, .qos = qos, .lane = laneOf(topic.type)},
+                         [](const ReceivedSample&) {});
+    if (subscription) heard.subscription = std::move(subscription).value();
+    heard.since = Clock::now();
+}
+
+void Listening::look() {
+    for (auto& [name, heard] : m_heard) {
+        heard.probed.writers = heard.probed.readers = 0;
+        heard.probed.topic.read = false;
+    }
+    for (const RemoteEndpoint& endpoint : m_node.endpoints()) {
+        const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
+        auto [place, isNew] = m_heard.try_emplace(endpoint.topic);
+        Heard& heard = place->second;
+        SeenTopic& topic = heard.probed.topic;
+        if (see(topic, isNew, endpoint)) heard.hosts.clear();
+        ++(writes ? heard.probed.writers : heard.probed.readers);
+        if (writes == topic.written) heard.hosts.insert(endpoint.host);
+        if (writes && endpoint.ros && topic.obstacle.empty() && !heard.subscription) listen(heard);
+    }
+}
+
+std::vector<ProbedTopic> Listening::topics() {
+    std::vector<ProbedTopic> topics;
+    for (auto& [name, heard] : m_heard) {
+        ProbedTopic& probed = heard.probed;
+        if (heard.subscription) {
+            const SubscriptionCounts counts = heard.subscription->counts();
+            const double seconds = std::chrono::duration<double>(Clock::now() - heard.since).count();
+            probed.rate = static_cast<double>(counts.samples) / seconds;
+            probed.bytesPerSecond = static_cast<double>(counts.bytes) / seconds;
+            probed.lost = counts.lost;
+        }
+        probed.hosts.clear();
+        for (const std::string& host : heard.hosts) probed.hosts += (probed.hosts.empty() ? "" : " ") + host;
+        topics.push_back(probed);
+    }
+    return topics;
+}
+
+}  // namespace
+
+Result<ProbeReport> probeDomain(const ProbeSettings& settings, const Progress& progress) {
+    const auto network = nodeSettings(settings.domain, "leitstandctl probe");
+    if (!network) return network.error();
+    const auto node = Node::create(*network);
+    if (!node) return node.error();
+    ProbeReport report;
+    report.warnings = (*node)->warnings();
+    Listening listening(**node);
+    const auto began = Clock::now();
+    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    while (elapsed() < settings.seconds && !progress.cancelled()) {
+        listening.look();
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        progress.done(elapsed() / settings.seconds);
+    }
+    report.seconds = elapsed();
+    report.topics = listening.topics();
+    for (const RemoteParticipant& participant : (*node)->participants()) {
+        if (participant.refused) {
+            report.warnings.push_back(
+                fmt::format("{} ({}) could not prove an identity that we accept (DDS-Security)",
+                            participant.name, participant.host));
+        }
+    }
+    for (const ScreenDrop& drop : (*node)->dropped()) report.warnings.push_back(toString(drop));
+    std::vector<SeenTopic> seen;
+    for (const ProbedTopic& topic : report.topics) seen.push_back(topic.topic);
+    report.robots = guessRobots(seen);
+    return report;
+}
+
+}  // namespace leitstand

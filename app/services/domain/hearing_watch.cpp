@@ -1,0 +1,81 @@
+#include "app/services/domain/hearing_watch.h"
+
+#include <condition_variable>
+#include <utility>
+
+#include <pthread.h>
+
+#include "core/base/words.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::milliseconds Rhythm(250);
+/// After joining anew all is announced anew: a fault stands meanwhile, and ends when the robot is heard or
+/// gone.
+constexpr std::chrono::seconds Gone(10);
+
+std::string textOf(const Guid& guid) {
+    return {guid.bytes.begin(), guid.bytes.end()};
+}
+
+Announced announcedIn(const DomainHearing& domain) {
+    Announced announced;
+    for (const OfferedWriter& one : domain.writers)
+        announced.writers.push_back({one.topic, textOf(one.participant), one.seconds, one.heard});
+    for (const DomainHearing::Process& one : domain.mute) {
+        if (!one.participant.refused) announced.mute.push_back({one.participant.name, one.seconds});
+    }
+    return announced;
+}
+
+}  // namespace
+
+HearingWatch::HearingWatch(Node& node, HearingWatchSetup setup)
+    : m_node(node), m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+
+HearingWatch::~HearingWatch() = default;
+
+std::optional<HearingFault> HearingWatch::fault(const std::string& robot) const {
+    const std::lock_guard lock(m_mutex);
+    const auto found = m_faults.find(robot);
+    return found == m_faults.end() ? std::nullopt : std::optional(found->second.fault);
+}
+
+void HearingWatch::look() {
+    const Announced announced = announcedIn(m_node.hearing());
+    const SteadyTime now = std::chrono::steady_clock::now();
+    bool due = false;
+    for (const RobotDescription& robot : m_setup.robots) {
+        const LinkState link = m_setup.link(robot.name);
+        const bool heard = link == LinkState::Connected || link == LinkState::Degraded;
+        if (heard) m_plans[robot.name].heard();
+        const auto fault = hearingFaultOf(robot, link, announced);
+        const bool tries = m_plans[robot.name].isDue(fault.has_value(), m_setup.mayRejoin(), now);
+        if (tries) {
+            m_setup.tell(leitstand::fill(translate("leitstand::Hearing", "{}: {}; joining the network again"),
+                                         robot.title, worded(*fault)));
+        }
+        due = due || tries;
+        const std::lock_guard lock(m_mutex);
+        if (fault) m_faults[robot.name] = {*fault, now};
+        const auto standing = m_faults.find(robot.name);
+        if (standing != m_faults.end() && (heard || now - standing->second.newest > Gone))
+            m_faults.erase(standing);
+    }
+    if (!due) return;
+    if (const auto joined = m_node.rejoin(m_setup.onRejoining); !joined) m_setup.tell(joined.error().text);
+}
+
+void HearingWatch::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "hearing");
+    std::mutex asleep;
+    std::condition_variable_any never;
+    while (!stop.stop_requested()) {
+        look();
+        std::unique_lock lock(asleep);
+        never.wait_for(lock, stop, Rhythm, [] { return false; });
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,343 @@
+#include "app/services/finds/find_desk.h"
+
+#include <algorithm>
+#include <future>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/words.h"
+#include "core/mission/finds/dismissal.h"
+#include "core/mission/state/decisions.h"
+#include "core/mission/state/undo_says.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds LongestSearch{2};  // for where a find is
+constexpr double Nearby = 1.0;           // what nothing tells the range of lies so far ahead of the robot [m]
+constexpr double NearbyDeviation = 1.0;  // [m]
+
+}  // namespace
+
+FindDesk::FindDesk(FindDeskSetup setup)
+    : m_setup(std::move(setup)), m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
+
+void FindDesk::finish() {
+    std::promise<void> done;
+    m_queue.submit([&done](const std::stop_token&) { done.set_value(); }, /*cancellable=*/false);
+    done.get_future().wait();
+}
+
+const RobotDescription* FindDesk::robot(const std::string& name) const {
+    for (const RobotDescription& robot : m_setup.robots) {
+        if (robot.name == name) return &robot;
+    }
+    return nullptr;
+}
+
+void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const std::string& looksThrough,
+                      const std::optional<PicturePoint>& at) {
+    const RobotDescription* const found = robot(name);
+    if (found == nullptr) return;
+    const Time pressed = m_setup.now();
+    // What robots say while the worker is busy has nothing to do with what the operator saw.
+    submitFiling([this, found, kind, looksThrough, at, pressed,
+                  recent = m_recent.of(name, pressed, at ? at->sequence : 0)] {
+        ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
+        chosen.frozen.found = pressed;
+        locate(std::move(chosen), kind);
+    });
+}
+
+void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {
+    const RobotDescription* const found = robot(name);
+    if (found == nullptr) return;
+    const Time pressed = m_setup.now();
+    submitFiling([this, found, kind, placeInMap, pressed, recent = m_recent.of(name, pressed)] {
+        ChosenEvidence chosen = chooseEvidence(*found, recent, kind, {}, std::nullopt);
+        chosen.frozen.found = pressed;
+        chosen.frozen.deviation = PointedDeviation;
+        const MissionStatePtr state = m_setup.mission();
+        hang(chosen.frozen, *state, newestScan(*state, found->name), placeInMap);
+        file(std::move(chosen.frozen), kind);
+    });
+}
+
+void FindDesk::submitFiling(std::function<void()> filing) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        ++m_awaited;
+    }
+    m_queue.submit(
+        [this, filing = std::move(filing)](const std::stop_token&) {
+            const std::uint64_t before = filings();
+            filing();
+            const std::scoped_lock lock(m_mutex);
+            m_filedLast = m_filings != before;
+            --m_awaited;
+        },
+        /*cancellable=*/false);
+}
+
+void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
+    std::optional<PlacedFind> placed;
+    if (chosen.picture) {
+        // Who is asked may end before it answers.
+        const auto promise = std::make_shared<std::promise<std::optional<PlacedFind>>>();
+        auto answer = promise->get_future();
+        m_setup.locate(chosen,
+                       [promise](const std::optional<PlacedFind>& place) { promise->set_value(place); });
+        if (answer.wait_for(LongestSearch) == std::future_status::ready) placed = answer.get();
+    }
+    const MissionStatePtr state = m_setup.mission();
+    FrozenEvidence& frozen = chosen.frozen;
+    if (placed) {
+        frozen.deviation = placed->deviation;
+        hang(frozen, *state, placed->scan, placed->inMap);
+        file(std::move(frozen), kind);
+        return;
+    }
+    const auto baseInMap = m_setup.robotInMap(frozen.robot);
+    if (!baseInMap) {
+        m_setup.tell(fill(translate("leitstand::Station", "{} is not in the map yet: nothing was filed"),
+                          robot(frozen.robot)->title));
+        return;
+    }
+    // Better roughly than not at all: the operator moves it.
+    frozen.deviation = NearbyDeviation;
+    hang(frozen, *state, newestScan(*state, frozen.robot), *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0));
+    file(std::move(frozen), kind);
+    m_setup.tell(
+        translate("leitstand::Station", "no range there: filed ahead of the robot; move it on the map"));
+}
+
+MissionStatePtr FindDesk::known() {
+    MissionStatePtr now = m_setup.mission();
+    const auto arrived = [&](const VictimSample& said) {
+        return std::any_of(now->decisions->rbegin(), now->decisions->rend(), [&](const Decision& decision) {
+            const auto* one = std::get_if<VictimSample>(&decision.content);
+            return one != nullptr && one->station == said.station && one->kind == said.kind &&
+                   one->number == said.number && one->stamp == said.stamp;
+        });
+    };
+    std::erase_if(m_said, arrived);
+    if (m_said.empty()) return now;
+    auto ahead = std::make_shared<MissionState>(*now);
+    for (const VictimSample& one : m_said) decide(*ahead, {++ahead->sequence, one.stamp, false, one});
+    return ahead;
+}
+
+Result<void> FindDesk::keep(const VictimSample& sample) {
+    auto said = m_setup.say(sample);
+    if (said) m_said.push_back(sample);
+    return said;
+}
+
+void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = known();
+    const auto robot = state->robots.find(frozen.robot);
+    if (robot != state->robots.end() && robot->second->mode)
+        frozen.autonomous = robot->second->mode->sample.autonomous;
+    // As it drove when the operator pressed, not when its place was worked out.
+    frozen.autonomous = m_modes.autonomousAt(frozen.robot, frozen.found).value_or(frozen.autonomous);
+    // What the station believes to be there is the same thing.
+    const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
+    for (const CandidateSample& one : candidates) addCues(frozen, one);
+    const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
+    const bool joined = state->victims->contains({sample.kind, sample.number});
+    if (const auto said = enter(sample, joined, candidates); !said) m_setup.tell(said.error().text);
+}
+
+void FindDesk::file(const CandidateSample& candidate, const FrozenEvidence& seen) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = known();
+    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
+    const bool joined = state->victims->contains({sample.kind, sample.number});
+    if (const auto said = enter(sample, joined, {candidate}); !said) m_setup.tell(said.error().text);
+}
+
+Result<void> FindDesk::enter(const VictimSample& sample, bool joined,
+                             const std::vector<CandidateSample>& candidates) {
+    if (auto said = keep(sample); !said) return said;
+    const FindKey key{sample.kind, sample.number};
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_newest = key;
+        ++m_filings;
+    }
+    const bool confirmed = sample.status == VictimSample::Status::Confirmed;
+    m_setup.tell(
+        fill(confirmed ? translate("leitstand::Station", "{} has new evidence; it is confirmed already")
+             : joined  ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
+                       : translate("leitstand::Station", "{} filed: press again to confirm"),
+             nameOf(key.first, key.second)));
+    for (const CandidateSample& one : candidates) {
+        auto said = m_setup.sayCandidate(filedAs(one, sample.number, m_setup.station, m_setup.now()));
+        if (!said) return said;
+    }
+    return {};
+}
+
+std::uint64_t FindDesk::filings() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_filings;
+}
+
+std::optional<FindKey> FindDesk::newest() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_newest;
+}
+
+Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const FindKey& find) {
+    if (!sample)
+        return Error{fill(translate("leitstand::Station", "{}: the mission has no such find to change so"),
+                          nameOf(find.first, find.second))};
+    return keep(*sample);
+}
+
+std::optional<FrozenEvidence> FindDesk::look(const RobotDescription& robot, const RobotEvidence& recent,
+                                             const Eigen::Vector3d& inMap, Time pressed) const {
+    const FrozenEvidence frozen =
+        chooseEvidence(robot, recent, VictimSample::Kind::Victim, {}, std::nullopt).frozen;
+    const auto pictures = picturesOf(frozen, recent, pressed - RecentEvidence::Pictures);
+    if (pictures.empty()) return std::nullopt;
+    const auto promise = std::make_shared<std::promise<std::vector<bool>>>();
+    auto answer = promise->get_future();
+    m_setup.shows(pictures, inMap, [promise](const std::vector<bool>& shown) { promise->set_value(shown); });
+    if (answer.wait_for(LongestSearch) != std::future_status::ready) return std::nullopt;
+    const std::vector<bool> shown = answer.get();
+    std::vector<Event> kept;
+    for (std::size_t i = 0; i < std::min(shown.size(), pictures.size()); ++i) {
+        if (shown[i]) kept.push_back(pictures[i]);
+    }
+    if (kept.empty()) return std::nullopt;
+    FrozenEvidence seen = withPictures(frozen, kept);
+    seen.found = pressed;
+    return seen;
+}
+
+Result<void> FindDesk::fileCandidate(std::uint32_t id) {
+    const MissionStatePtr state = m_setup.mission();
+    const auto entry = state->candidates->find(id);
+    if (entry == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    const CandidateSample candidate = entry->second.candidate;
+    const Time pressed = m_setup.now();
+    std::map<const RobotDescription*, RobotEvidence> recent;
+    for (const Cue& cue : candidate.cues) {
+        if (const auto* const one = robot(cue.robot))
+            recent.try_emplace(one, m_recent.of(cue.robot, pressed));
+    }
+    submitFiling(
+        [this, candidate, inMap = positionInMap(*state, candidate), pressed, recent = std::move(recent)] {
+            FrozenEvidence seen;
+            seen.found = pressed;
+            for (const auto& [robot, evidence] : recent) {
+                const auto looked = look(*robot, evidence, inMap, pressed);
+                if (!looked) continue;
+                seen = *looked;
+                break;
+            }
+            file(candidate, seen);
+        });
+    return {};
+}
+
+Result<void> FindDesk::dismiss(std::uint32_t candidate) {
+    const std::scoped_lock filing(m_filing);
+    const MissionStatePtr state = m_setup.mission();
+    const auto entry = state->candidates->find(candidate);
+    if (entry == state->candidates->end())
+        return Error{translate("leitstand::Station", "the mission has no such candidate")};
+    return m_setup.sayCandidate(judged(entry->second.candidate, true, m_setup.station, m_setup.now()));
+}
+
+Result<void> FindDesk::confirm(const FindKey& find) {
+    const std::scoped_lock filing(m_filing);
+    return say(withStatus(*known(), find, VictimSample::Status::Confirmed, m_setup.station, m_setup.now()),
+               find);
+}
+
+std::optional<FindKey> FindDesk::unconfirmed() {
+    const std::scoped_lock filing(m_filing);
+    const auto key = newest();
+    const MissionStatePtr state = known();
+    const auto entry = key ? state->victims->find(*key) : state->victims->end();
+    const bool open =
+        entry != state->victims->end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
+    return open ? key : std::nullopt;
+}
+
+bool FindDesk::isFiling() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_awaited > 0;
+}
+
+bool FindDesk::filedLast() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_filedLast;
+}
+
+Result<void> FindDesk::confirmNewest() {
+    if (isFiling()) {
+        m_queue.submit(
+            [this](const std::stop_token&) {
+                // Where nothing came of it, which was told, nothing older is confirmed in its place.
+                const auto key = filedLast() ? unconfirmed() : std::nullopt;
+                if (!key) return;
+                if (const auto done = confirm(*key); !done) m_setup.tell(done.error().text);
+            },
+            /*cancellable=*/false);
+        return {};
+    }
+    const auto key = unconfirmed();
+    if (!key)
+        return Error{translate("leitstand::Station",
+                               "Nothing is filed that could be confirmed: F files what the robot sees")};
+    return confirm(*key);
+}
+
+Result<void> FindDesk::discard(const FindKey& find) {
+    const std::scoped_lock filing(m_filing);
+    return say(withStatus(*known(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
+               find);
+}
+
+Result<void> FindDesk::merge(const FindKey& find, std::uint32_t into) {
+    const std::scoped_lock filing(m_filing);
+    return say(mergedInto(*known(), find, into, m_setup.station, m_setup.now()), find);
+}
+
+Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& floorInMap) {
+    const std::scoped_lock filing(m_filing);
+    return say(movedTo(*known(), find, floorInMap, m_setup.station, m_setup.now()), find);
+}
+
+Result<void> FindDesk::edit(const VictimSample& form) {
+    const std::scoped_lock filing(m_filing);
+    return say(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
+}
+
+Result<void> FindDesk::undo() {
+    const MissionStatePtr state = m_setup.mission();
+    const auto& all = *state->decisions;
+    const auto decision = std::find_if(all.rbegin(), all.rend(), [this](const Decision& one) {
+        const auto* sample = std::get_if<VictimSample>(&one.content);
+        return sample != nullptr && !one.undone && sample->station == m_setup.station;
+    });
+    const std::uint64_t newest = decision == all.rend() ? 0 : decision->sequence;
+    if (const CandidateSample* candidate = newestDismissal(*state, m_setup.station, newest))
+        return m_setup.sayCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
+    if (decision != all.rend()) {
+        const auto& sample = std::get<VictimSample>(decision->content);
+        return m_setup.undo(
+            {m_setup.now(), m_setup.station, decision->sequence,
+             undoText({.kind = UndoneThing::Kind::Find, .find = nameOf(sample.kind, sample.number)})});
+    }
+    return Error{translate("leitstand::Station", "there is nothing on finds to take back")};
+}
+
+}  // namespace leitstand

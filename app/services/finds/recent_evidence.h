@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/event/event.h"
+
+namespace leitstand {
+
+/// What one robot said in the last seconds that can show a find. Nothing is decoded or copied.
+struct RobotEvidence {
+    std::map<std::string, std::vector<Event>> pictures;  ///< of cameras, by sensor, oldest first
+    std::map<std::string, std::vector<Event>> thermal;   ///< of thermal cameras, likewise
+    std::map<std::string, CameraInfoSample> cameras;     ///< how they see, by sensor
+    std::optional<Event> scan, odometry, sightings;      ///< newest
+    std::vector<Event> gas;                              ///< of the last minute, oldest first
+};
+
+/// Keeps what robots said for the moment in which the operator sees something. Any thread.
+class RecentEvidence {
+public:
+    static constexpr std::chrono::seconds Pictures{3};  ///< how long pictures are kept
+    static constexpr std::chrono::seconds Gas{60};
+    static constexpr std::chrono::seconds Silence{10};  ///< of CO2, scanner and the like: then they are gone
+    static constexpr std::size_t MostPictures = 120;    ///< of a camera
+
+    void take(const Event& event);
+    /// Of @p robot, as of @p now, station's clock: what came before, from a camera or a sensor that is silent
+    /// since, is left out, but not the picture of the event @p pointed, which a person looks at. Empty when
+    /// the robot said nothing.
+    [[nodiscard]] RobotEvidence of(const std::string& robot, Time now, std::uint64_t pointed = 0) const;
+
+private:
+    using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    struct Newest {
+        std::optional<Event> scan, odometry, sightings;
+        std::deque<Event> gas;
+    };
+    mutable std::mutex m_mutex;
+    std::map<Camera, std::deque<Event>> m_pictures;
+    std::map<Camera, CameraInfoSample> m_infos;
+    std::map<std::string, Newest> m_newest;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,51 @@
+#include "app/services/finds/told_evidence.h"
+
+#include <chrono>
+#include <variant>
+
+#include "app/services/finds/freezing.h"
+#include "app/services/log/event_decoder.h"
+#include "core/io/bag/bag_reader.h"
+
+namespace leitstand {
+namespace {
+
+/// Clocks that agree are the rule, and pictures of two minutes are many.
+constexpr std::chrono::seconds ClocksAgree{2}, ClocksDiffer{60};
+
+bool hasStamp(const Event& event, Time stamp) {
+    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    return (scan != nullptr ? scan->stamp : evidenceOf("", event).stamp) == stamp;
+}
+
+std::uint64_t receivedAbout(BagReader& bag, EventDecoder& decoder, const VictimEvidence& evidence, Time about,
+                            std::chrono::seconds reach) {
+    BagQuery query;
+    query.topics = {evidence.topic};
+    query.from = about - reach;
+    query.to = about + reach;
+    BagCursor cursor = bag.read(query);
+    bool found = false;
+    while (const auto raw = cursor.next()) {
+        decoder.decode(*raw, [&](const Event& event) { found = found || hasStamp(event, evidence.stamp); });
+        if (found) return raw->sequence;
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::uint64_t sequenceInLog(BagReader& bag, EventDecoder& decoder, const VictimEvidence& evidence,
+                            const VictimSample& find) {
+    if (evidence.sequence != 0) return evidence.sequence;
+    if (evidence.stamp == Time() || !decoder.knows(evidence.topic)) return 0;
+    for (const auto reach : {ClocksAgree, ClocksDiffer}) {
+        // The robot's clock, and that of the station which filed it.
+        for (const Time about : {evidence.stamp, find.found}) {
+            if (const auto there = receivedAbout(bag, decoder, evidence, about, reach)) return there;
+        }
+    }
+    return 0;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,91 @@
+#include "app/services/handin/finds/find_tables.h"
+
+#include <string>
+
+#include "app/services/handin/report_words.h"
+
+namespace leitstand {
+namespace {
+
+std::string typeOf(VictimSample::Kind kind) {
+    switch (kind) {
+        case VictimSample::Kind::Hazard:
+            return "hazmat";
+        case VictimSample::Kind::Code:
+            return "qr";
+        case VictimSample::Kind::Object:
+            return "object";
+        case VictimSample::Kind::Victim:
+            break;
+    }
+    return "victim";
+}
+
+bool belongs(VictimSample::Kind kind, FindList::Kind list) {
+    switch (list) {
+        case FindList::Kind::Victims:
+            return kind == VictimSample::Kind::Victim;
+        case FindList::Kind::Codes:
+            return kind == VictimSample::Kind::Code;
+        case FindList::Kind::Pois:
+            break;
+    }
+    return true;
+}
+
+/// What stands on it, else what was noted, else its name.
+std::string contentOf(const ReportFind& find) {
+    if (find.sample.kind == VictimSample::Kind::Victim) return find.name;
+    if (!find.sample.tag.empty()) return find.sample.tag;
+    return find.sample.text.empty() ? find.name : find.sample.text;
+}
+
+}  // namespace
+
+FindList listOf(const ReportModel& model, FindList::Kind kind) {
+    const bool known = model.facts.begin > Time{};
+    FindList list{.kind = kind,
+                  .team = model.facts.team,
+                  .country = model.facts.country,
+                  .date = known ? dateText(model.facts.begin) : std::string(),
+                  .time = known ? clockText(model.facts.begin) : std::string(),
+                  .mission = model.facts.mission,
+                  .finds = {}};
+    for (const ReportFind& find : model.finds) {
+        const VictimSample& sample = find.sample;
+        const bool counts = sample.status == VictimSample::Status::Confirmed && find.position.allFinite();
+        if (!counts || !belongs(sample.kind, kind)) continue;
+        // Numbers run per kind; a list of all kinds needs numbers of its own.
+        const auto id =
+            kind == FindList::Kind::Pois ? static_cast<std::uint32_t>(list.finds.size() + 1) : sample.number;
+        list.finds.push_back({.id = id,
+                              .time = clockText(sample.found),
+                              .text = contentOf(find),
+                              .position = find.position,
+                              .robot = sample.robot,
+                              .mode = sample.autonomous ? "A" : "T",
+                              .type = typeOf(sample.kind)});
+    }
+    return list;
+}
+
+std::vector<ListedSearch> searchListOf(const ReportModel& model) {
+    std::vector<ListedSearch> rows;
+    const double all = model.search.reachable;
+    for (const ReportSearch::Sensor& one : model.search.sensors) {
+        const std::string sensor(nameOf(one.sensor));
+        rows.push_back({.sensor = sensor, .what = "reachable", .area = all, .share = 1.0});
+        rows.push_back({.sensor = sensor, .what = "seen", .area = one.seen, .share = one.seen / all});
+        for (const MissedRegion& region : one.missed) {
+            rows.push_back({.sensor = sensor,
+                            .what = "missed",
+                            .area = region.area,
+                            .share = region.area / all,
+                            .x = region.place.x(),
+                            .y = region.place.y()});
+        }
+    }
+    return rows;
+}
+
+}  // namespace leitstand

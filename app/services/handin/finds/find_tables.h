@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/handin/report_model.h"
+#include "core/io/handin/find_lists.h"
+#include "core/io/handin/search_list.h"
+
+namespace leitstand {
+
+/// The confirmed finds of @p model as the list of @p kind: victims, QR codes, or all points of interest.
+[[nodiscard]] FindList listOf(const ReportModel& model, FindList::Kind kind);
+/// What was searched with each kind of sensor, and what was missed.
+[[nodiscard]] std::vector<ListedSearch> searchListOf(const ReportModel& model);
+
+}  // namespace leitstand

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/services/finds/evidence_picture.h"
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/handin/map/map_painter.h"
+#include "core/handin/report_model.h"
+#include "core/mission/score/score.h"
+#include "core/mission/score/score_profile.h"
+#include "core/perception/pictures/picture.h"
+
+namespace leitstand {
+
+/// CO2 that a robot measured up to the moment at which a find was frozen.
+struct GasTrace {
+    struct Reading {
+        Time at{};         ///< station's clock
+        double ppm = 0.0;  ///< parts per million by volume
+    };
+    std::string robot;
+    std::vector<Reading> readings;  ///< by time, at least one; older missions have no more
+};
+
+/// A scan that was frozen.
+struct FrozenScan {
+    std::string robot;
+    Time at{};                  ///< station's clock
+    std::uint64_t keyScan = 0;  ///< that it became; 0: none
+    std::size_t points = 0;     ///< echoes in it
+    MapPicture picture;         ///< seen from above, about the find; empty where nobody knows its place
+};
+
+/// Where a robot stood when a find was frozen.
+struct FrozenPose {
+    std::string robot;
+    Time at{};                  ///< station's clock
+    std::optional<Pose> inMap;  ///< of its base; empty: nobody knows
+    Pose inOdom = Pose::Identity();
+};
+
+/// What a report shows of a find besides its form.
+struct FindPages {
+    std::vector<EvidencePicture> pictures;
+    int morePictures = 0;  ///< that were frozen too, and are in the mission alone
+    std::vector<GasTrace> gas;
+    std::vector<FrozenScan> scans;
+    std::vector<FrozenPose> poses;
+    MapPicture way;                          ///< the map about it and the way to it; empty without a map
+    std::vector<Eigen::Vector2d> wayPixels;  ///< the way in that picture [px]
+};
+
+/// A printed report before it is laid out.
+struct ReportContent {
+    ReportModel model;
+    std::string name;                          ///< "RoboCup2013-Team-Mission"
+    std::string version;                       ///< of the program that writes it
+    Time created{};                            ///< stated in the report
+    std::vector<MapPicture> maps;              ///< one for each height, without title
+    std::vector<FindPages> finds;              ///< one for each of the model's
+    std::vector<std::string> warnings;         ///< what is missing or could not be read
+    std::optional<ScoreProfile> profile = {};  ///< rules of the score; empty: there are none
+    ScoreResult score;                         ///< by that profile
+};
+
+}  // namespace leitstand

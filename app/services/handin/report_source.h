@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/event/event.h"
+#include "core/handin/report_model.h"
+
+namespace leitstand {
+
+class BagReader;
+class EventDecoder;
+
+/// A mission opened for a report.
+class ReportSource {
+public:
+    /// Opens the mission @p folder (or one of its files) and reads its state, key scans and ways. A bag of
+    /// others has no key scans: its clouds are registered, a choice of them every 0.3 m or 10 degrees, by
+    /// odometry where there is any. An error only when nothing at all can be read; what is missing is told by
+    /// warnings(). Cancelled: what was read so far.
+    [[nodiscard]] static Result<ReportSource> open(const std::filesystem::path& folder,
+                                                   const Progress& progress = {});
+    ~ReportSource();
+    ReportSource(ReportSource&&) noexcept;
+    ReportSource& operator=(ReportSource&&) noexcept;
+
+    [[nodiscard]] const ReportInput& input() const { return m_input; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+    /// Whether they say why there is no map.
+    [[nodiscard]] bool toldOfMap() const { return m_toldOfMap; }
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const;
+
+    /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
+    [[nodiscard]] Result<Event> event(std::uint64_t sequence);
+    /// The event that is @p evidence of @p find, by sequenceInLog().
+    [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const VictimSample& find);
+    /// Pose of the sensor that took the cloud or the ranges @p event in its robot's base then: by the
+    /// transforms that came about that time, else by the robot's file. Empty for other events.
+    [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
+
+private:
+    ReportSource();
+    void readState();
+    void readKeyScans(const Progress& progress);
+    void registerClouds(const std::filesystem::path& folder, const Progress& progress);
+    void readWays(const Progress& progress);
+    void readViews(const Progress& progress);
+
+    std::unique_ptr<BagReader> m_bag;
+    std::unique_ptr<EventDecoder> m_decoder;
+    ReportInput m_input;
+    std::vector<std::string> m_warnings;
+    bool m_toldOfMap = false;
+    bool m_hasKeyScans = false;  ///< some station mapped it, whatever became of its scans
+};
+
+}  // namespace leitstand

@@ -1,0 +1,148 @@
+#include "app/services/handin/writing/mission_export.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/services/handin/finds/find_tables.h"
+#include "app/services/handin/report_source.h"
+#include "app/services/handin/writing/report_files.h"
+#include "core/handin/file_names.h"
+#include "core/io/clouds/cloud_writer.h"
+#include "core/io/detail/numbers.h"
+#include "core/io/handin/geotiff.h"
+#include "core/io/handin/octomap_file.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 7> Endings = {".pcd", ".ply", ".xyz", ".bt", ".tif", ".tum", ".csv"};
+
+std::string endingOf(const fs::path& out) {
+    return detail::lowerCase(out.extension().string());
+}
+
+bool isFolder(const fs::path& out) {
+    std::error_code ignored;
+    return !out.has_filename() || fs::is_directory(out, ignored);
+}
+
+ReportFile told(const fs::path& file, std::string check) {
+    std::error_code ignored;
+    const auto bytes = fs::is_regular_file(file, ignored) ? fs::file_size(file, ignored) : 0;
+    return {.name = file.string(), .bytes = bytes, .whole = true, .check = std::move(check)};
+}
+
+/// The file that was @p written, read again.
+Result<ReportFile> again(const Result<void>& written, const fs::path& file,
+                         const FileContents& contents = {}) {
+    if (!written) return written.error();
+    const auto check = checkFile(file, contents);
+    if (!check) return check.error();
+    return told(file, *check);
+}
+
+Result<ReportFile> exportCloud(const fs::path& out, const ReportInput& input, double reduce) {
+    std::vector<PlacedScan> placed;
+    if (reduce > 0.0 && !isFolder(out)) {
+        placed.push_back(
+            {std::make_shared<const Scan>(labelledCloud(input.scans, reduce)), Pose::Identity()});
+    } else {
+        for (const ReportScan& scan : input.scans) placed.push_back({scan.scan, scan.scanInMap});
+    }
+    if (const auto written = writeMapCloud(out, placed); !written) return written.error();
+    if (const auto check = checkMapCloud(out, placed); !check) return check.error();
+    std::size_t points = 0;
+    for (const PlacedScan& scan : placed) points += scan.scan->points.size();
+    return told(out, fmt::format("{} points of {} scans", points, input.scans.size()));
+}
+
+FindList::Kind listKind(const fs::path& out) {
+    const std::string name = detail::lowerCase(out.filename().string());
+    for (const auto kind : {FindList::Kind::Victims, FindList::Kind::Codes}) {
+        const std::string ending = endingOf(kind);
+        if (name.ends_with(ending) || name == ending.substr(1)) return kind;
+    }
+    return FindList::Kind::Pois;
+}
+
+Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel& model,
+                                         const std::string& robot) {
+    ExportOutcome outcome;
+    std::vector<std::size_t> robots;
+    for (std::size_t i = 0; i < model.robots.size(); ++i) {
+        const ReportRobot& one = model.robots[i];
+        if (!one.path.poses.empty() && (robot.empty() || one.name == robot)) robots.push_back(i);
+    }
+    if (robots.empty()) {
+        return Error{fmt::format("{}: is not written: nobody knows the way of {} in the map", out.string(),
+                                 robot.empty() ? "any robot" : robot)};
+    }
+    const std::vector<std::string> endings = trajectoryEndings(model.robots);
+    for (const std::size_t one : robots) {
+        fs::path file = out;
+        if (robots.size() > 1) file.replace_filename(out.stem().string() + endings[one]);
+        const auto poses = trajectoryOf(model.robots[one]);
+        auto written = again(writeTum(file, poses), file, {.count = poses.size()});
+        if (!written) return written.error();
+        outcome.files.push_back(std::move(written).value());
+    }
+    return outcome;
+}
+
+Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, const ExportOptions& options,
+                                 const Progress& progress) {
+    const auto one = [](Result<ReportFile> file) -> Result<ExportOutcome> {
+        if (!file) return file.error();
+        ExportOutcome outcome;
+        outcome.files.push_back(std::move(file).value());
+        return outcome;
+    };
+    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
+    const std::string ending = endingOf(out);
+    const bool cloud = isFolder(out) || ending == ".pcd" || ending == ".ply" || ending == ".xyz";
+    if ((cloud || ending == ".bt" || ending == ".tif") && input.scans.empty())
+        return Error{out.string() + ": is not written: no scan of the mission counts"};
+    if (cloud) return one(exportCloud(out, input, options.reduce));
+    const ReportModel model = reportOf(input, progress);
+    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
+    if (ending == ".bt") return one(again(writeOctomap(out, model.evidence), out));
+    if (ending == ".tif") {
+        const MapPicture map = paintMap(drawingOf(model, options.upper ? 1 : 0, out.filename().string()));
+        return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
+    }
+    if (ending == ".tum") return exportTrajectories(out, model, options.robot);
+    if (isSearchList(out)) {
+        const std::vector<ListedSearch> rows = searchListOf(model);
+        return one(again(writeSearchList(out, rows), out, {.count = rows.size()}));
+    }
+    const FindList list = listOf(model, listKind(out));
+    return one(again(writeFindList(out, list), out, {.count = list.finds.size()}));
+}
+
+}  // namespace
+
+bool canExport(const fs::path& out) {
+    return isFolder(out) || std::find(Endings.begin(), Endings.end(), endingOf(out)) != Endings.end();
+}
+
+Result<ExportOutcome> exportMission(const fs::path& mission, const fs::path& out,
+                                    const ExportOptions& options, const Progress& progress) {
+    if (!canExport(out))
+        return Error{out.string() +
+                     ": expected an ending .pcd .ply .xyz .bt .tif .tum .csv, or a folder that ends in /"};
+    auto source = ReportSource::open(mission, progress);
+    if (!source) return source.error();
+    auto outcome = exportInto(out, source->input(), options, progress);
+    if (!outcome) return outcome;
+    ExportOutcome done = std::move(outcome).value();
+    done.warnings = source->warnings();
+    return done;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/services/handin/writing/report_writer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// What is exported of a mission.
+struct ExportOptions {
+    double reduce = 0.0;  ///< clouds keep one point in each cube of this edge [m]; 0: all points
+    std::string robot;    ///< only its trajectory; empty: each robot's
+    bool upper = false;   ///< .tif: the map at 0.90 to 1.10 m above the floor, not at 0.25 to 0.35 m
+};
+
+/// What came of an export.
+struct ExportOutcome {
+    std::vector<ReportFile> files;  ///< paths as they were written
+    std::vector<std::string> warnings;
+};
+
+/// The endings that exportMission() writes; a folder ends in "/".
+[[nodiscard]] bool canExport(const std::filesystem::path& out);
+
+/// Writes part of @p mission by @p out's ending: .pcd .ply .xyz the map's points with labels, .bt OctoMap,
+/// .tif GeoTIFF, .tum trajectories (with several robots FILE_robot.tum each), .csv a list (FILE_victims.csv
+/// and FILE_qr.csv those, others all points of interest), "DIR/" uos scans with poses. An error when the
+/// mission cannot be opened, does not have that part, or the file cannot be written.
+[[nodiscard]] Result<ExportOutcome> exportMission(const std::filesystem::path& mission,
+                                                  const std::filesystem::path& out,
+                                                  const ExportOptions& options,
+                                                  const Progress& progress = {});
+
+}  // namespace leitstand

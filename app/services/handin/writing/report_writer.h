@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/services/handin/report_content.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// How a report is written.
+struct ReportOptions {
+    /// Lays a report out as the bytes of a PDF; empty: none is written. Called on the caller's thread.
+    std::function<Result<std::string>(const ReportContent&)> pdf = {};
+    std::string version = {};  ///< of the program
+    Time created{};            ///< stated in the PDF; epoch: now
+};
+
+/// A file of a report, read again.
+struct ReportFile {
+    std::string name;
+    std::uintmax_t bytes = 0;
+    bool whole = false;  ///< whether it could be read again and holds what it should
+    std::string check;   ///< what was found in it, or what is wrong
+};
+
+/// What came of a report.
+struct ReportOutcome {
+    std::string name;  ///< that its files begin with
+    std::vector<ReportFile> files;
+    std::vector<std::string> warnings;  ///< what is missing or could not be read, each in a sentence
+    std::size_t victims = 0, finds = 0, scans = 0;
+    double explored = 0.0;  ///< [m2]
+    double seconds = 0.0;   ///< of work
+    [[nodiscard]] bool whole() const;
+};
+
+/// Writes the hand-in of @p mission into the folder @p out, which is made where it is absent: GeoTIFF at two
+/// heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Files of an
+/// earlier report of the same name are replaced, each whole or not at all; those of earlier reports of this
+/// mission by other names are removed once the new ones are there (EarlierReport). Then every file is read
+/// again. An error when the mission cannot be opened, or a file cannot be written.
+[[nodiscard]] Result<ReportOutcome> writeReport(const std::filesystem::path& mission,
+                                                const std::filesystem::path& out,
+                                                const ReportOptions& options, const Progress& progress = {});
+
+}  // namespace leitstand

@@ -1,0 +1,153 @@
+#include "app/services/interrupt.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+namespace leitstand {
+namespace {
+
+using Action = struct sigaction;
+
+struct Taken {
+    int signal;
+    Action before = {};
+};
+
+constexpr char GuardGone = 0, Came = 1;  // what the pipe says
+
+// request_stop is not allowed in a signal handler, so the handler writes to a pipe and a thread stops the
+// work. The pipe stays open: a handler may be at work in another thread when a guard goes.
+std::array<Taken, 3> signals = {{{.signal = SIGINT}, {.signal = SIGTERM}, {.signal = SIGHUP}}};
+std::array<int, 2> wakeUp = {-1, -1};
+
+Action handledBy(void (*handler)(int)) {
+    Action action = {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    return action;
+}
+
+void giveBack() {
+    for (const Taken& one : signals) sigaction(one.signal, &one.before, nullptr);
+}
+
+void say(char what) {
+    [[maybe_unused]] const auto written = write(wakeUp[1], &what, 1);
+}
+
+/// What the pipe says next.
+char heard() {
+    char byte = GuardGone;
+    while (read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
+    }
+    return byte;
+}
+
+void onSignal(int /*signal*/) {
+    const int error = errno;
+    giveBack();
+    const Action ignored = handledBy(SIG_IGN);
+    sigaction(SIGHUP, &ignored, nullptr);
+    say(Came);
+    errno = error;
+}
+
+/// What is to be done when a process does not end. Never destroyed: its process may be hanging in exit().
+struct Late {
+    std::mutex mutex;
+    std::map<const WhenLate*, std::function<void()>> all;
+};
+Late& late() {
+    static auto* const one = new Late;
+    return *one;
+}
+
+using Clock = std::chrono::steady_clock;
+constexpr auto LateAfter = std::chrono::milliseconds(3000), EndAfter = std::chrono::milliseconds(4200);
+
+/// Whether the guard is gone by @p until.
+bool endsBy(Clock::time_point until) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd pipe = {.fd = wakeUp[0], .events = POLLIN, .revents = 0};
+    return poll(&pipe, 1, static_cast<int>(std::max<long long>(left, 0))) > 0;
+}
+
+/// Whatever happens, and wherever: the system ends the process by then.
+void endAtTheLatest() {
+    itimerval timer = {};
+    timer.it_value = {.tv_sec = 4, .tv_usec = 500'000};
+    std::signal(SIGALRM, SIG_DFL);
+    setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+/// Ends the process when the guard is not gone in time.
+void endSurely(Clock::time_point asked) {
+    if (endsBy(asked + LateAfter)) return;
+    // Apart: it may hang as well.
+    std::thread([] {
+        const std::lock_guard lock(late().mutex);
+        for (const auto& [whose, what] : late().all) what();
+    }).detach();
+    if (endsBy(asked + EndAfter)) return;
+    std::fputs("does not end by itself: a library hangs; what was recorded is closed\n", stderr);
+    std::_Exit(EXIT_FAILURE);
+}
+
+/// Opens the pipe, or takes out what a handler said too late for the guard before.
+bool openPipe() {
+    if (wakeUp[0] < 0) return pipe2(wakeUp.data(), O_CLOEXEC) == 0;
+    int waiting = 0;
+    while (ioctl(wakeUp[0], FIONREAD, &waiting) == 0 && waiting > 0) heard();
+    return true;
+}
+
+}  // namespace
+
+WhenLate::WhenLate(std::function<void()> what) {
+    const std::lock_guard lock(late().mutex);
+    late().all.emplace(this, std::move(what));
+}
+
+WhenLate::~WhenLate() {
+    const std::lock_guard lock(late().mutex);
+    late().all.erase(this);
+}
+
+InterruptGuard::InterruptGuard(End end) {
+    if (!openPipe()) return;  // Ctrl-C then ends the process at once
+    // A copy: the guard does not go where a library ends the process by exit().
+    m_waiter = std::thread([source = m_source, end]() mutable {
+        if (heard() != Came) return;
+        const auto asked = Clock::now();
+        if (end == End::Surely) endAtTheLatest();
+        source.request_stop();
+        if (end == End::Surely) endSurely(asked);
+    });
+    const Action action = handledBy(onSignal);
+    for (Taken& one : signals) sigaction(one.signal, nullptr, &one.before);
+    for (const Taken& one : signals) {
+        if (one.before.sa_handler != SIG_IGN) sigaction(one.signal, &action, nullptr);
+    }
+}
+
+InterruptGuard::~InterruptGuard() {
+    if (!m_waiter.joinable()) return;
+    giveBack();
+    say(GuardGone);
+    m_waiter.join();
+}
+
+}  // namespace leitstand

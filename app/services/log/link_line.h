@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/words.h"
+#include "core/robot/link/link_status.h"
+
+namespace leitstand {
+
+/// A link for the operator of a command line: "kurt3d: degraded: odometry 1.4 s old".
+[[nodiscard]] inline std::string linkLine(const LinkStatus& link) {
+    const std::string reasons = toString(link.reasons);
+    return link.robot + ": " + toString(link.state) + (reasons.empty() ? "" : ": " + reasons);
+}
+
+/// A state in the words that the window has for it.
+[[nodiscard]] inline std::string linkStateWords(LinkState state) {
+    switch (state) {
+        case LinkState::NeverSeen:
+            return translate("leitstand::LinkStatus", "not heard yet");
+        case LinkState::Connected:
+            return translate("leitstand::LinkStatus", "connected");
+        case LinkState::Degraded:
+            return translate("leitstand::LinkStatus", "degraded");
+        case LinkState::Lost:
+            return translate("leitstand::LinkStatus", "lost");
+    }
+    return {};
+}
+
+}  // namespace leitstand

@@ -1,0 +1,206 @@
+#include "app/services/log/mission_recorder.h"
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "app/services/domain/hearing_watch.h"
+#include "app/services/log/link_line.h"
+#include "core/event/station_topics.h"
+#include "transport/dds/node.h"
+#include "transport/link/link_client.h"
+
+namespace leitstand {
+namespace {
+
+/// Topics of ROS 2 itself that nobody wants in a mission.
+bool isHousekeeping(const std::string& topic) {
+    return topic == "/rosout" || topic == "/parameter_events" || topic.find("/_action/") != std::string::npos;
+}
+
+/// Topics of stations that speak of their own log, whose sequences mean nothing in ours.
+bool isOfAnotherLog(const std::string& topic) {
+    return topic == station_topic::Checkpoints || topic == station_topic::Sessions ||
+           topic == station_topic::Undo;
+}
+
+/// Topics that are announced as steady streams for longer than it takes to hear them, and are not heard.
+std::vector<std::string> unheardIn(const DomainHearing& domain) {
+    std::set<std::string> unheard;
+    for (const OfferedWriter& one : domain.writers) {
+        if (!one.heard && one.steady && one.seconds >= HearWithin) unheard.insert(one.topic);
+    }
+    return {unheard.begin(), unheard.end()};
+}
+
+}  // namespace
+
+struct MissionRecorder::State {
+    RecorderSettings settings;
+    Teller tell;
+    std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<Node> node;
+    std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
+    std::unique_ptr<MissionFeed> feed;
+    std::unique_ptr<HearingWatch> hearing;
+    std::mutex mutex;  ///< of the next two
+    bool discovered = false;
+    std::set<std::string> told;
+    std::condition_variable_any changed;
+    ScreenTelling screened;  ///< of the thread's
+    std::jthread discovery;  ///< last: joined first
+
+    void say(const std::string& text) {
+        if (tell) tell(text);
+    }
+    /// Says @p text unless something was said about @p key; never while locked, since who is told may ask
+    /// back.
+    void sayOnce(const std::string& key, const std::string& text) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!told.insert(key).second) return;
+        }
+        say(text);
+    }
+    Result<void> watchLinks();
+    void subscribeListed();
+    void subscribeHeard();
+    void watch(const std::stop_token& stop);
+    void watchHearing();
+};
+
+Result<void> MissionRecorder::State::watchLinks() {
+    LinkClientSettings passive;
+    passive.pingEvery = std::chrono::milliseconds(0);
+    for (const RobotDescription& robot : settings.mission.robots) {
+        LinkListener listener;
+        listener.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
+        listener.onClockOffset = [this](const ClockOffsetSample& offset) {
+            (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+        };
+        auto client = LinkClient::create(*node, robot, passive, std::move(listener));
+        if (!client) return client.error();
+        links.push_back(std::move(client).value());
+    }
+    return {};
+}
+
+void MissionRecorder::State::subscribeListed() {
+    for (const RobotDescription& robot : settings.mission.robots) {
+        for (const std::string& problem : feed->listenTo(robot)) say(problem);
+    }
+    for (const std::string& problem : feed->listenToStations()) say(problem);
+}
+
+void MissionRecorder::State::subscribeHeard() {
+    for (const RemoteEndpoint& endpoint : node->endpoints()) {
+        if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros ||
+            isHousekeeping(endpoint.topic) || isOfAnotherLog(endpoint.topic))
+            continue;
+        const auto heard = feed->listen(endpoint.topic, endpoint.type, endpoint.qos);
+        if (!heard) sayOnce(endpoint.topic, heard.error().text);
+    }
+}
+
+void MissionRecorder::State::watch(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        {
+            std::unique_lock lock(mutex);
+            if (!changed.wait(lock, stop, [this] { return discovered; })) return;
+            discovered = false;
+        }
+        if (settings.mission.robots.empty()) subscribeHeard();
+        for (const Mismatch& mismatch : node->mismatches()) {
+            const std::string text = toString(mismatch.complaint);
+            sayOnce(text, text);
+        }
+        for (const ScreenDrop& drop : screened.due(node->dropped())) say(toString(drop));
+    }
+}
+
+void MissionRecorder::State::watchHearing() {
+    HearingWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.link = [this](const std::string& robot) {
+        for (const auto& link : links) {
+            if (const LinkStatus status = link->status(); status.robot == robot) return status.state;
+        }
+        return LinkState::NeverSeen;
+    };
+    setup.mayRejoin = [] { return true; };  // it listens, and commands nobody
+    setup.tell = [this](const std::string& text) { say(text); };
+    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+}
+
+Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
+                                                                Teller tell) {
+    const auto network = nodeSettings(settings.domain, "leitstandctl record");
+    if (!network) return network.error();
+    auto node = Node::create(*network);
+    if (!node) return node.error();
+    auto mission = LiveMission::open(settings.mission, {.onAlarm = tell});
+    if (!mission) return mission.error();
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->tell = std::move(tell);
+    state->mission = std::move(mission).value();
+    state->node = std::move(node).value();
+    for (const std::string& warning : state->node->warnings()) state->say(warning);
+    if (const auto watched = state->watchLinks(); !watched) return watched.error();
+    state->feed = std::make_unique<MissionFeed>(*state->node, *state->mission,
+                                                [raw = state.get()](const ReceivedSample& sample) {
+                                                    for (const auto& link : raw->links)
+                                                        link->onSample(sample);
+                                                });
+    if (!settings.mission.robots.empty()) state->subscribeListed();
+    state->discovery = std::jthread([raw = state.get()](const std::stop_token& stop) { raw->watch(stop); });
+    state->node->onDiscovery([raw = state.get()] {
+        {
+            const std::lock_guard lock(raw->mutex);
+            raw->discovered = true;
+        }
+        raw->changed.notify_all();
+    });
+    state->watchHearing();
+    return std::unique_ptr<MissionRecorder>(new MissionRecorder(std::move(state)));
+}
+
+MissionRecorder::MissionRecorder(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+
+MissionRecorder::~MissionRecorder() {
+    (void)stop();
+    m_state->hearing.reset();
+    m_state->discovery.request_stop();
+    if (m_state->discovery.joinable()) m_state->discovery.join();
+    m_state->feed->end();
+    m_state->links.clear();
+    m_state->node.reset();
+}
+
+RecorderStatus MissionRecorder::status() const {
+    RecorderStatus status{.log = m_state->mission->status(),
+                          .topics = {},
+                          .links = {},
+                          .mismatches = {},
+                          .unheard = {},
+                          .screened = {}};
+    if (m_state->node) {
+        for (const Mismatch& mismatch : m_state->node->mismatches())
+            status.mismatches.push_back(toString(mismatch.complaint));
+        status.screened = m_state->node->dropped();
+    }
+    for (const auto& link : m_state->links) status.links.push_back(link->status());
+    if (m_state->node) status.unheard = unheardIn(m_state->node->hearing());
+    status.topics = m_state->feed->topics();
+    return status;
+}
+
+Result<void> MissionRecorder::stop() {
+    // The log first: what a library does with its threads must not keep it open.
+    return m_state->mission->close();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/services/domain/domain_settings.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/log/mission_feed.h"
+#include "core/base/result.h"
+#include "core/robot/link/link_status.h"
+#include "core/robot/link/screen_report.h"
+
+namespace leitstand {
+
+/// What to record, and where.
+struct RecorderSettings {
+    LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics heard
+    DomainSettings domain = {};
+};
+
+/// How a recording is doing.
+struct RecorderStatus {
+    LiveMissionStatus log;
+    std::vector<HeardTopic> topics;
+    std::vector<LinkStatus> links;        ///< of the robots whose files were given
+    std::vector<std::string> mismatches;  ///< in words
+    /// Topics that are announced as steady streams (best effort) for 2 s and more, of which nothing came.
+    std::vector<std::string> unheard;
+    std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
+};
+
+/// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.
+class MissionRecorder {
+public:
+    /// Texts for the operator: alarms, links that changed, topics that cannot be heard. Called on threads of
+    /// the recorder's.
+    using Teller = std::function<void(const std::string&)>;
+
+    [[nodiscard]] static Result<std::unique_ptr<MissionRecorder>> start(const RecorderSettings& settings,
+                                                                        Teller tell = {});
+    ~MissionRecorder();
+    MissionRecorder(const MissionRecorder&) = delete;
+    MissionRecorder& operator=(const MissionRecorder&) = delete;
+
+    [[nodiscard]] RecorderStatus status() const;
+    /// Ends the session; the mission is self-contained afterwards. The domain is left when the recorder goes.
+    Result<void> stop();
+
+private:
+    struct State;
+    explicit MissionRecorder(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/services/domain/domain_settings.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// How to play a mission.
+struct ReplaySettings {
+    std::filesystem::path mission;
+    DomainSettings domain = {};
+    double rate = 1.0;           ///< of the mission's time to real time, above 0
+    bool loop = false;           ///< begin again at the end
+    double settleSeconds = 2.0;  ///< listened for live robots before the first sample [s]
+};
+
+/// What was played.
+struct ReplayOutcome {
+    std::uint64_t published = 0;
+    std::uint64_t heldBack = 0;  ///< events that a replay must not say
+    std::vector<std::string> heldBackTopics;
+    std::vector<std::string> problems;  ///< what could not be read or sent
+};
+
+/// Publishes what a mission's robots said, on DDS, at the pace at which it came; stamps stay as they were.
+class MissionReplay {
+public:
+    /// Opens the mission and joins the domain. Errors: the bag cannot be read; a live robot of the same name
+    /// is on the domain (then nothing is published).
+    [[nodiscard]] static Result<std::unique_ptr<MissionReplay>> open(const ReplaySettings& settings,
+                                                                     const Progress& progress = {});
+    ~MissionReplay();
+    MissionReplay(const MissionReplay&) = delete;
+    MissionReplay& operator=(const MissionReplay&) = delete;
+
+    /// Plays to the end (of each round, when it loops) or until @p progress is cancelled. @p paused may be
+    /// switched at any time: the replay stands still and goes on where it was.
+    [[nodiscard]] ReplayOutcome play(const std::atomic<bool>& paused, const Progress& progress = {});
+
+private:
+    struct State;
+    explicit MissionReplay(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

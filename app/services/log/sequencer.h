@@ -1,0 +1,50 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "core/event/raw_event.h"
+
+namespace leitstand {
+
+/// Puts all that reaches the station into one order (design, section 1): numbers the events, and hands them
+/// to a sink on a thread of its own. Order is receive time, as far as events wait together; receive times
+/// never run backwards, even when the station's clock is set back. The sink must not wait for the disk or
+/// the network, so that the queue stays short; it is not bounded, since nothing may be lost here.
+class Sequencer {
+public:
+    using Sink = std::function<void(const RawEvent&)>;
+
+    /// Events are numbered from @p lastSequence + 1 on.
+    Sequencer(std::uint64_t lastSequence, Sink sink);
+    /// Hands over what waits, then ends.
+    ~Sequencer();
+    Sequencer(const Sequencer&) = delete;
+    Sequencer& operator=(const Sequencer&) = delete;
+
+    /// Takes @p event; its receive time is now where it has none. Any thread, also the sink's own.
+    void push(RawEvent event);
+    /// Waits until all that was pushed before was handed over. Not from the sink.
+    void drain();
+
+private:
+    void run(const std::stop_token& stop);
+
+    Sink m_sink;
+    std::uint64_t m_sequence;
+    Time m_last{};
+    std::mutex m_mutex;
+    std::condition_variable_any m_changed;
+    std::deque<RawEvent> m_waiting;
+    std::uint64_t m_pushed = 0, m_handedOver = 0;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+/// The station's clock.
+[[nodiscard]] Time stationTime();
+
+}  // namespace leitstand

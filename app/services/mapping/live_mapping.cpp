@@ -1,0 +1,258 @@
+#include "app/services/mapping/live_mapping.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <variant>
+
+#include "app/services/log/sequencer.h"
+#include "core/mapping/live/scan_doubts.h"
+#include "core/mapping/placement/placement_says.h"
+
+namespace leitstand {
+
+namespace {
+
+bool sameFix(const std::optional<RobotFix>& a, const RobotFix& b) {
+    return a && a->stamp == b.stamp && a->doubts == b.doubts && a->certainty == b.certainty &&
+           a->baseInMap.matrix() == b.baseInMap.matrix();
+}
+
+}  // namespace
+
+MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
+    auto map = std::make_shared<Map>();
+    map->scans.reserve(live.scans.size());
+    std::size_t known = 0;  // in before; both are by rising id
+    for (const LiveKeyScan& one : live.scans) {
+        if (one.pose.trust == ScanTrust::SetAside) continue;
+        MapScan scan;
+        scan.scan = one.scan;
+        scan.poseInMap = scan.guessInMap = one.pose.scanInMap;
+        scan.pointsUsed = one.reduced ? one.reduced->size() : 0;
+        while (before && known < before->scans.size() && before->scans[known].id < one.id) ++known;
+        if (before && known < before->scans.size() && before->scans[known].scan == one.scan) {
+            scan.labelCounts = before->scans[known].labelCounts;
+        } else {
+            for (const Label label : one.scan->labels) ++scan.labelCounts[static_cast<std::size_t>(label)];
+        }
+        scan.registered = one.matched != 0;
+        scan.icp.converged = one.pose.converged;
+        scan.icp.stop = one.pose.converged ? IcpStop::Converged : IcpStop::IterationLimit;
+        scan.icp.rms = one.pose.rms;
+        scan.icp.inlierRatio = one.pose.inlierRatio;
+        scan.icp.overlap = one.pose.overlap;
+        scan.icp.certainty = one.counts() ? one.pose.certainty : 0.0;
+        scan.id = one.id;
+        scan.entered = one.entered;
+        scan.uncertain = one.pose.trust == ScanTrust::Uncertain;
+        map->scans.push_back(std::move(scan));
+    }
+    return map;
+}
+
+LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings) {
+    for (const RobotDescription& robot : robots) {
+        if (robot.refineTurns) settings.refined.insert(robot.name);
+    }
+    return settings;
+}
+
+LiveMapping::Robot::Robot(const RobotDescription& description, const std::string& station)
+    : poses(description), tracker(description.name), laser(tracker, station) {
+    // They know the motion before the first slice.
+    for (const StreamDescription& stream : description.streams) {
+        if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
+    }
+}
+
+LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
+                         const LiveSettings& settings, LiveMappingListener listener,
+                         const EarlierMap& earlier)
+    : m_descriptions(robots),
+      m_listener(std::move(listener)),
+      m_mapper(station, settingsOf(robots, settings)) {
+    for (const RobotDescription& robot : m_descriptions) {
+        m_robots.try_emplace(robot.name, robot, station).first->second.laser.setCrop(settings.crop);
+        m_mapper.setBody(robot.name, {robot.footprint, robot.height});
+    }
+    for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
+    if (!earlier.scans.empty()) {
+        m_mapper.follow(earlier.poses);
+        if (earlier.shared) m_mapper.beginBlock();
+        for (auto& [name, robot] : m_robots) {
+            const auto place = earlier.places.find(name);
+            if (place != earlier.places.end() && !m_mapper.fix(name)) robot.laser.restore(place->second);
+        }
+        followFixes();
+        tellMap();
+    }
+    tellRobots();
+    m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+LiveMapping::~LiveMapping() = default;
+
+void LiveMapping::end() {
+    m_thread.request_stop();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+void LiveMapping::take(const Event& event) {
+    const bool wanted = std::holds_alternative<OdometrySample>(event.sample) ||
+                        std::holds_alternative<ImuSample>(event.sample) ||
+                        std::holds_alternative<CloudSample>(event.sample) ||
+                        std::holds_alternative<RangesSample>(event.sample) ||
+                        event.role == StreamRole::StaticTransforms;
+    const auto* clock = std::get_if<ClockOffsetSample>(&event.sample);
+    if (clock == nullptr && !wanted) return;
+    if (!m_robots.contains(clock != nullptr ? clock->robot : event.robot)) return;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.emplace_back(event);
+    }
+    m_came.notify_all();
+}
+
+void LiveMapping::post(std::function<void(LiveMapper&)> task) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.emplace_back(std::move(task));
+    }
+    m_came.notify_all();
+}
+
+void LiveMapping::setCrop(const MapCrop& crop) {
+    post([this, crop](LiveMapper& mapper) {
+        mapper.setCrop(crop);
+        for (auto& [name, robot] : m_robots) robot.laser.setCrop(crop);
+    });
+}
+
+RobotsInMapPtr LiveMapping::robots() const {
+    const std::lock_guard lock(m_mutex);
+    return m_places;
+}
+
+ScanCutter& LiveMapping::cutterOf(Robot& robot, const Event& event) {
+    return robot.cutters.try_emplace(event.topic, event.robot).first->second;
+}
+
+void LiveMapping::work(const Event& event) {
+    if (const auto* clock = std::get_if<ClockOffsetSample>(&event.sample)) {
+        m_robots.at(clock->robot).ahead = clock->ahead;
+        return;
+    }
+    Robot& robot = m_robots.at(event.robot);
+    if (event.role == StreamRole::StaticTransforms) {
+        robot.poses.add(event);
+    } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        for (auto& [topic, cutter] : robot.cutters) cutter.add(*odometry, event.received);
+        robot.tracker.add(*odometry, event.received);
+    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+        const Pose unit = robot.poses.inBase(event.sensor, imu->header.frame);
+        for (auto& [topic, cutter] : robot.cutters) cutter.add(*imu, unit, event.received);
+        robot.tracker.add(*imu, unit, event.received);
+    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
+        cutterOf(robot, event).add(*cloud, sensor, event.received);
+    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+        if (m_mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans tell more
+        RangesSample stamped = *ranges;
+        if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
+        const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
+        seeing(event.robot, robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
+    }
+}
+
+void LiveMapping::work(const Task& task) {
+    task(m_mapper);
+    followFixes();
+    const LiveMapPtr before = m_map;
+    tellMap();
+    if (scansMoved(before, *m_map)) layTrails();
+}
+
+void LiveMapping::registerDone(Time now) {
+    for (auto& [name, robot] : m_robots) {
+        for (auto& [topic, cutter] : robot.cutters) {
+            for (const LiveScan& scan : cutter.take(now)) {
+                place(robot, scan, now);
+                const LiveMapPtr before = m_map;
+                const MapUpdate update = m_mapper.add(scan, now, bodiesIn(*scan.scan));
+                if (update.ready) matched(name, now);
+                followFixes();
+                if (m_listener.onUpdate) m_listener.onUpdate(update);
+                if (update.keyScan || update.poses) tellMap();
+                placeOthers(now);  // also while this one stands: the others' lasers may have come since
+                placeSeen(update, before, now);
+            }
+        }
+    }
+}
+
+void LiveMapping::followFixes() {
+    for (auto& [name, robot] : m_robots) {
+        const auto fix = m_mapper.fix(name);
+        if (!fix || sameFix(robot.followed, *fix)) continue;
+        robot.followed = fix;
+        const bool certain = fix->doubts == 0;
+        robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
+                               certain ? placement_says::FitsMap : inWords(fix->doubts)});
+    }
+}
+
+void LiveMapping::tellMap() {
+    m_map = m_mapper.map();
+    if (m_listener.onMap) m_listener.onMap(m_map);
+}
+
+void LiveMapping::tellRobots() {
+    auto places = std::make_shared<RobotsInMap>();
+    for (const auto& [name, robot] : m_robots) {
+        places->push_back(robot.tracker.now());
+        places->back().matched = robot.matched;
+    }
+    const std::lock_guard lock(m_mutex);
+    for (RobotInMap& place : *places) {
+        const auto heard = m_heard.find(place.robot);
+        if (heard != m_heard.end()) place.matched = heard->second;
+    }
+    m_places = std::move(places);
+}
+
+std::optional<Time> LiveMapping::due() const {
+    std::optional<Time> first;
+    for (const auto& [name, robot] : m_robots) {
+        for (const auto& [topic, cutter] : robot.cutters) {
+            const auto one = cutter.due();
+            if (one && (!first || *one < *first)) first = one;
+        }
+    }
+    return first;
+}
+
+void LiveMapping::run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        std::deque<Work> taken;
+        {
+            std::unique_lock lock(m_mutex);
+            const auto came = [this] { return !m_waiting.empty(); };
+            if (const auto until = due()) {
+                m_came.wait_until(lock, stop, *until, came);
+            } else {
+                m_came.wait(lock, stop, came);
+            }
+            taken.swap(m_waiting);
+        }
+        for (const Work& one : taken) {
+            if (stop.stop_requested()) return;
+            std::visit([this](const auto& content) { work(content); }, one);
+        }
+        registerDone(stationTime());
+        if (leaveOutPlaced()) tellMap();
+        tellRobots();
+    }
+}
+
+}  // namespace leitstand

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/services/places/sensor_poses.h"
+#include "core/event/event.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/map.h"
+#include "core/mapping/motion/scan_cutter.h"
+#include "core/mapping/placement/laser_robot.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Called on the mapping's thread, which they must not hold up.
+struct LiveMappingListener {
+    std::function<void(const RobotPlaceSample&)> onPlace =
+        {};                                               ///< likewise, of robots that do not make the map
+    std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
+    std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
+};
+
+/// What the mission's earlier sessions have of the map.
+struct EarlierMap {
+    std::vector<KeyScanSample> scans;
+    std::vector<ScanPose> poses;                     ///< where they are now
+    std::map<std::string, RobotPlaceSample> places;  ///< of robots that do not make it, by name
+    bool shared = false;                             ///< another station had a part in it
+};
+
+/// @p settings as the files of @p robots want them.
+[[nodiscard]] LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings);
+
+/// Registers what robots scan while they drive, on a thread of its own. Any thread.
+class LiveMapping {
+public:
+    LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
+                const LiveSettings& settings, LiveMappingListener listener, const EarlierMap& earlier = {});
+    ~LiveMapping();
+    LiveMapping(const LiveMapping&) = delete;
+    LiveMapping& operator=(const LiveMapping&) = delete;
+
+    void end();  ///< what waits is left; nobody is told anything any more
+    /// Odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, how far robots' clocks are
+    /// ahead; others are passed by.
+    void take(const Event& event);
+    /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
+    void post(std::function<void(LiveMapper&)> task);
+    /// What of the world belongs into the map from now on, and of what lasers see.
+    void setCrop(const MapCrop& crop);
+    /// What another station, which makes the map, added to it, and where its scans and robots are now.
+    void adopt(const KeyScanSample& keyScan);
+    void follow(std::vector<ScanPose> poses);
+    void follow(const RobotPlaceSample& place);
+    /// A 3D scan of @p robot came in, which another station lays onto the map.
+    void heard(const std::string& robot, Time received);
+    /// The operator puts @p robot, by name one of ours, to @p baseInMap.
+    void place(const std::string& robot, const Pose& baseInMap);
+    /// Where the robots are; never null.
+    [[nodiscard]] RobotsInMapPtr robots() const;
+
+private:
+    struct Robot {
+        Robot(const RobotDescription& description, const std::string& station);
+        SensorPoses poses;
+        std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
+        RobotTracker tracker;
+        LaserRobot laser;                  ///< corrects the tracker while no 3D scan of its own does
+        std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
+        std::optional<Time> matched;       ///< RobotInMap::matched
+        std::optional<RobotFix> followed;  ///< that the tracker was corrected by last
+        bool certain = false;              ///< its place was, when scans were looked through for it last
+    };
+    using Task = std::function<void(LiveMapper&)>;
+    using Work = std::variant<Event, Task>;
+    void run(const std::stop_token& stop);
+    void work(const Event& event);
+    void work(const Task& task);
+    void registerDone(Time now);
+    void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
+    void followFixes();                               ///< robots stand where the mapper says
+    void layTrails();                                 ///< where decisions moved the scans
+    void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
+    void placeBeside(const std::string& name, Robot& robot, Time now);
+    /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
+    void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
+    void place(Robot& robot, const LiveScan& scan, Time now);
+    void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
+    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan) const;
+    /// A robot's place became certain: it is left out of what was scanned before, as far back as its odometry
+    /// tells where it was. Whether the map has changed.
+    bool leaveOutPlaced();
+    [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
+    void tellPlace(const std::optional<RobotPlaceSample>& place);
+    void tellMap();
+    void tellRobots();
+    [[nodiscard]] std::optional<Time> due() const;
+    ScanCutter& cutterOf(Robot& robot, const Event& event);
+
+    const std::vector<RobotDescription> m_descriptions;
+    const LiveMappingListener m_listener;
+    LiveMapper m_mapper;                    ///< of the thread, as the robots
+    LiveMapPtr m_map;                       ///< newest; likewise, null before there is one
+    std::map<std::string, Robot> m_robots;  ///< fixed
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::deque<Work> m_waiting;           ///< under the mutex
+    RobotsInMapPtr m_places;              ///< likewise
+    std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
+    std::jthread m_thread;                ///< last: joined first
+};
+
+/// Whether scans of @p before, which may be null, stand elsewhere in @p after, or are set aside there or no
+/// more.
+[[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
+
+/// @p map as the map view takes it: scans that were not set aside. What @p before counted in the points of
+/// the same scans is not counted again: it costs as much as came in between.
+[[nodiscard]] MapPtr shownMap(const LiveMap& map, const MapPtr& before = nullptr);
+
+}  // namespace leitstand

@@ -1,0 +1,184 @@
+#include "app/services/offline/mission_scans.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/mission_robots.h"
+#include "app/services/places/sensor_poses.h"
+#include "core/base/words.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mapping/motion/turn_assembler.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Topics of @p robots with one of @p roles.
+std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots,
+                                  std::initializer_list<StreamRole> roles) {
+    std::vector<std::string> topics;
+    for (const RobotDescription& robot : robots) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (std::find(roles.begin(), roles.end(), stream.role) != roles.end())
+                topics.push_back(stream.topic);
+        }
+    }
+    return topics;
+}
+
+/// The share of @p progress from @p begin to @p end.
+Progress part(const Progress& progress, double begin, double end) {
+    return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
+            progress.stop};
+}
+
+/// What is gathered of the clouds of one topic.
+struct CloudLane {
+    TurnAssembler assembler;
+    std::string sensor, frame;
+    std::chrono::nanoseconds late{};  ///< the clouds' stamps count so much later
+    ScanArrival newest;               ///< of its clouds
+};
+
+/// What is gathered of one robot.
+struct RobotScans {
+    SensorPoses poses;
+    std::map<std::string, CloudLane> lanes;  ///< by topic
+    int scans = 0, withoutPose = 0;
+};
+
+class Reading {
+public:
+    Reading(BagReader& bag, std::vector<RobotDescription> robots) : m_bag(bag), m_decoder(std::move(robots)) {
+        for (const RobotDescription& robot : m_decoder.robots()) {
+            m_robots.emplace(robot.name, RobotScans{.poses = SensorPoses(robot), .lanes = {}});
+        }
+    }
+    void readPoses(const Progress& progress);
+    void readClouds(const Progress& progress, MissionScans& result);
+
+private:
+    void forEach(std::vector<std::string> topics, const Progress& progress,
+                 const std::function<void(const Event&)>& take);
+    void keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane);
+
+    BagReader& m_bag;
+    EventDecoder m_decoder;
+    std::map<std::string, RobotScans> m_robots;
+    struct Kept {
+        ScanPtr scan;
+        Pose sensorInBase;
+        ScanArrival arrival;
+    };
+    std::vector<Kept> m_scans;
+};
+
+void Reading::forEach(std::vector<std::string> topics, const Progress& progress,
+                      const std::function<void(const Event&)>& take) {
+    if (topics.empty()) return;
+    BagQuery query;
+    query.topics = std::move(topics);
+    BagCursor cursor = m_bag.read(query);
+    const auto last = static_cast<double>(std::max<std::uint64_t>(m_bag.lastSequence(), 1));
+    while (const auto raw = cursor.next()) {
+        m_decoder.decode(*raw, take);
+        progress.done(static_cast<double>(raw->sequence) / last);
+        if (progress.cancelled()) return;
+    }
+}
+
+void Reading::readPoses(const Progress& progress) {
+    forEach(topicsOf(m_decoder.robots(), {StreamRole::Odometry, StreamRole::StaticTransforms}), progress,
+            [this](const Event& event) { m_robots.at(event.robot).poses.add(event); });
+}
+
+void Reading::keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane) {
+    if (!scan) return;
+    RobotScans& of = m_robots.at(robot);
+    // As the odometry has both: that is true of sensors that turn, and of clouds told in the odometry's
+    // frame.
+    const auto base = scan->hasOdometry ? of.poses.baseInOdom(scan->end + lane.late) : std::nullopt;
+    const Pose sensorInBase =
+        base ? base->inverse() * scan->sensorInOdom : of.poses.inBase(lane.sensor, lane.frame);
+    scan->robot = robot;
+    scan->name = fmt::format("{} {:03}", robot, of.scans++);
+    if (!scan->hasOdometry) ++of.withoutPose;
+    m_scans.push_back({std::make_shared<const Scan>(std::move(*scan)), sensorInBase, lane.newest});
+}
+
+void Reading::readClouds(const Progress& progress, MissionScans& result) {
+    forEach(topicsOf(m_decoder.robots(), {StreamRole::Points}), progress, [&](const Event& event) {
+        const auto* cloud = std::get_if<CloudSample>(&event.sample);
+        if (cloud == nullptr) return;
+        RobotScans& robot = m_robots.at(event.robot);
+        const Time stamp = cloud->header.stamp == Time{} ? event.received : cloud->header.stamp;
+        CloudLane& lane = robot.lanes[event.topic];
+        lane.sensor = event.sensor;
+        lane.frame = cloud->header.frame;
+        lane.newest = {event.sequence, event.received};
+        // A robot that does not stamp its clouds: they count as taken when they came.
+        lane.late = stamp - cloud->header.stamp;
+        const auto track = [&](Time at) {
+            return robot.poses.sensorInOdom(event, cloud->header, at + lane.late);
+        };
+        keep(lane.assembler.add(*cloud, track), event.robot, lane);
+    });
+    for (auto& [name, robot] : m_robots) {
+        for (auto& [topic, lane] : robot.lanes) keep(lane.assembler.finish(), name, lane);
+        if (robot.withoutPose > 0) {
+            result.warnings.push_back(leitstand::fill(
+                translate("leitstand::Error",
+                          "{}: {} of {} scans have no odometry within half a second of their stamp"),
+                name, robot.withoutPose, robot.scans));
+        }
+        for (const std::string& remark : robot.poses.remarks()) result.warnings.push_back(remark);
+    }
+    for (const auto& [topic, errors] : m_decoder.errors()) {
+        result.warnings.push_back(leitstand::fill(
+            translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
+            errors.count, topic, errors.last));
+    }
+    result.warnings.insert(result.warnings.end(), m_bag.problems().begin(), m_bag.problems().end());
+    std::stable_sort(m_scans.begin(), m_scans.end(),
+                     [](const auto& a, const auto& b) { return a.scan->end < b.scan->end; });
+    for (Kept& one : m_scans) {
+        result.scans.push_back(std::move(one.scan));
+        result.sensorsInBase.push_back(one.sensorInBase);
+        result.arrivals.push_back(one.arrival);
+    }
+}
+
+}  // namespace
+
+bool isMission(const fs::path& path) {
+    std::error_code problem;
+    if (!fs::is_directory(path, problem)) return path.extension() == ".db3" && fs::exists(path, problem);
+    if (fs::exists(path / "metadata.yaml", problem)) return true;
+    return std::any_of(fs::directory_iterator(path, problem), fs::directory_iterator(),
+                       [](const fs::directory_entry& entry) { return entry.path().extension() == ".db3"; });
+}
+
+Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& progress) {
+    const auto bag = BagReader::open(mission);
+    if (!bag) return bag.error();
+    MissionScans result;
+    Reading reading(**bag, robotsOf(mission, **bag, result.warnings));
+    reading.readPoses(part(progress, 0.0, 0.3));
+    reading.readClouds(part(progress, 0.3, 1.0), result);
+    if (result.scans.empty() && !progress.cancelled()) {
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}"),
+            mission.string(), result.warnings.empty() ? "" : "; " + result.warnings.front())};
+    }
+    return result;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/event/map_samples.h"
+#include "core/mapping/live/scan_cleaning.h"
+#include "core/mission/state/mission_state.h"
+
+namespace leitstand {
+
+class BagReader;
+
+/// Key scans that @p bag holds, the newest of each number.
+[[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);
+/// Key scans in the log of the mission @p folder; none where there is no mission yet.
+[[nodiscard]] std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder);
+
+/// Where the key scans of @p mission are now.
+[[nodiscard]] std::vector<ScanPose> posesOf(const MissionState& mission);
+
+/// What belongs into the map of @p mission now; empty: nobody said.
+[[nodiscard]] std::optional<MapCrop> cropOf(const MissionState& mission);
+
+}  // namespace leitstand

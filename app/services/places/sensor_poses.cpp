@@ -1,0 +1,74 @@
+#include "app/services/places/sensor_poses.h"
+
+#include "core/base/words.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int DeepestTree = 64;  ///< frames between a sensor and its base; more is a loop
+
+/// "kurt3d/base_link" and "base_link" mean one frame of a robot.
+std::string_view withoutPrefix(std::string_view frame) {
+    const auto slash = frame.rfind('/');
+    return slash == std::string_view::npos ? frame : frame.substr(slash + 1);
+}
+
+}  // namespace
+
+void SensorPoses::add(const Event& event) {
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
+        m_baseInOdom.add(stamp, odometry->baseInOdom);
+        m_baseFrame = odometry->childFrame;
+    } else if (const auto* transforms = std::get_if<TransformsSample>(&event.sample)) {
+        for (const FrameTransform& one : transforms->transforms) {
+            m_parents.insert_or_assign(one.childFrame, Parent{one.header.frame, one.childInParent});
+        }
+    }
+}
+
+std::optional<Pose> SensorPoses::inBaseByTransforms(const std::string& frame) const {
+    const std::string_view base = withoutPrefix(m_robot->baseFrame);
+    Pose pose = Pose::Identity();
+    std::string at = frame;
+    for (int i = 0; i < DeepestTree; ++i) {
+        if (at == m_baseFrame || withoutPrefix(at) == base) return pose;
+        const auto parent = m_parents.find(at);
+        if (parent == m_parents.end()) return std::nullopt;
+        pose = parent->second.childInParent * pose;
+        at = parent->second.frame;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::pair<std::string, Pose>> SensorPoses::parentOf(const std::string& frame) const {
+    const auto parent = m_parents.find(frame);
+    if (parent == m_parents.end()) return std::nullopt;
+    return std::pair(parent->second.frame, parent->second.childInParent);
+}
+
+Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
+    if (const auto pose = inBaseByTransforms(frame)) return *pose;
+    if (const auto described = m_robot->sensors.find(sensor); described != m_robot->sensors.end()) {
+        return described->second.sensorInBase;
+    }
+    for (const auto& [name, described] : m_robot->sensors) {
+        if (withoutPrefix(described.frame) == withoutPrefix(frame)) return described.sensorInBase;
+    }
+    m_remarks.insert(leitstand::fill(
+        translate(
+            "leitstand::Error",
+            "{}: nobody tells where frame \"{}\" sits (neither tf_static nor the robot's file); taken as {}"),
+        m_robot->name, frame, m_robot->baseFrame));
+    return Pose::Identity();
+}
+
+std::optional<Pose> SensorPoses::sensorInOdom(const Event& event, const SampleHeader& header, Time stamp) {
+    const auto base = m_baseInOdom.at(stamp);
+    if (!base) return std::nullopt;
+    // A cloud that its robot has already moved into the odometry's frame.
+    if (withoutPrefix(header.frame) == withoutPrefix(m_robot->odomFrame)) return Pose::Identity();
+    return *base * inBase(event.sensor, header.frame);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/cloud/pose_track.h"
+#include "core/event/event.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Where a robot's sensors were: by its odometry, its tf_static and its file.
+class SensorPoses {
+public:
+    explicit SensorPoses(const RobotDescription& robot) : m_robot(&robot) {}
+
+    /// Takes odometry and transforms; other events are left alone.
+    void add(const Event& event);
+    /// Pose of the sensor that took @p event's sample in the odometry's frame at @p stamp; empty when there
+    /// is no odometry near it. A sensor whose place nobody tells counts as at the robot's base, which
+    /// remarks() tells.
+    [[nodiscard]] std::optional<Pose> sensorInOdom(const Event& event, const SampleHeader& header,
+                                                   Time stamp);
+    /// Pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by its file,
+    /// else the base itself, which remarks() tells.
+    [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
+    /// What a frame hangs on by the transforms that came, and its pose in it; empty: nobody told.
+    [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
+    [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
+    void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< odometry
+    /// What was missing, each once.
+    [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
+
+private:
+    struct Parent {
+        std::string frame;
+        Pose childInParent = Pose::Identity();
+    };
+    [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
+
+    const RobotDescription* m_robot;
+    PoseTrack m_baseInOdom;
+    std::string m_baseFrame;                  ///< as the odometry names it
+    std::map<std::string, Parent> m_parents;  ///< by child frame
+    std::set<std::string> m_remarks;
+};
+
+}  // namespace leitstand

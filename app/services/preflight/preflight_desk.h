@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/services/domain/robot_guess.h"
+#include "core/base/result.h"
+#include "core/station/preflight/preflight.h"
+
+namespace leitstand {
+
+class Station;
+
+/// How fast the disk of @p folder takes @p megabytes, written to the platter [B/s]. Errors name the folder.
+[[nodiscard]] Result<double> measureDisk(const std::filesystem::path& folder, int megabytes = 16);
+
+/// Gathers what the preflight page judges. The station outlives it. One thread (its own measures the disk).
+class PreflightDesk {
+public:
+    explicit PreflightDesk(Station& station);
+    PreflightDesk(const PreflightDesk&) = delete;
+    PreflightDesk& operator=(const PreflightDesk&) = delete;
+
+    /// As of now; @p gamepad: its name, empty when there is none. Never waits for disk or network.
+    [[nodiscard]] PreflightFacts facts(const std::string& gamepad) const;
+    /// Measures the disk anew; facts() have the result a moment later.
+    void measure();
+    /// Robots that are heard in the domain, and that the station does not drive.
+    [[nodiscard]] std::vector<RobotGuess> strangers() const;
+
+private:
+    Station& m_station;
+    mutable std::mutex m_mutex;
+    std::optional<double> m_rate;  ///< under the mutex
+    std::atomic<bool> m_busy = false;
+    std::jthread m_measuring;  ///< last: joined first
+};
+
+}  // namespace leitstand

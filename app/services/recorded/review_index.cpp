@@ -1,0 +1,113 @@
+#include "app/services/recorded/review_index.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/services/recorded/review_log.h"
+#include "app/services/recorded/review_opening.h"
+#include "core/base/pose.h"
+#include "core/event/station_topics.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds Silence(10);  ///< longer ones part stretches
+constexpr double TurnedApart = degrees(10);  ///< of points on a track
+
+constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms, StreamRole::Mode,
+                              StreamRole::Bumps,    StreamRole::Sightings,        StreamRole::Gas};
+
+std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
+    std::vector<std::string> topics;
+    for (const auto topic :
+         {station_topic::Victims, station_topic::Candidates, station_topic::KeyScans,
+          station_topic::ScanPoses, station_topic::RobotPlaces, station_topic::Undo, station_topic::Notes,
+          station_topic::Sessions, station_topic::Alarms, station_topic::Clock, station_topic::Grants})
+        topics.emplace_back(topic);
+    for (const RobotDescription& robot : robots) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (std::find(Roles.begin(), Roles.end(), stream.role) != Roles.end())
+                topics.push_back(stream.topic);
+        }
+    }
+    return topics;
+}
+
+class Indexing {
+public:
+    void take(const Event& event);
+    ReviewIndex index;
+    TimelineCollector marks;
+
+private:
+    /// When odometry of a robot came in.
+    struct Heard {
+        std::optional<Time> last;
+        std::chrono::nanoseconds silence{};  ///< the longest since the track's end
+    };
+    void follow(const Event& event, const OdometrySample& odometry);
+
+    std::map<std::string, Heard> m_heard;  ///< by robot
+};
+
+void Indexing::follow(const Event& event, const OdometrySample& odometry) {
+    auto& track = index.tracks[event.robot];
+    const Pose& base = odometry.baseInOdom;
+    if (!base.matrix().allFinite()) return;
+    Heard& heard = m_heard[event.robot];
+    if (heard.last)
+        heard.silence = std::max(heard.silence, std::chrono::nanoseconds(event.received - *heard.last));
+    heard.last = event.received;
+    if (!track.empty()) {
+        const Pose& before = track.back().baseInOdom;
+        const bool moved = (before.translation() - base.translation()).norm() >= ReviewIndex::TrackApart ||
+                           angleBetween(before, base) >= TurnedApart;
+        if (!moved) return;
+    }
+    const Time stamp = odometry.header.stamp == Time{} ? event.received : odometry.header.stamp;
+    track.push_back({event.received, stamp, base, std::exchange(heard.silence, {})});
+}
+
+void Indexing::take(const Event& event) {
+    auto& stretches = index.stretches;
+    if (stretches.empty() || event.received > stretches.back().to + Silence)
+        stretches.push_back({event.received, event.received});
+    stretches.back().to = std::max(stretches.back().to, event.received);
+    if (!event.robot.empty()) index.lastHeard = event.received;
+    marks.add(event);
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        follow(event, *odometry);
+    } else if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) {
+        if (scan->scan) {
+            index.scanned[scan->scan->robot].push_back(event.received);
+            index.keyScans.insert_or_assign(scan->id, *scan);
+        }
+    } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+        index.places[place->robot].push_back(*place);
+    } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+        index.gas[event.robot].emplace_back(event.received, gas->ppm);
+    } else if (event.role == StreamRole::StaticTransforms) {
+        index.fixed.push_back(event);
+    }
+}
+
+}  // namespace
+
+ReviewIndexPtr indexOf(ReviewLog& log, const Progress& progress) {
+    Indexing work;
+    log.all(topicsOf(log.robots()), progress, [&work](const Event& event) { work.take(event); });
+    if (work.index.stretches.empty()) work.index.stretches.push_back({log.first(), log.last()});
+    work.index.marks = work.marks.marks();
+    work.index.finished = std::make_shared<const MissionState>(log.stateAt(log.last()));
+    dropUndone(work.index.marks, *work.index.finished);
+    work.index.opensAt = openingOf(log, work.index);
+    return std::make_shared<const ReviewIndex>(std::move(work.index));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/victim_sample.h"
+#include "core/mission/finds/find_book.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/timeline/timeline_marks.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// Writes down what somebody finds in a review: notes, and victims as they should have been filed. Each is a
+/// new event in a session of the mission that the pen opens with the first of them; what was recorded stays
+/// as it is. One thread writes, and waits for the disk; any may ask what was written.
+class ReviewPen {
+public:
+    /// @p station: who writes; its name begins with @ref ReviewStation.
+    ReviewPen(std::filesystem::path mission, std::vector<RobotDescription> robots, std::string station,
+              std::string version);
+    ~ReviewPen();  ///< the mission is self-contained afterwards
+    ReviewPen(const ReviewPen&) = delete;
+    ReviewPen& operator=(const ReviewPen&) = delete;
+
+    // Errors, in words: the mission cannot be written, as while a station records into it.
+    /// About the moment @p at of the mission; @p robot may be empty.
+    Result<void> note(Time at, const std::string& robot, const std::string& text);
+    /// @p victim as it is to be from now on: of the number it has, which the mission has to know.
+    Result<void> correct(VictimSample victim);
+    /// What @p seen tells is a find of @p kind: a new one, or more of the one that is there.
+    Result<void> file(VictimSample::Kind kind, const FrozenEvidence& seen);
+    /// Files what the station believed in and nobody filed: the candidate of that id.
+    Result<void> fileCandidate(std::uint32_t candidate);
+    /// The candidate of that id is none.
+    Result<void> dismiss(std::uint32_t candidate);
+    /// @p find is part of the one of its kind with number @p into.
+    Result<void> merge(const FindKey& find, std::uint32_t into);
+    /// @p find is where the floor is at @p floorInMap [m].
+    Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
+    /// The mission as it was read, with what earlier reviews wrote: from now on undo() reaches that, too.
+    void know(MissionStatePtr finished);
+    /// Takes back the newest that was written in reviews and that is not taken back.
+    Result<void> undo();
+    [[nodiscard]] bool canUndo() const;
+    /// Waits until others who read the mission find in it what was written.
+    Result<void> flush();
+
+    /// The mission's end with all that was written; null while nothing was.
+    [[nodiscard]] MissionStatePtr state() const;
+    /// What was written and is not taken back, to be marked on the timeline.
+    [[nodiscard]] std::vector<TimelineMark> marks() const;
+
+private:
+    Result<void> open();
+    [[nodiscard]] MissionStatePtr newest() const;  ///< state(), or what is known; null: nothing is
+    [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
+    Result<void> say(const Sample& sample, std::string_view topic);
+    /// The candidate of that id as it is by now.
+    Result<CandidateSample> candidate(std::uint32_t id);
+    Result<void> sayCandidate(const CandidateSample& candidate);
+    /// Waits until the mission @p has what was said last; the sequencer takes no longer than a moment.
+    Result<void> await(const std::function<bool(const MissionState&)>& has) const;
+    [[nodiscard]] Error unknown(const FindKey& find) const;
+
+    const std::filesystem::path m_folder;
+    const std::vector<RobotDescription> m_robots;
+    const std::string m_station, m_version;
+    mutable std::mutex m_mutex;
+    std::shared_ptr<LiveMission> m_mission;   ///< under the mutex
+    MissionStatePtr m_read;                   ///< likewise; null: not yet
+    std::atomic<std::uint64_t> m_before = 0;  ///< last sequence before this pen's
+};
+
+}  // namespace leitstand

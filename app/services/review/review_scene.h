@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/services/mapping/robot_sight.h"
+#include "app/services/recorded/review_index.h"
+#include "app/services/recorded/review_log.h"
+#include "core/mapping/live/map/cropped_scans.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/map.h"
+#include "core/mission/state/mission_state.h"
+#include "core/station/alarms/alarm.h"
+#include "core/station/robot_view.h"
+
+namespace leitstand {
+
+/// Which map a review shows.
+enum class ReviewMap : std::uint8_t {
+    AsThen,    ///< the scans and poses that the station had at the moment
+    Finished,  ///< as the mission ended, corrections and all
+};
+
+/// A moment of a mission as all panes show it. Immutable once shared.
+struct ReviewMoment {
+    Time now{};  ///< station's clock then
+    MissionStatePtr mission;
+    std::map<std::string, RobotView> robots;  ///< what is around, cameras and joints: of the watched one
+    RobotsInMapPtr places;                    ///< never null
+    LiveMapPtr scans;                         ///< never null; the same object while nothing changed
+    MapPtr map;                               ///< likewise
+    std::vector<Alarm> alarms;
+    std::vector<Event> pictures;  ///< newest picture and calibration of each of the watched robot's cameras
+};
+using ReviewMomentPtr = std::shared_ptr<const ReviewMoment>;
+
+/// Makes moments of a mission. One thread at a time.
+class ReviewScene {
+public:
+    /// Both must outlive it.
+    ReviewScene(ReviewLog& log, const ReviewIndex& index);
+
+    /// Whose surroundings and pictures are wanted; at first, the first robot's.
+    void watch(const std::string& robot);
+    void show(ReviewMap map) { m_which = map; }
+    /// How it was at @p at. What is around the watched robot takes longest: it, and the rates of streams, are
+    /// as they were made last when @p around is false.
+    [[nodiscard]] ReviewMomentPtr at(Time at, bool around = true);
+
+private:
+    void look(Time at);
+    void beginSight(const RobotDescription& robot, Time from);
+    void see(const Event& event);  ///< of the watched robot
+    void countStreams(const MissionState& state, Time at);
+    void showMap(const MissionState& state);
+    [[nodiscard]] RobotInMap place(const RobotDescription& robot, const MissionState& state, Time at) const;
+    [[nodiscard]] std::vector<Event> pictures(Time at);
+    [[nodiscard]] const RobotDescription* watched() const;
+
+    ReviewLog& m_log;
+    const ReviewIndex& m_index;
+    std::string m_watched;
+    ReviewMap m_which = ReviewMap::AsThen;
+    std::unique_ptr<RobotSight> m_sight;  ///< of the watched robot
+    bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
+    Time m_seen{};                        ///< up to where m_sight knows
+    std::optional<VirtualScanView> m_around;
+    std::map<std::string, std::vector<StreamStatus>> m_streams;  ///< by robot
+    CroppedScans m_cropped;
+    MissionState m_mapped;  ///< whose scans m_scans and m_map are
+    LiveMapPtr m_scans;
+    MapPtr m_map;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "core/mission/state/mission_state.h"
+#include "core/robot/link/link_status.h"
+#include "core/robot/robot_description.h"
+#include "core/station/alarms/alarm_book.h"
+#include "core/station/robot_view.h"
+
+namespace leitstand {
+
+/// A moment of a mission on the clock that ages are measured on.
+[[nodiscard]] inline SteadyTime steadyOf(Time moment) {
+    return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(moment.time_since_epoch()));
+}
+
+/// How @p robot was at @p now by what the log has of it in @p state: link, stop, and who had the grant to
+/// drive it. What is around it, its cameras and its joints are not in a state.
+[[nodiscard]] RobotView reviewedRobot(const RobotDescription& robot, const MissionState& state, Time now);
+
+/// The alarms of @p state that stood at @p now, or were over for no longer than they are shown; as
+/// AlarmBook::alarms().
+[[nodiscard]] std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now);
+
+}  // namespace leitstand

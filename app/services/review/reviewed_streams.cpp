@@ -1,0 +1,67 @@
+#include "app/services/review/reviewed_streams.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <string>
+
+#include "app/services/recorded/review_cadence.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::chrono::seconds LongestWindow(5);
+constexpr double Steady = 0.2;      // [Hz]: what comes more rarely comes when something changes
+constexpr double StaleAfter = 4.0;  // of the times between two samples, as usual in the mission
+constexpr double NeverStale = 1.0;  // [s]: so old is a sample of any stream now and then
+
+double seconds(Time from, Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+const StreamState* find(const MissionState& state, const std::string& robot, const std::string& topic) {
+    const auto said = state.robots.find(robot);
+    if (said == state.robots.end()) return nullptr;
+    const auto stream = said->second->streams.find(topic);
+    return stream == said->second->streams.end() ? nullptr : &stream->second;
+}
+
+}  // namespace
+
+RateWindow RateWindow::before(Time now, const ReviewIndex& index) {
+    RateWindow window{now - LongestWindow, now};
+    for (const TimelineStretch& stretch : index.stretches) {
+        if (stretch.from <= now) window.from = std::max(now - LongestWindow, stretch.from);
+    }
+    return window;
+}
+
+std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot, const MissionState& earlier,
+                                          const MissionState& state, const RateWindow& window,
+                                          const ReviewIndex& index) {
+    constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<StreamStatus> streams;
+    for (const StreamDescription& described : robot.streams) {
+        if (isCommand(described.role)) continue;
+        StreamStatus status;
+        status.role = described.role;
+        status.sensor = described.sensor;
+        status.topic = described.topic;
+        status.lossRatio = status.megabitsPerSecond = Unknown;
+        if (const StreamState* const said = find(state, robot.name, described.topic)) {
+            const StreamState* const before = find(earlier, robot.name, described.topic);
+            status.samples = said->events;
+            status.age = std::max(0.0, seconds(said->received, window.to));
+            const double length = seconds(window.from, window.to);
+            const auto came = said->events - std::min(said->events, before == nullptr ? 0 : before->events);
+            status.rate = length > 0.0 ? static_cast<double>(came) / length : 0.0;
+            const double usual = usualRate(index, robot.name, described.topic);
+            status.steady = usual >= Steady;
+            status.stale = status.steady && status.age > std::max(NeverStale, StaleAfter / usual);
+        }
+        streams.push_back(std::move(status));
+    }
+    return streams;
+}
+
+}  // namespace leitstand

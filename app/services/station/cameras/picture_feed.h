@@ -1,0 +1,95 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/event/event.h"
+#include "core/perception/heat/heat.h"
+#include "core/perception/omni/panorama.h"
+#include "core/perception/pictures/contrast.h"
+#include "core/perception/pictures/picture.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// How the operator wants to see pictures of a camera. The log and snapshots have them as they came.
+struct PictureLook {
+    ContrastHelp contrast = ContrastHelp::Off;  ///< not of infrared cameras
+    bool unwrapped = false;                     ///< panorama of an omnidirectional camera
+    friend bool operator==(const PictureLook&, const PictureLook&) = default;
+};
+
+/// A picture ready to be shown.
+struct ShownPicture {
+    std::string robot, sensor;                       ///< sensor: StreamDescription::sensor
+    std::uint64_t sequence = 0;                      ///< of its event: the same when only the look changed
+    PictureSample sample;                            ///< as it came
+    std::variant<Picture, ThermalPicture> content;   ///< looks applied; thermal where the camera measures
+    Time stamp{}, received{};                        ///< robot's and station's clock
+    std::uint64_t fingerprint = 0;                   ///< contentHash() of the sample's bytes
+    ContrastHelp contrast = ContrastHelp::Off;       ///< that the content got
+    std::optional<PanoramaShape> panorama;           ///< that the content is
+    std::shared_ptr<const CameraInfoSample> camera;  ///< how it sees; null: not told yet
+    int width = 0, height = 0;                       ///< of the picture as it came [px]
+    std::vector<HeatBlob> heat;                      ///< of a thermal one
+};
+using ShownPicturePtr = std::shared_ptr<const ShownPicture>;
+
+/// Decodes pictures on a thread of its own, of each camera always the newest: what comes while it is at work
+/// takes the place of what waits (the log keeps all). Any thread.
+class PictureFeed {
+public:
+    /// Called on the feed's thread.
+    struct Listener {
+        std::function<void(const ShownPicturePtr&)> onPicture;
+        std::function<void(const std::string&)>
+            onProblem;  ///< a camera's first picture that is none, in words
+    };
+
+    PictureFeed(std::vector<RobotDescription> robots, Listener listener);
+    ~PictureFeed();
+    PictureFeed(const PictureFeed&) = delete;
+    PictureFeed& operator=(const PictureFeed&) = delete;
+
+    void take(const Event& event);  ///< pictures and camera infos; others are passed by
+    /// How pictures of a camera are shown from now on; its newest one comes once more.
+    void setLook(const std::string& robot, const std::string& sensor, const PictureLook& look);
+
+private:
+    using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    struct Work {
+        Event event;
+        PictureLook look;
+        std::shared_ptr<const CameraInfoSample> info;
+    };
+    void run(const std::stop_token& stop);
+    void decode(const Work& work);
+    void apply(const Work& work, Picture picture, ShownPicture& shown);
+    [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
+    [[nodiscard]] const ThermalScale* scaleOf(const Event& event) const;
+    [[nodiscard]] const Panorama* panoramaOf(const Work& work, const Picture& picture);
+
+    const std::vector<RobotDescription> m_robots;
+    const Listener m_listener;
+    std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::map<Camera, Event> m_waiting, m_newest;
+    std::map<Camera, PictureLook> m_looks;
+    std::map<Camera, std::shared_ptr<const CameraInfoSample>> m_infos;
+    // of the feed's thread
+    std::map<Camera, std::string> m_problems;
+    std::map<Camera, Panorama> m_panoramas;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

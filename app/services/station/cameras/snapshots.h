@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/services/job_queue.h"
+#include "app/services/station/cameras/picture_feed.h"
+#include "core/base/result.h"
+#include "core/robot/control/pan_tilt.h"
+
+namespace leitstand {
+
+/// A picture to be kept, and what is known about it.
+struct SnapshotWish {
+    ShownPicturePtr picture;
+    std::string camera;                   ///< what the operator calls it, "Left camera"
+    std::optional<Pose> baseInOdom;       ///< of the robot, by its newest odometry
+    std::optional<PanTiltAngles> turned;  ///< of the camera
+};
+
+/// Writes snapshots into the folder `snapshots` of a mission, on a thread of its own: PNG of the picture as
+/// it came (infrared: the raw numbers in 16 bits), with robot, camera, stamps and pose as text in the file.
+class Snapshots {
+public:
+    /// Called on the thread of the snapshots.
+    struct Listener {
+        /// The file, relative to the mission's folder.
+        std::function<void(const std::string& robot, const std::filesystem::path& file)> onWritten;
+        std::function<void(const std::string& why)> onProblem;
+    };
+    Snapshots(std::filesystem::path mission, Listener listener);
+    ~Snapshots() { finish(); }
+    Snapshots(const Snapshots&) = delete;
+    Snapshots& operator=(const Snapshots&) = delete;
+
+    void take(const SnapshotWish& wish);  ///< any thread
+    void finish();                        ///< waits until all that were taken are written
+
+private:
+    [[nodiscard]] Result<std::filesystem::path> write(const SnapshotWish& wish) const;
+
+    const std::filesystem::path m_mission;
+    const Listener m_listener;
+    JobQueue m_queue;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

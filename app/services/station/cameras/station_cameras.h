@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/services/log/live_mission.h"
+#include "app/services/station/cameras/camera_turning.h"
+#include "app/services/station/cameras/snapshots.h"
+#include "transport/link/grant_keeper.h"
+
+namespace leitstand {
+
+/// What a station does with cameras: turns them, and keeps snapshots, each with a note in the log.
+class StationCameras {
+public:
+    using Send = std::function<Result<void>(const std::string& robot, const PanTiltCommand& command)>;
+    using Note = std::function<Result<void>(const NoteSample& note)>;
+    using Tell = std::function<void(const std::string& text)>;
+    StationCameras(const LiveMissionSettings& mission, GrantKeeper& grants, Send send, Note note, Tell tell);
+
+    [[nodiscard]] CameraTurning& turning() { return m_turning; }
+    [[nodiscard]] Snapshots& snapshots() { return m_snapshots; }
+
+private:
+    CameraTurning m_turning;
+    Snapshots m_snapshots;
+};
+
+}  // namespace leitstand

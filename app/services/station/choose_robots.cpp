@@ -1,0 +1,48 @@
+#include "app/services/station/choose_robots.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "core/base/words.h"
+#include "core/io/detail/output_file.h"
+#include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
+#include "core/robot/team.h"
+
+namespace leitstand {
+
+Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files) {
+    std::vector<RobotDescription> robots;
+    for (const std::string& name : files) {
+        const auto file = findRobotFile(name);
+        if (!file) return file.error();
+        auto robot = readRobot(*file);
+        if (!robot) return robot.error();
+        robots.push_back(std::move(robot).value());
+    }
+    return robots;
+}
+
+Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team) {
+    auto robots = chooseRobots({file});
+    if (!robots) return robots.error();
+    team.push_back(std::move(robots->front()));
+    return checkTeam(team);
+}
+
+Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<RobotDescription>& team) {
+    const std::filesystem::path file = robotFolders().front() / (robot.name + ".yaml");
+    std::error_code problem;
+    if (std::filesystem::exists(file, problem)) return file.string();
+    const auto isTaken = [&](const std::string& letter) {
+        return std::any_of(team.begin(), team.end(),
+                           [&](const RobotDescription& one) { return one.letter == letter; });
+    };
+    for (char letter = 'A'; letter <= 'Z' && isTaken(robot.letter); ++letter) robot.letter = letter;
+    std::filesystem::create_directories(file.parent_path(), problem);
+    if (const auto written = detail::writeWhole(file, writeRobot(robot)); !written) return written.error();
+    return file.string();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,95 @@
+#include "app/services/station/robot_line.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/words.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand {
+namespace {
+
+/// Commands that are wishes: said once, when the operator has them.
+constexpr std::array Wishes = {StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
+                               StreamRole::StreamCommand};
+
+}  // namespace
+
+Result<std::unique_ptr<RobotLine>> RobotLine::create(Node& node, const RobotDescription& robot,
+                                                     const std::string& station, Driving driving,
+                                                     LinkListener watch) {
+    std::unique_ptr<RobotLine> line(new RobotLine(robot));
+    auto opened = line->open(node, station, std::move(driving), std::move(watch));
+    if (!opened) return opened.error();
+    return line;
+}
+
+Result<void> RobotLine::open(Node& node, const std::string& station, Driving with, LinkListener watch) {
+    for (const StreamRole role : Wishes) {
+        const StreamDescription* stream = m_robot.stream(role);
+        if (stream == nullptr) continue;
+        // Several wishes of one moment do not push one another out before they are acknowledged.
+        Qos qos = stream->qos;
+        qos.depth = std::max(qos.depth, 32);
+        auto publisher = node.publisher({stream->topic, stream->type, qos, Flow::Immediate});
+        if (!publisher) return publisher.error();
+        m_commands.emplace(role, Command{stream->type, std::move(publisher).value()});
+    }
+    LinkClientSettings pings;
+    pings.station = station;
+    watch.onStatus = [this, then = std::move(watch.onStatus)](const LinkStatus& status) {
+        m_linkLost = status.state == LinkState::Lost;
+        if (status.clock) m_clockAhead = status.clock->ahead.count();
+        if (then) then(status);
+    };
+    auto link = LinkClient::create(node, m_robot, pings, std::move(watch));
+    if (!link) return link.error();
+    m_link = std::move(link).value();
+    const bool driven = m_robot.stream(StreamRole::DriveCommand) != nullptr ||
+                        m_robot.stream(StreamRole::TrackCommand) != nullptr;
+    if (!driven) return {};
+    DriveStreamerSettings driving;
+    driving.onPulse = std::move(with.onPulse);
+    driving.conditions = [this, given = std::move(with.conditions)] {
+        DriveConditions now = given();
+        if (m_linkLost) now.mayDrive = false;  // when it is back, sticks that are still held move nothing
+        return now;
+    };
+    driving.sight = [this](const DriveVelocity& sticks, bool withoutEyes) {
+        return m_sight.cap(sticks, withoutEyes);
+    };
+    driving.clockAhead = [this] { return std::chrono::nanoseconds(m_clockAhead); };
+    auto drive = DriveStreamer::create(node, m_robot, std::move(driving));
+    if (!drive) return drive.error();
+    m_drive = std::move(drive).value();
+    return {};
+}
+
+void RobotLine::tell(RobotView& robot) const {
+    robot.link = m_link->status();
+    m_sight.tell(robot);
+    if (!m_drive) return;
+    const DriveStatus status = m_drive->status();
+    robot.drive = {.drivable = true,
+                   .velocity = status.velocity,
+                   .focus = status.focus,
+                   .driving = status.driving,
+                   .needsNeutral = status.needsNeutral,
+                   .listening = status.listeners > 0,
+                   .reachable = m_drive->listeners() > 0,
+                   .sight = status.sight};
+}
+
+Result<void> RobotLine::say(StreamRole role, const Sample& command) {
+    const auto found = m_commands.find(role);
+    if (found == m_commands.end()) {
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: its file names no {} stream"),
+                                     m_robot.name, toString(role))};
+    }
+    const auto cdr = encode(command, found->second.type);
+    if (!cdr) return cdr.error();
+    return found->second.publisher->write(*cdr);
+}
+
+}  // namespace leitstand

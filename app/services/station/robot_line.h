@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/services/mapping/robot_sight.h"
+#include "core/base/result.h"
+#include "core/event/event.h"
+#include "core/robot/robot_description.h"
+#include "transport/link/drive_streamer.h"
+#include "transport/link/link_client.h"
+
+namespace leitstand {
+
+/// What a station has of one robot on the wire: the watch on its link, the stream of its drive commands, and
+/// publishers of its other commands. Any thread.
+class RobotLine {
+public:
+    /// What the line's streamer asks and tells (DriveStreamerSettings).
+    struct Driving {
+        std::function<DriveConditions()> conditions;
+        std::function<void(const GuardPulse&)> onPulse;
+    };
+    /// @p watch: onStatus is used by the line itself too. Errors name the robot's topic.
+    [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
+                                                                   const std::string& station,
+                                                                   Driving driving, LinkListener watch);
+    RobotLine(const RobotLine&) = delete;
+    RobotLine& operator=(const RobotLine&) = delete;
+
+    [[nodiscard]] const RobotDescription& robot() const { return m_robot; }
+    [[nodiscard]] LinkClient& link() { return *m_link; }
+    [[nodiscard]] const LinkClient& link() const { return *m_link; }
+    [[nodiscard]] RobotSight& sight() { return m_sight; }
+    [[nodiscard]] const RobotSight& sight() const { return m_sight; }
+    /// Null when the robot takes no drive commands.
+    [[nodiscard]] DriveStreamer* drive() const { return m_drive.get(); }
+    void tell(RobotView& robot) const;  ///< fills link, drive, cameras and joints
+    /// Sends a command other than for driving and stopping. An error when the robot does not take it.
+    Result<void> say(StreamRole role, const Sample& command);
+
+private:
+    RobotLine(const RobotDescription& robot) : m_robot(robot), m_sight(m_robot) {}
+    Result<void> open(Node& node, const std::string& station, Driving driving, LinkListener watch);
+
+    struct Command {
+        std::string type;
+        std::unique_ptr<Publisher> publisher;
+    };
+    const RobotDescription m_robot;
+    RobotSight m_sight;
+    std::atomic<bool> m_linkLost = false;
+    std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's minus station's [ns]
+    std::map<StreamRole, Command> m_commands;
+    std::unique_ptr<LinkClient> m_link;
+    std::unique_ptr<DriveStreamer> m_drive;
+};
+
+}  // namespace leitstand

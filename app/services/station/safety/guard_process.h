@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/robot/control/stop/guard_rules.h"
+
+namespace leitstand {
+
+/// A leitstand-guard that runs beside this process, and the pipe to it. It ends by itself when the pipe
+/// closes, whatever becomes of this process. One thread, but for pulse().
+class GuardProcess {
+public:
+    /// @p program: its file; @p words: of its command line. Errors: it cannot be started.
+    [[nodiscard]] static Result<std::unique_ptr<GuardProcess>> start(const std::filesystem::path& program,
+                                                                     const std::vector<std::string>& words);
+    ~GuardProcess();  ///< closes the pipe and waits for its end, which comes at once when nobody drives
+    GuardProcess(const GuardProcess&) = delete;
+    GuardProcess& operator=(const GuardProcess&) = delete;
+
+    /// What it is told; false when it does not take it. Never waits. Any thread.
+    bool pulse(const GuardPulse& pulse) const;
+    [[nodiscard]] int pipe() const { return m_pipe; }  ///< readable when read() has something new
+    /// Takes what it said since. False when it has ended.
+    [[nodiscard]] bool read();
+    /// The robot hears it, as it said last, and that is not long ago: it does not hang.
+    [[nodiscard]] bool isReady(SteadyTime now) const;
+    void kill() const;
+    [[nodiscard]] pid_t id() const { return m_id; }
+
+private:
+    GuardProcess(pid_t id, int pipe) : m_id(id), m_pipe(pipe) {}
+
+    const pid_t m_id;
+    const int m_pipe;
+    bool m_ready = false;
+    SteadyTime m_heard = {};
+};
+
+/// The guard beside the program that runs: where programs are installed, and where they are built.
+[[nodiscard]] std::filesystem::path guardProgram();
+
+}  // namespace leitstand

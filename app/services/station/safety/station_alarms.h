@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/event/event.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mission/state/mission_state.h"
+#include "core/station/alarms/alarm_book.h"
+#include "core/station/alarms/alarm_rules.h"
+
+namespace leitstand {
+
+/// What the alarms of a station are made of. The functions are called on the alarms' own thread.
+struct StationAlarmsSetup {
+    std::vector<RobotDescription> robots;
+    std::string station;  ///< persistent identity
+    AlarmLimits limits = {};
+    AlarmTiming timing = {};
+    std::function<RobotView(const std::string& robot)> view;
+    std::function<MissionStatePtr()> mission;
+    std::function<LiveMapPtr()> scans;              ///< those of the map
+    std::function<void(const AlarmSample&)> onLog;  ///< to be kept in the mission
+};
+
+/// All alarms as views show them.
+struct AlarmsView {
+    std::vector<Alarm> alarms;     ///< newest first, those that ended last
+    std::uint64_t attentions = 0;  ///< rises with each that is to be told once
+    bool loud = false;             ///< one says "act", and is not acknowledged
+    Time mutedUntil{};             ///< station's clock; the past: not muted
+};
+
+/// Judges five times a second what the operator has to know, on a thread of its own: whatever the window is
+/// doing. What is raised, acknowledged and over is in the log; alarms that an earlier session left standing
+/// are ended there. Alarms of the log itself are raised by LiveMission, and only shown here. Any thread.
+class StationAlarms {
+public:
+    explicit StationAlarms(StationAlarmsSetup setup);
+    ~StationAlarms();
+    StationAlarms(const StationAlarms&) = delete;
+    StationAlarms& operator=(const StationAlarms&) = delete;
+
+    void end();                     ///< judges no more; the functions of the setup are not called any longer
+    void take(const Event& event);  ///< bumps are over before they are looked at
+    void acknowledge(const AlarmId& id);
+    void acknowledgeNewest();
+    void mute(std::chrono::nanoseconds time);  ///< from now on; 0: not any more
+    [[nodiscard]] AlarmsView view() const;
+    [[nodiscard]] const AlarmLimits& limits() const { return m_setup.limits; }
+
+private:
+    struct Bump {
+        std::map<std::string, std::uint32_t> hits;  ///< by bumper
+        std::string newest = {};
+        std::optional<SteadyTime> at = {};
+    };
+    void run(const std::stop_token& stop);
+    /// Clears what sessions before the one that began at event @p session left standing.
+    void endEarlier(const MissionState& mission, std::uint64_t session) const;
+    [[nodiscard]] std::vector<AlarmCause> causes(const MissionState& mission, Time now) const;
+    void addOfStation(const MissionState& mission, std::vector<AlarmCause>& causes) const;
+    void log(const std::vector<AlarmChange>& changes, Time now) const;
+
+    const StationAlarmsSetup m_setup;
+    mutable std::mutex m_mutex;  ///< of the next two; nothing else is called under it
+    AlarmBook m_book;
+    std::map<std::string, Bump> m_bumps;  ///< by robot
+    std::jthread m_thread;                ///< last: joined first
+};
+
+}  // namespace leitstand

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/event/event.h"
+#include "core/robot/robot_description.h"
+#include "core/station/preflight/brake_test.h"
+
+namespace leitstand {
+
+/// Brake tests of the station's robots, and who may be driven after them: a robot that failed is refused
+/// until it passes, or the operator drives it nevertheless. Any thread.
+class StationBrakes {
+public:
+    /// What a test does with a robot and learns of it.
+    struct Hands {
+        /// Without what is ahead, which is asked for apart.
+        std::function<BrakeFacts(const std::string& robot)> facts;
+        std::function<double(const std::string& robot)> spaceAhead;  ///< [m]; NaN: nobody knows
+        std::function<void(const std::string& robot, const DriveVelocity& sticks)> push;
+        std::function<void(const std::string& robot, bool on)> focus;  ///< of driving; all others lose it
+        std::function<void(const std::string& robot)> refresh;         ///< the conditions of driving changed
+        /// @p kept: whether the result could be written where it is remembered.
+        std::function<void(const std::string& robot, const BrakeResult& result, const Result<void>& kept)>
+            done;
+    };
+    /// @p file: where results are remembered.
+    StationBrakes(const std::vector<RobotDescription>& robots, std::filesystem::path file, Hands hands);
+    StationBrakes(const StationBrakes&) = delete;
+    StationBrakes& operator=(const StationBrakes&) = delete;
+
+    /// Begins a test; one that runs begins anew. The operator's key has to be told from now on.
+    void begin(const std::string& robot);
+    void hold(const std::string& robot);  ///< the key is down; ten times a second or more
+    void end(const std::string& robot);   ///< the key was let go
+    [[nodiscard]] BrakeTest::Phase phase(const std::string& robot) const;
+    [[nodiscard]] BrakeResult result(const std::string& robot) const;  ///< newest, also of earlier runs
+
+    /// Driving a robot although it failed; ends with the next test, and with the program.
+    void setOverridden(const std::string& robot, bool on);
+    [[nodiscard]] bool isOverridden(const std::string& robot) const;
+
+    [[nodiscard]] bool isRunning(const std::string& robot) const;
+    /// The robot failed and must not be driven. Never waits.
+    [[nodiscard]] bool refuses(const std::string& robot) const;
+    /// It showed that it has no watchdog, and is driven nevertheless. Never waits.
+    [[nodiscard]] bool needsGuard(const std::string& robot) const;
+    /// Nothing may be sent to the robot now. Never waits; false once the test is not looked after any more.
+    [[nodiscard]] bool silences(const std::string& robot) const;
+
+    void take(const Event& event);        ///< odometry; others are passed by
+    void look(const std::string& robot);  ///< to be called a few times a second
+
+private:
+    struct Entry {
+        BrakeTest test;    ///< under the mutex, as the next three
+        BrakeResult last;  ///< that was not inconclusive, or that there was first
+        double space = 0.0;
+        SteadyTime spaceAt = {};
+        std::atomic<bool> running = false, refused = false, overridden = false, unwatched = false;
+        std::atomic<std::int64_t> silentUntil = 0;  ///< on the steady clock [ns]
+    };
+    [[nodiscard]] Entry* find(const std::string& robot);
+    [[nodiscard]] const Entry* find(const std::string& robot) const;
+    void step(const std::string& robot, Entry& entry);
+    static void keep(Entry& entry, const BrakeResult& result);  ///< locked
+    static void judge(Entry& entry);                            ///< likewise, by the last result
+    void finish(const std::string& robot, const BrakeResult& result);
+
+    const std::filesystem::path m_file;
+    const Hands m_hands;
+    mutable std::mutex m_mutex;
+    std::map<std::string, Entry> m_entries;  ///< by robot; fixed
+};
+
+}  // namespace leitstand

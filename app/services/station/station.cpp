@@ -1,0 +1,205 @@
+#include "app/services/station/station.h"
+
+#include <utility>
+
+#include "app/services/domain/seen_topics.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/station/station_state.h"
+#include "core/base/words.h"
+#include "core/event/station_topics.h"
+
+namespace leitstand {
+
+Result<std::unique_ptr<Station>> Station::open(const StationSettings& settings, StationListener listener) {
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->listener = std::move(listener);
+    if (auto started = state->start(); !started) return started.error();
+    return std::unique_ptr<Station>(new Station(std::move(state)));
+}
+
+Station::Station(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+Station::~Station() = default;
+
+const std::vector<RobotDescription>& Station::robots() const {
+    return m_state->settings.mission.robots;
+}
+
+RobotView Station::robot(const std::string& name) const {
+    return m_state->view(name);
+}
+
+std::optional<VirtualScanView> Station::around(const std::string& robot) const {
+    const RobotLine* const line = m_state->line(robot);
+    return line == nullptr ? std::nullopt : line->sight().view();
+}
+
+std::optional<SteadyTime> Station::scanned(const std::string& robot) const {
+    const RobotLine* const line = m_state->line(robot);
+    return line == nullptr ? std::nullopt : line->sight().scanned();
+}
+
+MissionStatePtr Station::mission() const {
+    return m_state->mission->state();
+}
+
+StationClock& Station::clock() {
+    return *m_state->clock;
+}
+
+StationAlarms& Station::alarms() {
+    return *m_state->alarms;
+}
+
+Result<void> Station::describe(MissionInfoSample info) {
+    info.stamp = stationTime();
+    info.station = m_state->memory->identity().id;
+    auto said = m_state->mission->say(info, station_topic::Mission);
+    if (said) m_state->sharing->say(info, station_topic::Mission);
+    return said;
+}
+
+std::shared_ptr<const SearchedFloor> Station::searched() const {
+    return m_state->coverage->searched();
+}
+
+FindDesk& Station::finds() {
+    return *m_state->finds;
+}
+
+StationMapping& Station::mapping() {
+    return *m_state->mapping;
+}
+
+const std::filesystem::path& Station::folder() const {
+    return m_state->settings.mission.folder;
+}
+
+LiveMissionStatus Station::log() const {
+    return m_state->mission->status();
+}
+
+std::vector<WireComplaint> Station::mismatches() const {
+    std::vector<WireComplaint> complaints;
+    for (const Mismatch& mismatch : m_state->node->mismatches()) complaints.push_back(mismatch.complaint);
+    return complaints;
+}
+
+void Station::focus(const std::string& robot) {
+    giveSticks(m_state->lines, robot);
+}
+
+void Station::push(const DriveVelocity& sticks, bool withoutEyes) {
+    for (const auto& [name, line] : m_state->lines) {
+        if (line->drive() == nullptr || m_state->brakes->isRunning(name)) continue;
+        if (line->drive()->status().focus) line->drive()->set(sticks, withoutEyes);
+    }
+}
+
+void Station::halt() {
+    const MissionStatePtr said = mission();
+    for (const auto& [name, line] : m_state->lines) {
+        if (line->drive() == nullptr || !line->drive()->status().focus) continue;
+        line->drive()->halt();
+        const auto robot = said->robots.find(name);
+        if (robot != said->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
+            (void)setMode(name, "teleoperation");  // one that takes no modes stands by its sticks alone
+    }
+}
+
+void Station::lookThrough(const std::string& robot, const std::string& sensor) {
+    if (RobotLine* const line = m_state->line(robot)) line->sight().lookThrough(sensor);
+    m_state->streams->lookThrough(robot, sensor);
+}
+
+void Station::ask(const std::string& robot) {
+    m_state->grants->ask(driveGrant(robot));
+}
+
+void Station::giveUp(const std::string& robot) {
+    m_state->grants->release(driveGrant(robot));
+}
+
+void Station::answer(const std::string& robot, bool consent) {
+    m_state->grants->answer(driveGrant(robot), consent);
+}
+
+GrantView Station::mapGrant() const {
+    return m_state->grants->view(MapGrant);
+}
+
+void Station::giveMap() {
+    m_state->grants->answer(MapGrant, true);
+    m_state->grants->ask(MapGrant);  // it goes on here when the other one ends
+}
+
+void Station::stopAll() {
+    m_state->stops->stopAll();
+}
+
+void Station::stop(const std::string& robot) {
+    m_state->stops->stop(robot);
+}
+
+Result<void> Station::release(const std::string& robot) {
+    return m_state->stops->release(robot);
+}
+
+Result<void> Station::setMode(const std::string& robot, const std::string& mode) {
+    // In teleoperation it goes by the sticks, which are held back by themselves.
+    const bool byItself = !mode.ends_with("teleoperation");
+    if (auto may = maySend(robot); byItself && !may) return may;
+    return m_state->wish(robot, StreamRole::ModeCommand,
+                         ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
+}
+
+Result<void> Station::maySend(const std::string& robot) const {
+    const StationBrakes& brakes = *m_state->brakes;
+    if (brakes.isRunning(robot))
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{} is sent nowhere during its brake test"), robot)};
+    if (brakes.refuses(robot))
+        return Error{leitstand::fill(
+            translate(
+                "leitstand::Station",
+                "{} failed its brake test: it is sent nowhere until it passes or is driven nevertheless"),
+            robot)};
+    return {};
+}
+
+Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
+    if (auto may = maySend(robot); !may) return may;
+    PoseSample stamped = goal;
+    stamped.header.stamp = stationTime();
+    return m_state->wish(robot, StreamRole::GoalPose, stamped);
+}
+
+std::vector<std::string> Station::limits() const {
+    return m_state->node->warnings();
+}
+
+std::vector<SeenTopic> Station::heard() const {
+    return seenTopics(m_state->node->endpoints());
+}
+
+const StationSettings& Station::settings() const {
+    return m_state->settings;
+}
+
+StationBrakes& Station::brakes() {
+    return *m_state->brakes;
+}
+
+StationGuards& Station::guards() {
+    return *m_state->guards;
+}
+
+StationCameras& Station::cameras() {
+    return *m_state->cameras;
+}
+
+StationStreams& Station::streams() {
+    return *m_state->streams;
+}
+
+}  // namespace leitstand

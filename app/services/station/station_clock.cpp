@@ -1,0 +1,59 @@
+#include "app/services/station/station_clock.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/services/log/live_mission.h"
+#include "app/services/log/sequencer.h"
+#include "core/event/station_topics.h"
+#include "core/mission/state/mission_state.h"
+
+namespace leitstand {
+
+StationClock::StationClock(LiveMission& mission, std::string station, Changed changed)
+    : m_mission(mission), m_station(std::move(station)) {
+    if (!mission.state()->clock) (void)run(true);  // what can be wrong with the log, the log tells
+    m_said.reset();                                // what the team's clock says counts more
+    m_changed = std::move(changed);                // that it began by itself is no news to others
+}
+
+MissionClock StationClock::now() const {
+    const std::lock_guard lock(m_mutex);
+    return present();
+}
+
+MissionClock StationClock::present() const {
+    std::optional<ClockSample> newest = m_said;
+    if (const auto folded = m_mission.state()->clock;
+        folded && (!newest || newest->stamp < folded->sample.stamp))
+        newest = folded->sample;
+    return clockAt(newest, stationTime());
+}
+
+template <class Change>
+Result<void> StationClock::change(Change change) {
+    const std::lock_guard lock(m_mutex);
+    const ClockSample sample = change(present(), stationTime(), m_station);
+    auto said = m_mission.say(sample, station_topic::Clock);
+    if (said) m_said = sample;
+    if (said && m_changed) m_changed(sample);
+    return said;
+}
+
+Result<void> StationClock::run(bool running) {
+    return change([running](const MissionClock& clock, Time at, const std::string& station) {
+        return clockRun(clock, running, at, station);
+    });
+}
+
+Result<void> StationClock::limit(std::chrono::nanoseconds length) {
+    return change([length](const MissionClock& clock, Time at, const std::string& station) {
+        return clockLimited(clock, length, at, station);
+    });
+}
+
+Result<void> StationClock::reset() {
+    return change(clockReset);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/event/event.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/map.h"
+#include "core/mission/state/undo.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// Called on threads of the station's, which they must not hold up; any may be empty.
+struct StationMappingListener {
+    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
+    std::function<void(const MapPtr&)> onMap = {};  ///< the map has grown or moved, as the map view takes it
+    std::function<void(const LiveMapPtr&)> onScans = {};  ///< likewise: all its scans, and how far they count
+};
+
+/// What a station's map begins with.
+struct StationMappingSetup {
+    std::vector<RobotDescription> robots;
+    std::string station;  ///< persistent identity
+    LiveSettings settings;
+    std::vector<KeyScanSample> earlier;  ///< key scans of the mission's earlier sessions
+};
+
+/// The map of a station on live robots, and the operator's decisions on its scans. What comes of them is in
+/// the mission's log, and the map follows what the log takes back. Only the station that holds the map's
+/// grant registers and decides; scans that come while nobody has it wait, the newest ten seconds of them. Any
+/// thread; nothing waits for the mapping: errors that show later are told as messages.
+class StationMapping {
+public:
+    /// @p mission must outlive end(). @p mayMap: whether the station holds the map's grant.
+    StationMapping(LiveMission& mission, std::function<bool()> mayMap, StationMappingSetup setup,
+                   StationMappingListener listener);
+    ~StationMapping();
+    StationMapping(const StationMapping&) = delete;
+    StationMapping& operator=(const StationMapping&) = delete;
+
+    void end();                     ///< as of LiveMapping
+    void take(const Event& event);  ///< all events of the mission, in order, from its thread
+
+    /// Decisions on key scans (docs/live-mapping.md). Errors, in words: another station has the map, the map
+    /// has no such scan, nothing to be decided.
+    Result<void> accept(std::uint64_t scan);
+    Result<void> reject(std::uint64_t scan);
+    Result<void> retry(std::uint64_t scan, const RetrySettings& settings = {});
+    Result<void> rewind(Time moment);  ///< station's clock
+    Result<void> undo();               ///< the newest decision of ours, or area, that is not undone
+    Result<void> redo();               ///< what was undone last
+    /// Says that something of ours is taken back that is no decision on the map: the log of the map counts
+    /// it.
+    Result<void> takeBack(const UndoSample& undo);
+    /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
+    [[nodiscard]] std::optional<MapDecision> undoable() const;
+    [[nodiscard]] std::optional<MapDecision> redoable() const;
+
+    /// What of the world enters the map, from the next scan on; in the log, undone as decisions are, and
+    /// there again when the station restarts. Errors: another station has the map.
+    Result<void> setCrop(const MapCrop& crop);
+    [[nodiscard]] MapCrop crop() const;
+
+    /// Puts @p robot to where the operator says it stands (base_link), roughly: its laser, or its next 3D
+    /// scan, is looked for about there. Without that it is placed by itself beside the robot that makes the
+    /// map. What came of it shows in robots() and is told as a message.
+    Result<void> place(const std::string& robot, const Pose& baseInMap);
+
+    [[nodiscard]] LiveMapPtr scans() const;       ///< never null
+    [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace leitstand

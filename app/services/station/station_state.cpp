@@ -1,0 +1,389 @@
+#include "app/services/station/station_state.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/services/log/link_line.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/places/mission_map.h"
+#include "core/base/words.h"
+#include "core/event/station_topics.h"
+#include "core/io/page_file.h"
+#include "core/io/settings/alarm_file.h"
+#include "core/station/preflight/brake_says.h"
+#include "transport/link/grant_sender.h"
+#include "transport/link/guard_arguments.h"
+
+namespace leitstand {
+Station::State::~State() {
+    {
+        const std::lock_guard lock(mutex);
+        open = false;
+    }
+    if (node) node->onDiscovery([] {});
+    for (const auto& [name, line] : lines) {
+        if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
+    }
+    if (cameras) cameras->snapshots().finish();  // they are told in the log
+    if (finds) finds->finish();                  // what the operator saw is in the log
+    if (alarms) alarms->end();
+    hearing.reset();
+    if (feed) feed->end();
+    if (sharing) sharing->end();
+    // Events that wait still go into the log; what would come of them in the map does not.
+    if (mapping) mapping->end();
+    if (victims) victims->end();
+    if (coverage) coverage->end();
+    clock.reset();
+    mission.reset();  // its thread looks at the lines and hands over to the mapping
+    mapping.reset();
+    victims.reset();
+    coverage.reset();
+    finds.reset();
+    cameras.reset();
+    alarms.reset();
+    sharing.reset();
+    intake.reset();
+    lines.clear();
+    guards.reset();  // their thread looks at the lines; they are told that nobody drives
+    streams.reset();
+    brakes.reset();
+    stops.reset();
+    grants.reset();
+    node.reset();
+}
+
+void Station::State::refresh(const std::string& robot) {
+    const std::lock_guard lock(mutex);
+    if (!open) return;
+    for (const auto& [name, line] : lines) {
+        if ((robot.empty() || name == robot) && line->drive() != nullptr) line->drive()->refresh();
+    }
+}
+
+Result<void> Station::State::control() {
+    GrantListener held;
+    held.onChange = [this] {
+        refresh({});
+        const std::lock_guard lock(mutex);
+        if (open) sharing->look();
+    };
+    held.onHeld = [this](const std::vector<HeldGrant>& now) {
+        if (const auto kept = memory->remember(now); !kept) say(kept.error().text);
+    };
+    auto keeper = GrantKeeper::create(*node, memory->identity(), std::move(held));
+    if (!keeper) return keeper.error();
+    grants = std::move(keeper).value();
+    StopSenderSettings stopping;
+    stopping.station = memory->identity().id;
+    stopping.mayRelease = [this](const std::string& robot) { return grants->mayAct(driveGrant(robot)); };
+    stopping.onChange = [this](const std::string& robot) { refresh(robot); };
+    auto sender = StopSender::create(*node, settings.mission.robots, std::move(stopping));
+    if (!sender) return sender.error();
+    stops = std::move(sender).value();
+    return {};
+}
+
+Result<void> Station::State::lineTo(const RobotDescription& robot) {
+    const auto conditions = [this, name = robot.name] {
+        const bool may = grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) &&
+                         !brakes->refuses(name) && guards->allows(name);
+        return DriveConditions{may, stops->holdsByZeros(name), brakes->silences(name)};
+    };
+    const auto pulse = [this, name = robot.name](const GuardPulse& now) { guards->pulse(name, now); };
+    LinkListener watch;
+    watch.onStatus = [this](const LinkStatus& link) {
+        if (!open) return;
+        streams->take(link);
+        brakes->look(link.robot);
+    };
+    watch.onState = [this, title = robot.title](const LinkStatus& link) {
+        say(fmt::format("{}: {}", title, linkStateWords(link.state)));
+    };
+    watch.onClockOffset = [this](const ClockOffsetSample& offset) {
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+    };
+    auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse}, std::move(watch));
+    if (!line) return line.error();
+    lines.emplace(robot.name, std::move(line).value());
+    return {};
+}
+
+void Station::State::map(std::vector<KeyScanSample> earlier) {
+    StationMappingListener listening;
+    listening.onMessage = [this](const std::string& text) { say(text); };
+    listening.onMap = listener.onMap;
+    listening.onScans = listener.onScans;
+    // Where there can be no such file there can be no log either, which is told.
+    if (auto pages = PageFile::open(settings.mission.folder))
+        settings.mapping.pages = std::move(pages).value();
+    mapping = std::make_unique<StationMapping>(
+        *mission, [this] { return grants->mayAct(MapGrant); },
+        StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
+                            std::move(earlier)},
+        std::move(listening));
+    grants->ask(MapGrant);
+}
+
+void Station::State::watch() {
+    StationAlarmsSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.station = memory->identity().id;
+    const auto limits = readAlarmLimits(settings.alarms);
+    if (limits)
+        setup.limits = *limits;
+    else
+        say(limits.error().text);  // the usual ones, then
+    setup.view = [this](const std::string& robot) { return view(robot); };
+    setup.mission = [this] { return mission->state(); };
+    setup.scans = [this] { return mapping->scans(); };
+    setup.onLog = [this](const AlarmSample& alarm) {
+        if (const auto kept = mission->say(alarm, station_topic::Alarms); !kept) say(kept.error().text);
+    };
+    alarms = std::make_unique<StationAlarms>(std::move(setup));
+}
+
+void Station::State::share() {
+    SharedIntakeSetup hearing;
+    hearing.me = senderOf(node->guid());
+    hearing.mission = [this] { return mission->state(); };
+    hearing.holdsMap = [this] { return grants->mayAct(MapGrant); };
+    hearing.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
+    hearing.tell = [this](const std::string& text) { say(text); };
+    hearing.station = memory->identity().id;
+    hearing.onJoined = [this] {
+        if (open) sharing->tellFindsAgain();
+    };
+    hearing.fileAgain = [this](const VictimSample& find) { fileAgain(find); };
+    MissionSharingSetup telling;
+    telling.station = memory->identity().id;
+    telling.folder = settings.mission.folder;
+    telling.holdsMap = hearing.holdsMap;
+    telling.tell = hearing.tell;
+    telling.robots = [this] { return mapping->robots(); };
+    intake = std::make_unique<SharedIntake>(std::move(hearing));
+    telling.sharesMap = [this] { return intake->sharesMap(); };
+    telling.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
+    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(telling));
+}
+
+void Station::State::listen() {
+    feed = std::make_unique<MissionFeed>(*node, *mission, [this](const ReceivedSample& sample) {
+        for (const auto& [name, line] : lines) line->link().onSample(sample);
+    });
+    for (const RobotDescription& robot : settings.mission.robots) {
+        for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Heard)) say(problem);
+    }
+    const auto gate = [this](ReceivedSample sample) {
+        const SteadyTime now = std::chrono::steady_clock::now();
+        intake->take(std::move(sample.event), senderOf(sample.writer), now);
+    };
+    for (const auto& problem : feed->listenToStations(gate)) say(problem);
+    node->onDiscovery([this] {
+        tellMismatches();
+        tellDrops();
+        sharing->look();
+    });
+}
+
+bool Station::State::isAtRest() const {
+    return std::none_of(lines.begin(), lines.end(), [this](const auto& one) {
+        const auto& [name, line] = one;
+        const StopStatus stop = stops->status(name);
+        if (stop.releasing || (stop.sent && !stop.standing)) return true;
+        if (brakes->isRunning(name)) return true;
+        if (line->drive() == nullptr) return false;
+        const DriveStatus drive = line->drive()->status();
+        return drive.driving || drive.velocity != DriveVelocity{};
+    });
+}
+
+void Station::State::watchHearing() {
+    HearingWatchSetup setup;
+    setup.robots = settings.mission.robots;
+    setup.link = [this](const std::string& robot) { return lines.at(robot)->link().status().state; };
+    setup.mayRejoin = [this] { return isAtRest(); };
+    setup.onRejoining = [this](const Guid& me) {
+        grants->rejoined(me);
+        intake->rejoined(senderOf(me));
+    };
+    setup.tell = [this](const std::string& text) { say(text); };
+    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+}
+
+void Station::State::tellMismatches() {
+    for (const Mismatch& mismatch : node->mismatches()) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!told.insert(toString(mismatch.complaint)).second) continue;
+        }
+        say(worded(mismatch.complaint));
+    }
+}
+
+void Station::State::tellDrops() {
+    std::vector<ScreenDrop> due;
+    {
+        const std::lock_guard lock(mutex);
+        due = screened.due(node->dropped());
+    }
+    for (const ScreenDrop& drop : due) say(worded(drop));
+}
+
+void Station::State::watchStreams() {
+    streams = std::make_unique<StationStreams>(
+        settings.mission.robots,
+        [this](const std::string& robot, StreamCommandSample command) {
+            command.stamp = stationTime();
+            command.station = memory->identity().id;
+            return wish(robot, StreamRole::StreamCommand, command);
+        },
+        [this](const std::string& robot, const std::string& topic, bool off) {
+            line(robot)->link().setPaused(topic, off);
+        });
+}
+
+void Station::State::watchBrakes() {
+    StationBrakes::Hands hands = brakeHands(lines, *grants, *stops);
+    hands.focus = [this](const std::string& robot, bool on) {
+        if (on) {
+            giveSticks(lines, robot);
+            grants->ask(driveGrant(robot));
+        } else if (DriveStreamer* const drive = lines.at(robot)->drive()) {
+            drive->setFocus(false);  // others may be driven by now
+        }
+    };
+    hands.refresh = [this](const std::string& robot) {
+        guards->want(robot, brakes->needsGuard(robot));
+        refresh(robot);
+    };
+    hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
+        if (!kept) say(kept.error().text);
+        const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
+        const RobotDescription& described = lines.at(robot)->robot();
+        say(described.title + ": " + brakeWorded(note.text));
+        const std::lock_guard lock(mutex);
+        if (open) (void)mission->say(note, station_topic::Notes);  // a plain sample can be encoded
+    };
+    const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
+    brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
+}
+
+void Station::State::guardRobots() {
+    StationGuards::Setup setup;
+    setup.program = guardProgram();
+    for (const RobotDescription& robot : settings.mission.robots) {
+        const auto message = driveMessageFor(robot);
+        if (!message) continue;  // it is not driven
+        GuardArguments arguments;
+        arguments.network.domain = settings.domain.domain;
+        arguments.network.interfaces = settings.domain.interfaces;
+        arguments.network.initialPeers = settings.domain.initialPeers;
+        arguments.network.discoveryServer = settings.domain.discoveryServer;
+        arguments.keys = settings.domain.keys;
+        arguments.guard.robot = robot.name;
+        arguments.guard.station = memory->identity().id;
+        arguments.guard.driver = senderOf(node->guid());
+        arguments.guard.message = *message;
+        setup.words.emplace(robot.name, wordsOf(arguments));
+    }
+    setup.onChange = [this](const std::string& robot) { refresh(robot); };
+    setup.onTrouble = [this](const std::string& robot, const std::string& problem) {
+        for (const RobotDescription& one : settings.mission.robots) {
+            if (one.name != robot) continue;
+            say(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
+                                one.title, problem));
+        }
+    };
+    guards = std::make_unique<StationGuards>(std::move(setup));
+}
+
+Result<void> Station::State::start() {
+    auto network = nodeSettings(settings.domain, "leitstand");
+    if (!network) return network.error();
+    auto remembered = StationFile::open(settings.memory, settings.mission.title);
+    if (!remembered) return remembered.error();
+    memory = std::move(remembered).value();
+    if (!memory->warning().empty()) say(memory->warning());
+    settings.mission.station = memory->identity().id;
+    auto joined = Node::create(*network);
+    if (!joined) return joined.error();
+    node = std::move(joined).value();
+    for (const std::string& warning : node->warnings()) say(warning);
+    LiveMission::Listener log;
+    log.onAlarm = [this](const std::string& text) { say(text); };
+    log.onEvent = [this](const Event& event) {
+        if (!open) return;
+        if (RobotLine* const known = line(event.robot)) known->sight().take(event);
+        brakes->take(event);
+        alarms->take(event);
+        mapping->take(event);
+        victims->take(event);
+        coverage->take(event);
+        finds->take(event);
+        cameras->turning().take(event);
+        intake->know(event);
+        sharing->take(event);
+        if (listener.onEvent) listener.onEvent(event);
+    };
+    std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
+    auto recorded = LiveMission::open(settings.mission, std::move(log));
+    if (!recorded) return recorded.error();
+    mission = std::move(recorded).value();
+    if (auto controlled = control(); !controlled) return controlled;
+    watchStreams();
+    watchBrakes();
+    guardRobots();
+    for (const RobotDescription& robot : settings.mission.robots) {
+        if (auto made = lineTo(robot); !made) return made;
+    }
+    cameras = std::make_unique<StationCameras>(
+        settings.mission, *grants,
+        [this](const std::string& robot, const PanTiltCommand& command) {
+            return wish(robot, StreamRole::PanTiltCommand, command);
+        },
+        [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
+        [this](const std::string& text) { say(text); });
+    cover(earlier);
+    map(std::move(earlier));
+    search();
+    file();
+    watch();
+    clock = std::make_unique<StationClock>(*mission, memory->identity().id, [this](const ClockSample& now) {
+        sharing->say(now, station_topic::Clock);
+    });
+    share();
+    watchHearing();
+    {
+        const std::lock_guard lock(mutex);
+        open = true;
+    }
+    refresh({});
+    listen();
+    return {};
+}
+
+RobotView Station::State::view(const std::string& name) const {
+    const RobotLine* const known = line(name);
+    if (known == nullptr) return {};
+    RobotView view;
+    known->tell(view);
+    if (open && hearing) view.hearing = hearing->fault(name);
+    view.grant = grants->view(driveGrant(name));
+    view.stop = stops->status(name);
+    return view;
+}
+
+Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
+    RobotLine* const to = line(robot);
+    if (to == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
+    return to->say(role, sample);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/services/coverage/coverage_watch.h"
+#include "app/services/domain/hearing_watch.h"
+#include "app/services/finds/find_desk.h"
+#include "app/services/heap_keeper.h"
+#include "app/services/log/mission_feed.h"
+#include "app/services/station/cameras/station_cameras.h"
+#include "app/services/station/robot_lines.h"
+#include "app/services/station/safety/station_alarms.h"
+#include "app/services/station/safety/station_brakes.h"
+#include "app/services/station/safety/station_guards.h"
+#include "app/services/station/station.h"
+#include "app/services/station/station_clock.h"
+#include "app/services/station/station_mapping.h"
+#include "app/services/station/station_streams.h"
+#include "app/services/team/mission_sharing.h"
+#include "app/services/team/shared_intake.h"
+#include "app/services/victims/victim_watch.h"
+#include "core/io/settings/station_file.h"
+#include "core/robot/link/screen_report.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// The station that has it registers; the others would make a second map of the same scans.
+inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
+
+/// All parts of a station, put together and taken apart in the right order.
+struct Station::State {
+    StationSettings settings;
+    StationListener listener;
+    std::optional<StationFile> memory;
+    std::unique_ptr<Node> node;
+    std::unique_ptr<GrantKeeper> grants;
+    std::unique_ptr<StopSender> stops;
+    std::unique_ptr<StationStreams> streams;
+    std::unique_ptr<StationBrakes> brakes;
+    std::unique_ptr<StationGuards> guards;
+    RobotLines lines;  ///< fixed once open
+    std::unique_ptr<StationCameras> cameras;
+    std::unique_ptr<LiveMission> mission;
+    std::unique_ptr<StationMapping> mapping;
+    std::unique_ptr<VictimWatch> victims;
+    std::unique_ptr<CoverageWatch> coverage;
+    std::unique_ptr<StationClock> clock;
+    std::unique_ptr<FindDesk> finds;
+    std::unique_ptr<StationAlarms> alarms;
+    std::unique_ptr<SharedIntake> intake;
+    std::unique_ptr<MissionSharing> sharing;
+    std::unique_ptr<MissionFeed> feed;
+    std::unique_ptr<HearingWatch> hearing;
+    std::mutex mutex;                                        ///< of the next three
+    std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
+    std::set<std::string> told;                              ///< mismatches; under the mutex
+    ScreenTelling screened;                                  ///< under the mutex
+    std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
+    HeapKeeper heap;
+
+    ~State();
+    Result<void> start();
+    Result<void> control();
+    Result<void> lineTo(const RobotDescription& robot);
+    void watchStreams();
+    void watchBrakes();
+    void guardRobots();
+    void map(std::vector<KeyScanSample> earlier);
+    void search();
+    void cover(std::vector<KeyScanSample> earlier);
+    void watch();
+    void file();
+    void share();
+    void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
+    void listen();
+    void watchHearing();
+    [[nodiscard]] bool isAtRest() const;  ///< nothing moves by this station, and nothing is being stopped
+    [[nodiscard]] RobotView view(const std::string& robot) const;
+    void refresh(const std::string& robot);  ///< empty: all
+    void say(const std::string& text) const {
+        if (listener.onMessage) listener.onMessage(text);
+    }
+    void tellMismatches();
+    void tellDrops();
+    [[nodiscard]] RobotLine* line(const std::string& robot) const {
+        const auto found = lines.find(robot);
+        return found == lines.end() ? nullptr : found->second.get();
+    }
+    [[nodiscard]] Result<void> wish(const std::string& robot, StreamRole role, const Sample& sample) const;
+};
+
+}  // namespace leitstand

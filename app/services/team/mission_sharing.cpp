@@ -1,0 +1,303 @@
+#include "app/services/team/mission_sharing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+#include "app/services/domain/station_types.h"
+#include "app/services/domain/topic_lane.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/team/shared_evidence.h"
+#include "core/event/station_topics.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mission/state/mission_clock.h"
+#include "transport/convert/encode.h"
+#include "transport/link/grant_sender.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int Kept = 64;        ///< samples a topic, for who was away for a moment
+constexpr int ScansAtOnce = 8;  ///< key scans that are on their way before the others wait for them
+/// Who has not taken them after so long is not waited for: a little, and as a link of 100 kB/s needs.
+constexpr double PatienceAByte = 1e-5, Patience = 2.0;  ///< [s]
+constexpr std::chrono::milliseconds Look(50);           ///< at a time: others have something to say
+constexpr std::chrono::seconds UntilMatched(5);         ///< a reader that was announced
+
+bool isShared(std::string_view topic) {
+    return std::any_of(StationTypes.begin(), StationTypes.end(),
+                       [&](const StationType& one) { return one.shared && one.topic == topic; });
+}
+
+/// The station that @p sample names; null where it names none.
+const std::string* stationOf(const Sample& sample) {
+    return std::visit(
+        [](const auto& one) -> const std::string* {
+            if constexpr (requires { std::string(one.station); }) return &one.station;
+            return nullptr;
+        },
+        sample);
+}
+
+/// What the undo takes back, or does again, in the end.
+const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
+    const Decision* meant = decisionAt(mission, undo.event);
+    while (meant != nullptr) {
+        const auto* other = std::get_if<UndoSample>(&meant->content);
+        if (other == nullptr || other->event >= meant->sequence) break;
+        meant = decisionAt(mission, other->event);
+    }
+    return meant;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point moment) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
+}
+
+}  // namespace
+
+struct MissionSharing::Telling {
+    std::unique_ptr<BagReader> bag;
+    std::set<std::uint64_t> sequences;  ///< of the scans that count
+    std::optional<BagCursor> cursor;
+    std::size_t bytes = 0;  ///< on their way
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    bool begun = false;
+};
+
+MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup)
+    : m_node(node), m_mission(mission), m_setup(std::move(setup)) {
+    for (const auto& [topic, type, shared] : StationTypes) {
+        if (!shared) continue;
+        WriterSettings writer;
+        writer.topic = topic;
+        writer.type = type;
+        writer.qos = {.reliability = Qos::Reliability::Reliable,
+                      .durability = Qos::Durability::TransientLocal,
+                      .depth = Kept};
+        writer.flow = flowOf(type);
+        auto made = node.publisher(writer);
+        if (made)
+            m_publishers.emplace(topic, std::move(made).value());
+        else
+            m_setup.tell(made.error().text);
+    }
+    m_thread = std::jthread([this](const std::stop_token& stop) { m_jobs.work(stop); });
+}
+
+MissionSharing::~MissionSharing() {
+    end();
+}
+
+void MissionSharing::end() {
+    m_jobs.cancel();
+    m_thread.request_stop();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+bool MissionSharing::isHeard() const {
+    const std::lock_guard lock(m_mutex);
+    return !m_listeners.empty();
+}
+
+void MissionSharing::look() {
+    std::set<Guid> now, scans;
+    const Sender me = senderOf(m_node.guid());
+    for (const RemoteEndpoint& one : m_node.endpoints()) {
+        if (one.kind != RemoteEndpoint::Kind::Reader || !isShared(one.topic)) continue;
+        if (senderOf(one.guid) == me) continue;  // this station's own log
+        now.insert(one.guid);
+        if (one.topic == station_topic::KeyScans) scans.insert(one.guid);
+    }
+    const bool holds = m_setup.holdsMap();
+    const std::lock_guard lock(m_mutex);
+    const bool came = !std::includes(m_scanReaders.begin(), m_scanReaders.end(), scans.begin(), scans.end());
+    const bool took = holds && !m_heldMap;
+    m_listeners = std::move(now);
+    m_scanReaders = std::move(scans);
+    m_heldMap = holds;
+    if (m_listeners.empty() || (!came && !took)) return;
+    m_jobs.submit([this](const std::stop_token& stop) { tellAll(stop); });
+}
+
+void MissionSharing::tellFindsAgain() {
+    m_jobs.submit([this](const std::stop_token& stop) {
+        if (!stop.stop_requested()) tellFinds(*m_mission.state());
+    });
+}
+
+void MissionSharing::submit(const Sample& sample, std::string_view topic) {
+    m_jobs.submit([this, sample, topic = std::string(topic)](const std::stop_token& stop) {
+        if (!stop.stop_requested()) write(sample, topic);
+    });
+}
+
+void MissionSharing::say(const Sample& sample, std::string_view topic) {
+    if (isHeard()) submit(sample, topic);
+}
+
+void MissionSharing::take(const Event& event) {
+    if (!event.robot.empty() || !isHeard()) return;
+    if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
+        if (undo->station != m_setup.station) return;
+        return m_jobs.submit([this, undo = *undo](const std::stop_token& stop) {
+            if (!stop.stop_requested()) tellUndone(undo);
+        });
+    }
+    // What the operator says of them comes by say(); what a station says of them at its start is its own.
+    if (event.topic == station_topic::Clock || event.topic == station_topic::Mission) return;
+    if (!isShared(event.topic)) return;
+    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    const std::string* station = stationOf(event.sample);
+    const bool ours =
+        scan != nullptr ? !m_setup.isAdopted(scan->id) : station != nullptr && *station == m_setup.station;
+    const bool find = event.topic == station_topic::Victims || event.topic == station_topic::Candidates;
+    if (ours && (!find || m_setup.sharesMap())) submit(event.sample, event.topic);
+}
+
+void MissionSharing::write(const Sample& sample, std::string_view topic) {
+    const Sample said = forOthers(sample);
+    auto cdr = encode(said, typeOf(said));
+    if (cdr) write(*cdr, topic);  // the log has told what cannot be
+}
+
+void MissionSharing::write(const Payload& cdr, std::string_view topic) {
+    const auto publisher = m_publishers.find(topic);
+    // Not written: the node has left.
+    if (publisher != m_publishers.end()) static_cast<void>(publisher->second->write(cdr));
+}
+
+void MissionSharing::tellAll(const std::stop_token& stop) {
+    tellFinds(*m_mission.state());  // the operator's work does not wait for scans
+    tellClock(*m_mission.state());
+    if (!m_setup.holdsMap()) return;
+    if (auto telling = scansToTell()) tellScans(std::move(telling), stop);
+}
+
+std::shared_ptr<MissionSharing::Telling> MissionSharing::scansToTell() {
+    if (!m_mission.flush()) return nullptr;  // the log has told why
+    auto telling = std::make_shared<Telling>();
+    const MissionStatePtr mission = m_mission.state();
+    for (const auto& [id, scan] : *mission->keyScans) telling->sequences.insert(scan.sequence);
+    auto bag = BagReader::open(m_setup.folder);
+    if (!bag) {
+        m_setup.tell(bag.error().text);
+        return nullptr;
+    }
+    telling->bag = std::move(bag).value();
+    BagQuery query;
+    query.topics = {std::string(station_topic::KeyScans)};
+    telling->cursor.emplace(telling->bag->read(query));
+    return telling;
+}
+
+void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop) {
+    const auto publisher = m_publishers.find(station_topic::KeyScans);
+    if (publisher == m_publishers.end() || stop.stop_requested()) return;
+    const auto goOn = [&] {
+        m_jobs.submit([this, telling](const std::stop_token& stopped) { tellScans(telling, stopped); });
+    };
+    const double waited = secondsSince(telling->since);
+    if (!telling->begun) {
+        std::size_t announced = 0;
+        {
+            const std::lock_guard lock(m_mutex);
+            announced = m_scanReaders.size();
+        }
+        // This station's own log reads, too.
+        const bool all = publisher->second->matched() > static_cast<int>(announced);
+        if (!all && waited < std::chrono::duration<double>(UntilMatched).count()) {
+            std::this_thread::sleep_for(Look);
+            return goOn();
+        }
+        telling->begun = true;
+    } else if (!publisher->second->waitForAcknowledgments(Look)) {
+        if (waited < Patience + PatienceAByte * static_cast<double>(telling->bytes)) return goOn();
+    }
+    telling->bytes = 0;
+    telling->since = std::chrono::steady_clock::now();
+    for (int i = 0; i < ScansAtOnce;) {
+        const auto scan = telling->cursor->next();
+        if (!scan) return tellMap(*m_mission.state());
+        if (!telling->sequences.contains(scan->sequence)) continue;  // another of its number counts
+        write(scan->cdr, station_topic::KeyScans);
+        telling->bytes += scan->cdr->size();
+        ++i;
+    }
+    goOn();
+}
+
+void MissionSharing::tellMap(const MissionState& mission) {
+    const Time now = stationTime();
+    if (!mission.keyScans->empty())
+        write(ScanPosesSample{now, m_setup.station, ScanPosesSample::Cause::Registration, posesOf(mission)},
+              station_topic::ScanPoses);
+    if (mission.crop) {
+        MapCropSample crop = mission.crop->sample;
+        crop.station = m_setup.station;
+        write(crop, station_topic::MapCrop);
+    }
+    const RobotsInMapPtr robots = m_setup.robots();
+    for (const auto& [name, robot] : mission.robots) {
+        if (!robot->place) continue;
+        RobotPlaceSample place = robot->place->sample;
+        for (const RobotInMap& one : *robots) {
+            if (one.robot != name || !one.placed || !one.odomInMap) continue;
+            place.measured = one.stamp;
+            place.baseInMap = one.baseInMap;
+            place.odomInMap = *one.odomInMap;
+        }
+        place.station = m_setup.station;
+        write(place, station_topic::RobotPlaces);
+    }
+}
+
+void MissionSharing::tellClock(const MissionState& mission) {
+    // One that a station let go by itself is the team's where that makes the map.
+    if (mission.clock && (m_setup.holdsMap() || !beganByItself(mission.clock->sample)))
+        write(mission.clock->sample, station_topic::Clock);
+    if (mission.info) write(mission.info->sample, station_topic::Mission);
+}
+
+void MissionSharing::tellFinds(const MissionState& mission) {
+    if (!m_setup.sharesMap()) return;
+    for (const auto& [key, find] : *mission.victims) {
+        VictimSample told = find.victim;
+        told.station = m_setup.station;
+        write(told, station_topic::Victims);
+    }
+    if (!m_setup.holdsMap()) return;
+    for (const auto& [id, candidate] : *mission.candidates)
+        write(candidate.candidate, station_topic::Candidates);
+}
+
+void MissionSharing::tellUndone(const UndoSample& undo) {
+    const MissionStatePtr mission = m_mission.state();
+    const Decision* meant = meantBy(*mission, undo);
+    if (meant == nullptr) return;
+    if (const auto* poses = std::get_if<ScanPosesSample>(&meant->content)) {
+        ScanPosesSample now{undo.stamp, m_setup.station, ScanPosesSample::Cause::Operator, {}};
+        for (const ScanPose& pose : poses->poses) {
+            const auto scan = mission->keyScans->find(pose.scan);
+            if (scan != mission->keyScans->end()) now.poses.push_back(scan->second.pose);
+        }
+        write(now, station_topic::ScanPoses);
+    } else if (std::holds_alternative<MapCropSample>(meant->content)) {
+        MapCropSample now;
+        if (mission->crop) now = mission->crop->sample;
+        now.stamp = undo.stamp;
+        now.station = m_setup.station;
+        write(now, station_topic::MapCrop);
+    } else if (const auto* find = std::get_if<VictimSample>(&meant->content)) {
+        const auto known = mission->victims->find({find->kind, find->number});
+        VictimSample now = known != mission->victims->end() ? known->second.victim : *find;
+        if (known == mission->victims->end()) now.status = VictimSample::Status::Discarded;
+        now.stamp = undo.stamp;
+        now.station = m_setup.station;
+        write(now, station_topic::Victims);
+    }
+}
+
+}  // namespace leitstand

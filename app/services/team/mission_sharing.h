@@ -1,0 +1,81 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "app/services/job_queue.h"
+#include "app/services/log/live_mission.h"
+#include "core/event/event.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// What a MissionSharing works with; may be called on any thread.
+struct MissionSharingSetup {
+    std::string station;                                ///< persistent identity
+    std::filesystem::path folder;                       ///< of the mission: key scans are read back
+    std::function<bool()> holdsMap = {};                ///< whether this station makes the map
+    std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan is another station's
+    std::function<bool()> sharesMap = {};               ///< whether its finds lie in the map that others know
+    std::function<RobotsInMapPtr()> robots = {};        ///< never null
+    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+};
+
+/// Says on station_topic what this station decides, finds and maps, so that other stations show it
+/// (docs/stations.md): each as it enters the log, and everything that counts now to who comes later. Nothing
+/// is written while nobody listens. What the operator took back is said as what counts instead: the numbers
+/// of events are each log's own. Any thread; node and mission outlive it.
+class MissionSharing {
+public:
+    MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup);
+    ~MissionSharing();  ///< as end()
+    MissionSharing(const MissionSharing&) = delete;
+    MissionSharing& operator=(const MissionSharing&) = delete;
+
+    /// An event of the log.
+    void take(const Event& event);
+    /// What the operator said of clock or mission.
+    void say(const Sample& sample, std::string_view topic);
+    /// Who listens, or who makes the map, may have changed.
+    void look();
+    /// Tells all finds: they lie in a map that others know, too.
+    void tellFindsAgain();
+    void end();  ///< what waits is left
+
+private:
+    void submit(const Sample& sample, std::string_view topic);
+    void write(const Sample& sample, std::string_view topic);
+    void write(const Payload& cdr, std::string_view topic);
+    /// All key scans of the log, on their way to others a few at a time.
+    struct Telling;
+    void tellAll(const std::stop_token& stop);
+    void tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop);
+    void tellRest();
+    [[nodiscard]] std::shared_ptr<Telling> scansToTell();
+    void tellMap(const MissionState& mission);
+    void tellFinds(const MissionState& mission);
+    void tellClock(const MissionState& mission);
+    void tellUndone(const UndoSample& undo);
+    [[nodiscard]] bool isHeard() const;
+
+    Node& m_node;
+    LiveMission& m_mission;
+    const MissionSharingSetup m_setup;
+    std::map<std::string, std::unique_ptr<Publisher>, std::less<>> m_publishers;  ///< by topic; fixed
+    mutable std::mutex m_mutex;
+    std::set<Guid> m_listeners;    ///< readers of any shared topic; under the mutex
+    std::set<Guid> m_scanReaders;  ///< those of key scans; likewise
+    bool m_heldMap = false;        ///< likewise
+    JobQueue m_jobs;
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

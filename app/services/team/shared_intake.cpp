@@ -1,0 +1,237 @@
+#include "app/services/team/shared_intake.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "app/services/team/shared_evidence.h"
+#include "core/base/words.h"
+#include "core/event/station_topics.h"
+#include "core/mission/state/mission_clock.h"
+#include "transport/convert/decode.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whatever others say
+
+/// Whether it lies in the map of whom it is from.
+bool isOfMap(const Sample& sample) {
+    return std::holds_alternative<KeyScanSample>(sample) || std::holds_alternative<ScanPosesSample>(sample) ||
+           std::holds_alternative<MapCropSample>(sample) || std::holds_alternative<RobotPlaceSample>(sample);
+}
+
+bool isPlacedInMap(const Sample& sample) {
+    return isOfMap(sample) || std::holds_alternative<VictimSample>(sample) ||
+           std::holds_alternative<CandidateSample>(sample);
+}
+
+/// The stamp of what the mission has of the same thing as @p sample; empty: nothing, or stamps do not matter.
+std::optional<Time> knownStamp(const MissionState& mission, const Sample& sample) {
+    if (const auto* candidate = std::get_if<CandidateSample>(&sample)) {
+        const auto known = mission.candidates->find(candidate->id);
+        if (known != mission.candidates->end()) return known->second.candidate.stamp;
+    } else if (std::holds_alternative<MissionInfoSample>(sample)) {
+        if (mission.info) return mission.info->sample.stamp;
+    } else if (std::holds_alternative<MapCropSample>(sample)) {
+        if (mission.crop) return mission.crop->sample.stamp;
+    }
+    return std::nullopt;
+}
+
+Time stampOf(const Sample& sample) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { Time(one.stamp); }) return one.stamp;
+            return Time{};
+        },
+        sample);
+}
+
+std::vector<std::uint64_t> scansOf(const Sample& sample) {
+    std::vector<std::uint64_t> scans;
+    if (const auto* poses = std::get_if<ScanPosesSample>(&sample)) {
+        for (const ScanPose& pose : poses->poses) scans.push_back(pose.scan);
+    }
+    return scans;
+}
+
+}  // namespace
+
+SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)), m_me(m_setup.me) {
+    const MissionStatePtr mission = m_setup.mission();
+    for (const auto& [id, scan] : *mission->keyScans) m_scans[id] = {scan.entry.robot, scan.entry.stamp};
+}
+
+void SharedIntake::know(const Event& event) {
+    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    if (scan == nullptr || !scan->scan) return;
+    const std::lock_guard lock(m_mutex);
+    m_scans.try_emplace(scan->id, Known{scan->scan->robot, scan->stamp});
+}
+
+bool SharedIntake::isAdopted(std::uint64_t id) const {
+    const std::lock_guard lock(m_mutex);
+    return m_adopted.contains(id);
+}
+
+bool SharedIntake::knows(const std::vector<std::uint64_t>& scans) const {
+    return std::all_of(scans.begin(), scans.end(), [&](std::uint64_t id) { return m_scans.contains(id); });
+}
+
+void SharedIntake::tellOtherMap(std::uint64_t scan) const {
+    if (!m_setup.tell) return;
+    m_setup.tell(
+        fill(translate("leitstand::Station",
+                       "another station makes another map than this mission's (their scans {} differ): "
+                       "it is not shown here; begin a new mission to see it"),
+             scan));
+}
+
+bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
+    if (!scan.scan) return false;
+    const Known that{scan.scan->robot, scan.stamp};
+    const auto known = m_scans.find(scan.id);
+    const bool same = known != m_scans.end() && known->second == that;
+    if (other.map == Map::Unknown && !m_scans.empty() && !same) {
+        if (known == m_scans.end()) return true;  // nobody can tell yet: it waits
+        other.map = Map::Other;
+        other.waiting.clear();
+        tellOtherMap(scan.id);
+        return false;
+    }
+    if (std::exchange(other.map, Map::Same) != Map::Same && m_setup.onJoined) m_setup.onJoined();
+    if (same) return false;
+    m_scans[scan.id] = that;
+    m_adopted.insert(scan.id);
+    return true;
+}
+
+bool SharedIntake::wants(const Event& event, Other& other) {
+    const Sample& sample = event.sample;
+    if (isOfMap(sample) && m_setup.holdsMap()) return false;
+    if (other.map == Map::Other && isPlacedInMap(sample)) return false;
+    if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
+    if (const auto* find = std::get_if<VictimSample>(&sample)) return wants(*find);
+    if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
+    const auto known = knownStamp(*m_setup.mission(), sample);
+    return !known || *known < stampOf(sample);
+}
+
+bool SharedIntake::wants(const VictimSample& find) {
+    const MissionStatePtr mission = m_setup.mission();
+    const auto known = mission->victims->find({find.kind, find.number});
+    if (known == mission->victims->end()) return true;
+    const VictimSample& ours = known->second.victim;
+    if (ours.found == find.found) return ours.stamp < find.stamp;
+    if (ours.found < find.found) return false;  // who found it files it again, as below
+    if (ours.station == m_setup.station && m_setup.fileAgain) m_setup.fileAgain(ours);
+    return true;
+}
+
+bool SharedIntake::wants(const ClockSample& clock) const {
+    const MissionStatePtr mission = m_setup.mission();
+    if (!mission->clock) return true;
+    const ClockSample& ours = mission->clock->sample;
+    if (ours.station != m_setup.station || !beganByItself(ours)) return ours.stamp < clock.stamp;
+    return !beganByItself(clock) || clock.stamp < ours.stamp;
+}
+
+bool SharedIntake::sharesMap() const {
+    if (m_setup.holdsMap()) return true;
+    const std::lock_guard lock(m_mutex);
+    return m_scans.empty() || std::any_of(m_others.begin(), m_others.end(),
+                                          [](const auto& other) { return other.second.map == Map::Same; });
+}
+
+void SharedIntake::hearGrant(const RawEvent& event, const Sender& from) {
+    const auto decoded = decodeStationEvent(event);
+    const auto* grant = decoded ? std::get_if<GrantSample>(&decoded->sample) : nullptr;
+    if (grant == nullptr || grant->kind != GrantSample::Kind::Map) return;
+    if (grant->action == GrantSample::Action::Hold) m_maker = from;
+}
+
+bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
+    if (std::holds_alternative<KeyScanSample>(sample)) return other.map == Map::Unknown;
+    if (isOfMap(sample)) return true;  // also what need not, stays behind what was said before
+    // Finds of a map of which nobody knows yet whether it is this one.
+    return isPlacedInMap(sample) && other.map == Map::Unknown && m_maker == from && !m_scans.empty() &&
+           !m_setup.holdsMap();
+}
+
+void SharedIntake::rejoined(const Sender& me) {
+    const std::lock_guard lock(m_mutex);
+    m_me = me;
+}
+
+void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
+    const std::lock_guard lock(m_mutex);
+    const bool ours = from == m_me;
+    if (ours && event.topic != station_topic::Grants) return;
+    if (event.topic == station_topic::Grants) {
+        if (!ours) hearGrant(event, from);
+        m_setup.enter(std::move(event));
+        return release(now);  // once a second
+    }
+    if (!m_others.contains(from) && m_others.size() >= MostOthers) return;
+    const auto decoded = decodeStationEvent(event);
+    if (!decoded) return m_setup.enter(std::move(event));  // counted as broken there, and kept
+    Other& other = m_others[from];
+    const Sample& sample = decoded->sample;
+    if (!isOfMap(sample) && waits(sample, from, other)) {
+        wait({std::move(event), now, {}}, other);  // whether it is wanted depends on whose map it lies in
+    } else if (!wants(*decoded, other)) {
+        return release(now);
+    } else if (waits(sample, from, other)) {
+        Waiting one{std::move(event), now, scansOf(sample)};
+        if (const auto* scan = std::get_if<KeyScanSample>(&sample))
+            one.scan = {scan->id, Known{scan->scan->robot, scan->stamp}};
+        wait(std::move(one), other);
+    } else {
+        enter(std::move(event), sample);
+    }
+    release(now);
+}
+
+void SharedIntake::wait(Waiting one, Other& other) {
+    other.waiting.push_back(std::move(one));
+    const auto scans = std::count_if(other.waiting.begin(), other.waiting.end(),
+                                     [](const Waiting& each) { return each.scan.has_value(); });
+    if (other.waiting.size() > MostWaiting || scans > std::ptrdiff_t{MostWaitingScans})
+        other.waiting.pop_front();
+}
+
+void SharedIntake::enter(RawEvent event, Sample sample) {
+    if (takeOurSequences(sample, *m_setup.mission())) {
+        if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
+    }
+    m_setup.enter(std::move(event));
+}
+
+void SharedIntake::enterLate(Waiting one, Other& other) {
+    // Who makes the map by now has decided since.
+    if (other.map != Map::Same || m_setup.holdsMap()) return;
+    if (one.scan) {
+        if (!m_scans.insert(*one.scan).second) return;
+        m_adopted.insert(one.scan->first);
+        return m_setup.enter(std::move(one.event));
+    }
+    const auto decoded = decodeStationEvent(one.event);
+    if (decoded && wants(*decoded, other)) enter(std::move(one.event), decoded->sample);
+}
+
+void SharedIntake::release(SteadyTime now) {
+    for (auto& [from, other] : m_others) {
+        while (!other.waiting.empty()) {
+            Waiting& first = other.waiting.front();
+            const bool late = now - first.since >= LongestWait;
+            if ((other.map == Map::Unknown || !knows(first.scans)) && !late) break;
+            first.event.received = {};  // it enters now
+            enterLate(std::move(first), other);
+            other.waiting.pop_front();
+        }
+    }
+}
+
+}  // namespace leitstand

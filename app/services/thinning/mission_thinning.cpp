@@ -1,0 +1,159 @@
+#include "app/services/thinning/mission_thinning.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+#include <stop_token>
+#include <tuple>
+#include <utility>
+
+#include "app/services/finds/told_evidence.h"
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/mission_robots.h"
+#include "core/event/station_topics.h"
+#include "core/event/victim_sample.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/io/bag/bag_writer.h"
+#include "core/io/detail/unfinished.h"
+#include "core/robot/robot_description.h"
+#include "transport/convert/decode.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::uint64_t EventsAFlush = 200;
+
+/// All forms of @p bag's finds.
+std::vector<VictimSample> formsOf(BagReader& bag) {
+    std::vector<VictimSample> forms;
+    BagQuery finds;
+    finds.topics = {std::string(station_topic::Victims)};
+    BagCursor cursor = bag.read(finds);
+    while (const auto event = cursor.next()) {
+        const auto sample = decodeStationEvent(*event);
+        const VictimSample* form = sample ? std::get_if<VictimSample>(&sample->sample) : nullptr;
+        if (form != nullptr) forms.push_back(*form);
+    }
+    return forms;
+}
+
+/// Sequences of all evidence of @p bag's finds, also of those that other stations told.
+std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescription>& robots,
+                                   const std::stop_token& stop) {
+    std::set<std::uint64_t> all;
+    std::set<std::tuple<std::string, Time, Time>> told;  // topic, stamp, find: each form says it again
+    EventDecoder decoder(robots);
+    for (const VictimSample& form : formsOf(bag)) {
+        for (const VictimEvidence& one : form.evidence) {
+            if (stop.stop_requested()) return all;
+            const bool stays = one.topic.starts_with(station_topic::Prefix);
+            if (one.sequence == 0 && (stays || !told.emplace(one.topic, one.stamp, form.found).second))
+                continue;
+            all.insert(sequenceInLog(bag, decoder, one, form));
+        }
+    }
+    return all;
+}
+
+/// How often a topic of @p role is kept [1/s]; negative: always.
+double rateOf(StreamRole role, const ThinSettings& settings) {
+    switch (role) {
+        case StreamRole::Points:
+            return settings.clouds;
+        case StreamRole::Ranges:
+            return settings.ranges;
+        case StreamRole::Picture:
+        case StreamRole::Thermal:
+            return settings.pictures;
+        case StreamRole::Odometry:
+        case StreamRole::Transforms:
+            return settings.motion;
+        case StreamRole::Imu:
+        case StreamRole::Joints:
+        case StreamRole::CameraInfo:
+        case StreamRole::DriveCommand:
+        case StreamRole::TrackCommand:
+        case StreamRole::Ping:
+        case StreamRole::Pong:
+            return settings.others;
+        default:
+            return -1.0;
+    }
+}
+
+/// Decides event by event.
+class Sieve {
+public:
+    Sieve(const std::vector<RobotDescription>& robots, std::set<std::uint64_t> evidence,
+          const ThinSettings& settings)
+        : m_evidence(std::move(evidence)) {
+        for (const RobotDescription& robot : robots) {
+            for (const StreamDescription& stream : robot.streams)
+                m_rates[stream.topic] = rateOf(stream.role, settings);
+        }
+    }
+
+    [[nodiscard]] bool keeps(const RawEvent& event) {
+        if (event.topic == station_topic::Checkpoints) return false;
+        if (event.topic.starts_with(station_topic::Prefix) || m_evidence.contains(event.sequence))
+            return true;
+        const auto rate = m_rates.find(event.topic);
+        if (rate == m_rates.end() || rate->second < 0.0) return true;
+        if (rate->second == 0.0) return false;
+        const auto [last, first] = m_last.try_emplace(event.topic, event.received);
+        const std::chrono::duration<double> since = event.received - last->second;
+        if (!first && since.count() >= 0.0 && since.count() < 1.0 / rate->second) return false;
+        last->second = event.received;
+        return true;
+    }
+
+private:
+    std::set<std::uint64_t> m_evidence;
+    std::map<std::string, double> m_rates;  ///< by topic
+    std::map<std::string, Time> m_last;     ///< kept
+};
+
+}  // namespace
+
+Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std::filesystem::path& out,
+                                const ThinSettings& settings, const Progress& progress) {
+    std::error_code none;
+    if (std::filesystem::exists(out, none))
+        return Error{out.string() + ": is there already; expected a folder to be made"};
+    auto bag = BagReader::open(mission);
+    if (!bag) return bag.error();
+    BagReader& from = **bag;
+    ThinOutcome outcome;
+    const auto robots = robotsOf(mission, from, outcome.problems);
+    Sieve sieve(robots, evidenceOf(from, robots, progress.stop), settings);
+    detail::Unfinished unfinished(out);  // goes after the writer has closed its files
+    auto writer = BagWriter::open(out);
+    if (!writer) return writer.error();
+    if (auto kept = keepRobots(out, robots); !kept) return kept.error();
+    for (const BagTopic& topic : from.topics()) (*writer)->addTopic(topic.info);
+    BagQuery wanted;
+    if (settings.seconds > 0.0) {
+        wanted.to = from.first() + std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                       std::chrono::duration<double>(settings.seconds));
+    }
+    BagCursor cursor = from.read(wanted);
+    const double last = static_cast<double>(std::max<std::uint64_t>(1, from.lastSequence()));
+    while (auto event = cursor.next()) {
+        if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
+        if (progress.report) progress.report(static_cast<double>(event->sequence) / last);
+        if (!sieve.keeps(*event)) {
+            ++outcome.left;
+            continue;
+        }
+        (*writer)->write(std::move(*event));
+        if (++outcome.kept % EventsAFlush != 0) continue;
+        if (auto flushed = (*writer)->flush(); !flushed) return flushed.error();
+    }
+    if (auto closed = (*writer)->close(); !closed) return closed.error();
+    unfinished.done();
+    for (const std::string& problem : from.problems()) outcome.problems.push_back(problem);
+    return outcome;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/services/places/sensor_places.h"
+#include "core/event/event.h"
+#include "core/mapping/seen_points.h"
+#include "core/mission/finds/placed_cue.h"
+#include "core/perception/cues/codes.h"
+#include "core/perception/cues/gas_rise.h"
+#include "core/perception/cues/motion.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// How closely a robot's samples are looked at.
+struct CueSettings {
+    std::chrono::milliseconds motionEvery{180};  ///< pictures of a camera that are compared
+    std::chrono::milliseconds signsEvery{450};   ///< ... that codes and placards are looked for in
+    std::chrono::milliseconds longestWait{500};  ///< of a picture for odometry
+    double fastest = 0.9;                        ///< a camera that turns faster is not looked through [rad/s]
+    double standing = 0.7;                       ///< a camera must stand so long before motion counts [s]
+    double highest = 1.0;       ///< people beyond walls are higher over the robot's ground [m]
+    double lowest = -0.6;       ///< [m]
+    double farthestHeat = 6.0;  ///< [m]
+    double farthest = 5.0;      ///< of motion, codes and placards [m]
+};
+
+/// Something in a picture that somebody asks the place of.
+struct LookedAt {
+    Event picture;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
+    int width = 0, height = 0;                        ///< of the picture [px]
+    double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
+};
+
+/// Finds cues in what one robot says and places them in the map. The caller tells where the robot is. Without
+/// thread; one at a time.
+class CueFinder {
+public:
+    explicit CueFinder(const RobotDescription& robot, const CueSettings& settings = {});
+    CueFinder(const CueFinder&) = delete;
+    CueFinder& operator=(const CueFinder&) = delete;
+
+    /// Odometry, inertial unit, transforms, scans, pictures, camera infos, gas, sightings of this robot;
+    /// others are passed by.
+    void take(const Event& event);
+    /// Where the robot was; until the first nothing can be placed.
+    void correct(const MapFix& fix) { m_places.correct(fix); }
+    /// What was found since the last call, without the key scan.
+    [[nodiscard]] std::vector<PlacedCue> found();
+    [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
+    /// Where @p looked lies, in the map; empty where the picture is too old or nothing was scanned there.
+    [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
+    /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and nothing
+    /// was scanned before it.
+    [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
+
+private:
+    /// Where a camera was when it took a picture.
+    struct View {
+        Pose opticalInOdom, opticalInMap, baseInMap;
+        bool certain = false;
+        double turning = 0.0;  ///< how fast it turns [rad/s]
+    };
+    struct Camera {
+        std::optional<CameraInfoSample> info;
+        MotionFinder motion;
+        Time compared{}, read{};  ///< pictures last looked at for motion, and for signs
+        Time stoodSince{};
+        std::optional<Pose> before;  ///< in base
+        Time beforeAt{};
+    };
+    void look(Time now);
+    void look(const Event& event);
+    void lookForHeat(const Event& event, const Camera& camera, const View& view);
+    void lookForMotion(const Event& event, Camera& camera, const View& view, const Picture& picture);
+    void lookForSigns(const Event& event, const Camera& camera, const View& view, const Picture& picture);
+    void smell(const Event& event, const GasSample& gas);
+    void hear(const Event& event, const SightingSample& sightings);
+    [[nodiscard]] std::optional<View> viewOf(const Event& event, const PictureSample& picture,
+                                             Camera& camera);
+    [[nodiscard]] Cue cueOf(const Event& event, const char* kind, Time stamp) const;
+    /// Keeps @p cue where @p pixel of the picture shows it.
+    bool place(PlacedCue cue, const Camera& camera, const View& view, const Eigen::Vector2d& pixel, int width,
+               int height, double halfAngle, double farthest);
+    [[nodiscard]] std::optional<RayHit> meet(const View& view, const Eigen::Vector3d& direction,
+                                             double halfAngle, double farthest,
+                                             const SeenPoints::Shows& shows = {}) const;
+    void keep(PlacedCue cue, const View& view);
+
+    const RobotDescription m_robot;
+    const CueSettings m_settings;
+    SensorPlaces m_places;
+    SeenPoints m_seen;
+    CodeReader m_codes;
+    std::map<std::string, Camera> m_cameras;  ///< by sensor
+    std::map<std::string, GasWatch> m_gases;  ///< by sensor
+    std::map<std::uint32_t, Sighting> m_sightings;
+    std::optional<Event> m_unheard;               ///< sightings of a robot that is not placed yet
+    std::deque<Event> m_waiting;                  ///< pictures, for odometry
+    std::deque<std::pair<Event, Pose>> m_slices;  ///< scans, likewise, and how their sensor sat
+    Time m_movedAt{};                             ///< last, robot's clock
+    std::vector<PlacedCue> m_found;
+};
+
+}  // namespace leitstand

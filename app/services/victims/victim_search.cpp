@@ -1,0 +1,114 @@
+#include "app/services/victims/victim_search.h"
+
+#include <utility>
+#include <variant>
+
+namespace leitstand {
+namespace {
+
+constexpr double AboutARobot = 0.45;  // what moves or is warm so near to a robot is the robot [m]
+
+}  // namespace
+
+VictimSearch::VictimSearch(const std::vector<RobotDescription>& robots, const std::string& station,
+                           const CueSettings& cues, const CandidateSettings& candidates)
+    : m_book(station, candidates) {
+    for (const RobotDescription& robot : robots) m_finders.try_emplace(robot.name, robot, cues);
+}
+
+void VictimSearch::correct(std::span<const PlaceOfRobot> fixes) {
+    for (const PlaceOfRobot& one : fixes) correct(one.robot, one.fix);
+}
+
+void VictimSearch::correct(const std::string& robot, const MapFix& fix) {
+    const auto finder = m_finders.find(robot);
+    if (finder != m_finders.end()) finder->second.correct(fix);
+}
+
+const RobotInMap* VictimSearch::place(const std::string& robot) const {
+    const auto finder = m_finders.find(robot);
+    return finder == m_finders.end() ? nullptr : &finder->second.now();
+}
+
+void VictimSearch::follow(std::span<const ScanPose> poses) {
+    for (const ScanPose& pose : poses) m_book.scanAt(pose.scan, pose.scanInMap);
+    correct(m_scans.follow(poses));
+}
+
+std::uint64_t VictimSearch::scanFor(const PlacedCue& cue) const {
+    const RobotInMap* const robot = place(cue.cue.robot);
+    return m_scans.scanFor(cue.cue.robot,
+                           robot == nullptr ? cue.inMap : Eigen::Vector3d(robot->baseInMap.translation()));
+}
+
+bool VictimSearch::isRobot(const PlacedCue& cue) const {
+    if (cue.cue.kind != "motion" && cue.cue.kind != "heat") return false;
+    for (const auto& [name, finder] : m_finders) {
+        if (name == cue.cue.robot || !finder.now().placed) continue;
+        const Eigen::Vector3d off = finder.now().baseInMap.translation() - cue.inMap;
+        if (off.head<2>().norm() < AboutARobot) return true;
+    }
+    return false;
+}
+
+std::optional<PlacedCue> VictimSearch::locate(const LookedAt& looked) {
+    const auto finder = m_finders.find(looked.picture.robot);
+    if (finder == m_finders.end()) return std::nullopt;
+    auto cue = finder->second.locate(looked);
+    if (cue) cue->scan = scanFor(*cue);
+    return cue;
+}
+
+bool VictimSearch::shows(const Event& picture, const Eigen::Vector3d& inMap) {
+    const auto finder = m_finders.find(picture.robot);
+    return finder != m_finders.end() && finder->second.shows(picture, inMap);
+}
+
+TagPatterns TagsOfProfiles::of(const std::string& name) const {
+    if (const auto found = byName.find(name); found != byName.end()) return found->second;
+    return byName.empty() ? usualTags() : byName.rbegin()->second;
+}
+
+void VictimSearch::setTags(TagsOfProfiles tags, const std::string& profile) {
+    m_tags = std::move(tags);
+    m_book.tags(m_tags.of(profile));
+}
+
+void VictimSearch::restore(const VictimSample& find) {
+    const bool none = find.status == VictimSample::Status::Discarded && find.mergedInto == 0;
+    m_book.discarded(find.kind, find.number, none);
+}
+
+void VictimSearch::take(const Event& event, bool search) {
+    if (const auto* find = std::get_if<VictimSample>(&event.sample)) return restore(*find);
+    if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
+        return m_book.tags(m_tags.of(info->profile));
+    if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
+    if (KeyScanPlaces::wants(event)) {
+        if (const auto* scan = std::get_if<KeyScanSample>(&event.sample); scan != nullptr && scan->scan)
+            m_book.scanAt(scan->id, scan->scanInMap);
+        if (const auto* moved = std::get_if<ScanPosesSample>(&event.sample)) {
+            for (const ScanPose& pose : moved->poses) m_book.scanAt(pose.scan, pose.scanInMap);
+        }
+        return correct(m_scans.take(event));
+    }
+    const auto finder = m_finders.find(event.robot);
+    if (finder == m_finders.end()) return;
+    if (!search && std::holds_alternative<PictureSample>(event.sample)) return;
+    if (!search && std::holds_alternative<SightingSample>(event.sample)) {
+        m_unheard.insert_or_assign(event.robot, event);  // a robot says them once
+        return;
+    }
+    if (search) {
+        if (const auto late = m_unheard.extract(event.robot)) finder->second.take(late.mapped());
+    }
+    finder->second.take(event);
+    for (PlacedCue& cue : finder->second.found()) {
+        if (!search || isRobot(cue)) continue;
+        cue.scan = scanFor(cue);
+        if (onCue) onCue(cue);
+        m_book.add(cue);
+    }
+}
+
+}  // namespace leitstand

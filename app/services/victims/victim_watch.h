@@ -1,0 +1,77 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/services/victims/victim_search.h"
+#include "core/event/event.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// What a VictimWatch begins with.
+struct VictimWatchSetup {
+    std::vector<RobotDescription> robots;
+    std::string station;                                      ///< persistent identity
+    std::function<bool()> maySearch;                          ///< whether the station has the map's grant
+    std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
+    std::function<RobotsInMapPtr()> places;  ///< where the robots are now; without it, key scans alone tell
+    std::function<std::vector<ScanPose>()> poses;      ///< where the mission's key scans are; after an undo
+    std::function<std::vector<VictimSample>()> finds;  ///< that stand in the mission; likewise, and at first
+    std::vector<ScanPose> earlierPoses;                ///< of the mission's earlier sessions
+    std::vector<CandidateSample> earlier;              ///< likewise
+    TagsOfProfiles tags;                               ///< of victims
+    std::string profile;                               ///< of the score, as the mission's data have it by now
+};
+
+/// VictimSearch on a thread of its own, live. Any thread. Where it cannot keep up, pictures are left out (the
+/// log has them all); nothing else is.
+class VictimWatch {
+public:
+    explicit VictimWatch(VictimWatchSetup setup);
+    ~VictimWatch();
+    VictimWatch(const VictimWatch&) = delete;
+    VictimWatch& operator=(const VictimWatch&) = delete;
+
+    void take(const Event& event);  ///< all events of the mission, in order
+    /// Tells @p answer where what a picture shows is, on the watch's thread, after what waits; empty: nobody
+    /// can tell. Not answered when the watch ends before.
+    void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
+    /// Tells @p answer, likewise, which of @p pictures show the place @p inMap [m].
+    void seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
+              std::function<void(const std::vector<bool>&)> answer);
+    void end();  ///< what waits is left; nobody is told anything any more
+    [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
+    [[nodiscard]] std::size_t waiting() const;              ///< events, with those it works on
+
+private:
+    using Camera = std::pair<std::string, std::string>;  ///< robot, sensor
+    using Question = std::function<void(VictimSearch&)>;
+    void ask(Question question);
+    void run(const std::stop_token& stop);
+    void followRobots();
+    void restoreFinds();
+
+    const VictimWatchSetup m_setup;
+    VictimSearch m_search;    ///< of the thread
+    RobotsInMapPtr m_places;  ///< likewise: as followed last
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_came;
+    std::deque<Event> m_waiting;
+    std::vector<Question> m_questions;
+    std::map<Camera, Time> m_taken;  ///< newest picture, station's clock
+    std::size_t m_pictures = 0;      ///< that wait
+    std::size_t m_atWork = 0;        ///< events that were taken and are not done yet
+    std::chrono::nanoseconds m_worked{};
+    std::jthread m_thread;  ///< last: joined first
+};
+
+}  // namespace leitstand

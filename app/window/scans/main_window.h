@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "app/window/scans/session_bridge.h"
+#include "app/window/shell/view_state.h"
+#include "app/window/shell/window_state.h"
+#include "widgets/models/message_list_model.h"
+#include "widgets/models/scan_list_model.h"
+
+namespace leitstand {
+
+class BottomStrip;
+class FileCommands;
+class MapPane;
+class MapView;
+class RegistrationCommands;
+class RegistrationPanel;
+class ViewCommands;
+
+/// The station's window: wires session, models, panels and commands together.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    /// A window that looks as @p state says.
+    explicit MainWindow(const WindowState& state, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Reads and registers @p sources.
+    void open(const Sources& sources);
+    /// All that was opened and not closed again.
+    [[nodiscard]] const Sources& sources() const { return m_sources; }
+    /// What is to be remembered.
+    [[nodiscard]] WindowState state() const;
+    /// Whether nothing is being read or registered.
+    [[nodiscard]] bool idle() const { return !m_session.busy(); }
+    [[nodiscard]] MapView& mapView() const;
+    [[nodiscard]] ViewState& view() { return m_view; }
+    [[nodiscard]] const ScanListModel& scans() const { return m_scans; }
+    [[nodiscard]] const MessageListModel& messages() const { return m_messages; }
+
+signals:
+    /// An error was added to the messages.
+    void failed(const QString& why);
+    /// All work has ended.
+    void becameIdle();
+    /// The window is about to close.
+    void closing();
+    void languageWanted(const QString& code);  ///< for a window made anew
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void addDocks(const WindowState& state);
+    void addMenus();
+    void connectSession();
+    void connectMap();
+    void connectCommands();
+    void showMap(const MapPtr& map);
+    void showView(const MapViewSettings& settings);
+    void tell(MessageListModel::Severity severity, const QString& text);
+    void restore(const WindowState& state);
+
+    ScanListModel m_scans;
+    MessageListModel m_messages;
+    ViewState m_view;
+    SessionBridge m_session;
+    Sources m_sources;
+    MapPane* m_pane;
+    FileCommands* m_files;
+    ViewCommands* m_viewCommands;
+    RegistrationCommands* m_registration;
+    RegistrationPanel* m_settings = nullptr;
+    BottomStrip* m_strip = nullptr;
+    QDockWidget* m_scansDock = nullptr;
+    QDockWidget* m_settingsDock = nullptr;
+    QDockWidget* m_messagesDock = nullptr;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/shell/window_state.h"
+
+namespace leitstand {
+
+/// Lets files and folders be dropped onto a widget.
+class ScanDrop final : public QObject {
+    Q_OBJECT
+public:
+    /// Watches @p target and owns itself to it.
+    explicit ScanDrop(QWidget& target);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void dropped(const leitstand::Sources& sources);
+};
+
+}  // namespace leitstand

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "app/services/offline/scan_session.h"
+
+namespace leitstand {
+
+/// The session as the GUI thread sees it: what its thread tells arrives here as signals, in order; of
+/// progress only the newest.
+class SessionBridge final : public QObject {
+    Q_OBJECT
+public:
+    explicit SessionBridge(QObject* parent = nullptr);
+    /// Cancels all work and waits for the session's thread.
+    ~SessionBridge() override;
+
+    void open(std::vector<std::filesystem::path> sources, const RegistrationSettings& settings);
+    void registerAgain(const RegistrationSettings& settings);
+    void clear();
+    void cancel();
+    /// Whether jobs are at work or waiting.
+    [[nodiscard]] bool busy() const { return m_jobs > 0; }
+
+signals:
+    void mapChanged(const leitstand::MapPtr& map);
+    void progressed(const leitstand::SessionProgress& progress);
+    void told(const leitstand::SessionMessage& message);
+    void finished(const leitstand::SessionOutcome& outcome);
+    void busyChanged(bool busy);
+
+private:
+    [[nodiscard]] SessionListener listener();
+    void takeProgress(const SessionProgress& progress);
+    void showProgress();
+    void addJobs(int jobs);
+
+    int m_jobs = 0;
+    std::mutex m_mutex;
+    std::optional<SessionProgress> m_newest;  ///< not yet shown; guarded by m_mutex
+    std::unique_ptr<ScanSession> m_session;   ///< last: its thread ends first
+};
+
+}  // namespace leitstand

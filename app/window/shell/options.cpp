@@ -1,0 +1,125 @@
+#include "app/window/shell/options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "app/window/shell/terminal.h"
+#include "core/version/version.h"
+
+namespace leitstand {
+namespace {
+
+constexpr int UsageError = 2;
+constexpr int SmallestSide = 320, LargestSide = 8192;  ///< [px]
+
+/// Reads "1280x800"; an error text otherwise.
+std::string parseSize(const std::string& text, std::optional<QSize>& size) {
+    int width = 0, height = 0;
+    char end = 0;
+    const int found = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end);
+    const auto fits = [](int side) { return side >= SmallestSide && side <= LargestSide; };
+    if (found != 2 || !fits(width) || !fits(height)) {
+        return "expected WIDTHxHEIGHT from 320x320 to 8192x8192, found \"" + text + "\"";
+    }
+    size = QSize(width, height);
+    return {};
+}
+
+}  // namespace
+
+std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
+    Options options;
+    std::string size;
+    CLI::App app("Leitstand, the operator station for rescue robots: registers 3D scans and shows them.",
+                 "leitstand");
+    app.set_version_flag("--version", versionOf("leitstand"));
+    app.add_option("SCANS", options.scans,
+                   "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
+    app.add_flag("--register-again", options.registerAgain,
+                 "Register the scans of a mission anew, where it would be reviewed otherwise");
+    const std::map<std::string, MapLook> looks = {
+        {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
+    const std::map<std::string, Theme> themes = {{"dark", Theme::Dark}, {"light", Theme::Light}};
+    auto* screenshot =
+        app.add_option("--screenshot", options.screenshot,
+                       "Write a picture of the window when all is shown, and quit; needs no display")
+            ->type_name("FILE");
+    app.add_option("--look", options.look, "points, voxels or top")
+        ->transform(CLI::CheckedTransformer(looks).description(""))
+        ->type_name("LOOK");
+    app.add_option("--theme", options.theme, "dark or light")
+        ->transform(CLI::CheckedTransformer(themes).description(""))
+        ->type_name("THEME");
+    app.add_option("--language", options.language, "en, de or ja (as chosen last, else the user's)")
+        ->check(CLI::IsMember({"en", "de", "ja"}, CLI::ignore_case).description(""))
+        ->type_name("LANGUAGE");
+    app.add_option("--size", size, "Size of the screenshot in pixels, at any scale (a window of 1280x800)")
+        ->type_name("WxH")
+        ->needs(screenshot)
+        ->check([&options](const std::string& text) { return parseSize(text, options.size); });
+    auto* live =
+        app.add_flag("--live", options.live, "Drive robots that are in the domain: open the station on them");
+    auto* demo = app.add_flag("--demo", options.demo,
+                              "Drive a simulated Kurt3D and Crawler, which are started beside the station");
+    const auto onRobots = [&](CLI::Option* option, CLI::Option* with) {
+        option->group("Live robots");
+        if (with != nullptr) option->excludes(with);
+        return option;
+    };
+    onRobots(live, demo);
+    onRobots(demo, nullptr);
+    onRobots(
+        app.add_option("--robot", options.robots, "Robot files, or names of shipped ones (kurt3d, crawler)"),
+        demo)
+        ->type_name("YAML...");
+    auto* mission =
+        onRobots(app.add_option(
+                     "--mission", options.mission,
+                     "Folder to record into; one that exists is gone on with (a new one, named by the time)"),
+                 nullptr);
+    mission->type_name("FOLDER");
+    onRobots(app.add_flag("--resume", options.resume,
+                          "Go on with the newest of the missions named by the time, as after a crash; alone: "
+                          "with the robots of last time"),
+             mission);
+    onRobots(app.add_option("--layout", options.layout,
+                            "How panes are arranged: drive, explore, map, review, link, or one of your own"),
+             nullptr)
+        ->type_name("NAME");
+    onRobots(app.add_option("--after", options.after,
+                            "Take the screenshot so much later; the robots of --demo explore meanwhile"),
+             nullptr)
+        ->needs(screenshot)
+        ->check(CLI::Range(0, 3600))
+        ->type_name("SECONDS");
+    onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)
+        ->check(CLI::Range(0, 132))
+        ->type_name("N");
+    onRobots(app.add_option("--interface", options.interfaces,
+                            "Network interfaces to use, by name or address (all)"),
+             nullptr)
+        ->type_name("NAME...");
+    onRobots(app.add_option(
+                 "--keys", options.keys,
+                 "Take part in a secured domain with the identity of this folder (see leitstandctl keys)"),
+             demo)
+        ->type_name("DIR");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        return app.exit(problem) == 0 ? 0 : UsageError;
+    }
+    options.live = options.live || options.demo;
+    if (options.after > 0 && !options.live) {
+        tellTerminal("--after waits for live robots: --live or --demo");
+        return UsageError;
+    }
+    if ((options.live || options.resume) && !options.scans.empty()) {
+        tellTerminal("--live, --demo and --resume take no scans");
+        return UsageError;
+    }
+    return options;
+}
+
+}  // namespace leitstand

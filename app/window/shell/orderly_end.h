@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+#include <QObject>
+
+#include "app/services/interrupt.h"
+
+namespace leitstand {
+
+/// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP ends the program as closing its windows does:
+/// what is recorded is closed, what is remembered is written; within 5 s, whatever libraries do. A second one
+/// ends it at once. GUI thread, at most one at a time.
+class OrderlyEnd final : public QObject {
+    Q_OBJECT
+public:
+    explicit OrderlyEnd(QObject* parent = nullptr);
+
+private:
+    const InterruptGuard m_interrupt;
+    const std::stop_callback<std::function<void()>> m_came;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+
+#include "widgets/models/map/map_view_settings.h"
+
+namespace leitstand {
+
+/// How the map is looked at: the one place that commands change and views follow.
+class ViewState final : public QObject {
+    Q_OBJECT
+public:
+    explicit ViewState(const MapViewSettings& settings, QObject* parent = nullptr)
+        : QObject(parent), m_settings(settings) {}
+
+    [[nodiscard]] const MapViewSettings& settings() const { return m_settings; }
+    /// Takes @p settings over and says so when something is different.
+    void set(const MapViewSettings& settings) {
+        if (settings == m_settings) return;
+        m_settings = settings;
+        emit changed(m_settings);
+    }
+    /// Changes one thing: @p change gets the settings to alter.
+    template <class Change>
+    void alter(Change change) {
+        MapViewSettings settings = m_settings;
+        change(settings);
+        set(settings);
+    }
+
+signals:
+    void changed(const leitstand::MapViewSettings& settings);
+
+private:
+    MapViewSettings m_settings;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QByteArray>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include "core/mapping/registration_settings.h"
+#include "widgets/models/map/map_view_settings.h"
+
+namespace leitstand {
+
+/// Files and folders that were opened together.
+using Sources = std::vector<std::filesystem::path>;
+
+/// What the window remembers from one start to the next.
+struct WindowState {
+    QByteArray geometry;  ///< QWidget::saveGeometry; empty: firstSize decides
+    QSize firstSize{1280, 800};
+    QByteArray layout;        ///< QMainWindow::saveState
+    QByteArray liveGeometry;  ///< of the live window
+    QString liveLayout;       ///< name of the live window's; empty: the first
+    QString language;         ///< code; empty: the user's
+    MapViewSettings view;
+    RegistrationSettings registration;
+    std::vector<Sources> recent;  ///< newest first
+};
+
+/// The state that was saved last; what is missing or makes no sense has its default.
+[[nodiscard]] WindowState loadWindowState();
+/// Saves @p state to leitstand/leitstand.ini in the user's XDG configuration folder.
+void saveWindowState(const WindowState& state);
+
+/// Puts @p sources, made absolute, at the head of @p recent; at most eight stay.
+void remember(std::vector<Sources>& recent, const Sources& sources);
+
+}  // namespace leitstand

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "core/cloud/scan.h"
+
+namespace leitstand {
+
+/// The points of @p scan with an echo between @p minRange and @p maxRange from the sensor [m], in the scan's
+/// order, with their labels where the scan has them. @p normals: empty, or one a point of the scan.
+[[nodiscard]] PointCloud pointsInRange(const Scan& scan, std::span<const Eigen::Vector3f> normals,
+                                       double minRange, double maxRange);
+
+}  // namespace leitstand

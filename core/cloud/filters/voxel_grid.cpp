@@ -1,0 +1,108 @@
+#include "core/cloud/filters/voxel_grid.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "core/cloud/filters/cell_table.h"
+#include "core/cloud/label_votes.h"
+
+namespace leitstand {
+namespace {
+
+using detail::CellTable;
+
+/// What is gathered of a cube's points.
+struct Sum {
+    Eigen::Vector3d points = Eigen::Vector3d::Zero();
+    double count = 0.0;
+
+    [[nodiscard]] Eigen::Vector3f centroid() const { return (points / count).cast<float>(); }
+};
+
+struct Cells {
+    std::vector<std::uint32_t> ofPoints;  ///< CellTable::Outside: left out
+    std::vector<Sum> sums;
+};
+
+Cells gathered(const std::vector<Eigen::Vector3f>& points, double edge) {
+    Cells cells;
+    cells.ofPoints.resize(points.size());
+    CellTable table(edge);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t cell = table.cellOf(points[i]);
+        cells.ofPoints[i] = cell;
+        if (cell == CellTable::Outside) continue;
+        if (cell == cells.sums.size()) cells.sums.emplace_back();
+        Sum& sum = cells.sums[cell];
+        sum.points += points[i].cast<double>();
+        sum.count += 1.0;
+    }
+    return cells;
+}
+
+/// The real point that is nearest to its cube's centroid so far.
+struct Nearest {
+    Eigen::Vector3f centroid;
+    float squaredDistance = std::numeric_limits<float>::infinity();
+    std::uint32_t point = 0;
+};
+
+PointCloud nearestPoints(const PointCloud& cloud, const Cells& cells) {
+    std::vector<Nearest> nearest(cells.sums.size());
+    std::transform(cells.sums.begin(), cells.sums.end(), nearest.begin(),
+                   [](const Sum& sum) { return Nearest{.centroid = sum.centroid()}; });
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        if (cells.ofPoints[i] == CellTable::Outside) continue;
+        Nearest& best = nearest[cells.ofPoints[i]];
+        const float squaredDistance = (cloud.points[i] - best.centroid).squaredNorm();
+        if (squaredDistance >= best.squaredDistance) continue;
+        best.squaredDistance = squaredDistance;
+        best.point = static_cast<std::uint32_t>(i);
+    }
+    PointCloud result;
+    result.points.reserve(nearest.size());
+    for (const Nearest& best : nearest) {
+        result.points.push_back(cloud.points[best.point]);
+        if (!cloud.normals.empty()) result.normals.push_back(cloud.normals[best.point]);
+        if (!cloud.labels.empty()) result.labels.push_back(cloud.labels[best.point]);
+    }
+    return result;
+}
+
+std::vector<Eigen::Vector3f> meanNormals(const PointCloud& cloud, const Cells& cells) {
+    std::vector<Eigen::Vector3f> means(cells.sums.size(), Eigen::Vector3f::Zero());
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        if (cells.ofPoints[i] != CellTable::Outside) means[cells.ofPoints[i]] += cloud.normals[i];
+    }
+    for (Eigen::Vector3f& mean : means) mean.normalize();  // leaves a zero as it is
+    return means;
+}
+
+std::vector<Label> commonestLabels(const PointCloud& cloud, const Cells& cells) {
+    std::vector<LabelVotes> votes(cells.sums.size());
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        if (cells.ofPoints[i] != CellTable::Outside) votes[cells.ofPoints[i]].add(cloud.labels[i]);
+    }
+    std::vector<Label> labels(votes.size());
+    std::transform(votes.begin(), votes.end(), labels.begin(),
+                   [](const LabelVotes& of) { return of.commonest(); });
+    return labels;
+}
+
+}  // namespace
+
+PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept) {
+    if (!(edge > 0.0)) throw std::invalid_argument("voxelGrid: the edge of a voxel must be above 0");
+    const Cells cells = gathered(cloud.points, edge);
+    if (kept == VoxelPoint::Nearest) return nearestPoints(cloud, cells);
+    PointCloud result;
+    result.points.resize(cells.sums.size());
+    std::transform(cells.sums.begin(), cells.sums.end(), result.points.begin(),
+                   [](const Sum& sum) { return sum.centroid(); });
+    if (!cloud.normals.empty()) result.normals = meanNormals(cloud, cells);
+    if (!cloud.labels.empty()) result.labels = commonestLabels(cloud, cells);
+    return result;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/cloud/scan.h"
+
+namespace leitstand {
+
+/// A cloud that waits to be used again, in about half the memory: 16 bits for each coordinate of a point and
+/// of a normal. An hour's map has a thousand of them, a scan is matched against a dozen. Immutable.
+class PackedCloud {
+public:
+    /// Of @p cloud's points, normals and labels; weights are left out. All of it finite.
+    explicit PackedCloud(const PointCloud& cloud);
+
+    /// The cloud again: points within step() / 2 along each axis, normals within 0.003 degrees.
+    [[nodiscard]] PointCloud unpacked() const;
+    [[nodiscard]] std::size_t size() const { return m_points.size(); }
+    /// Coordinates are multiples of this [m]: 0.5 mm in a cloud that reaches 15 m far.
+    [[nodiscard]] float step() const { return m_step; }
+    /// Bytes that it takes.
+    [[nodiscard]] std::size_t memory() const;
+
+    /// All of it in a row, for this computer to read again.
+    [[nodiscard]] std::vector<std::byte> bytes() const;
+    /// Empty where @p bytes are none of a cloud.
+    [[nodiscard]] static std::optional<PackedCloud> fromBytes(std::span<const std::byte> bytes);
+
+private:
+    using Packed = std::array<std::int16_t, 3>;
+
+    PackedCloud() = default;
+    static std::vector<Packed> packed(const std::vector<Eigen::Vector3f>& vectors, float step);
+    static std::vector<Eigen::Vector3f> unpacked(const std::vector<Packed>& vectors, float step);
+
+    float m_step = 0.0F;
+    std::vector<Packed> m_points, m_normals;
+    std::vector<Label> m_labels;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "core/cloud/search/kd_tree_layout.h"
+
+namespace leitstand::detail {
+
+/// Builds the tree over those of @p points that are finite, or over the finite ones of @p chosen (indices of
+/// points). Boxes are split at the centroid across their longest side. Throws std::length_error beyond 2^31 -
+/// 1 points.
+[[nodiscard]] KdStorage buildKdTree(std::span<const Eigen::Vector3f> points);
+[[nodiscard]] KdStorage buildKdTree(std::span<const Eigen::Vector3f> points,
+                                    std::span<const std::int32_t> chosen);
+
+}  // namespace leitstand::detail

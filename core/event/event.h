@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/base/time.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/command_samples.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/event/victim_sample.h"
+
+namespace leitstand {
+
+/// What an event says, in core's own types.
+using Sample =
+    std::variant<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
+                 PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
+                 BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
+                 ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
+                 KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
+                 CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
+                 MapCropSample>;
+
+/// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
+struct Event {
+    std::uint64_t sequence = 0;      ///< order of arrival within the mission, from 1
+    Time received{};                 ///< station's clock
+    std::string robot;               ///< "kurt3d"; empty for the station's own topics
+    std::string topic;               ///< ROS name, "/kurt3d/odom", "/leitstand/victims"
+    std::optional<StreamRole> role;  ///< what the topic carries; empty for the station's own topics
+    std::string sensor;              ///< StreamDescription::sensor
+    Sample sample;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/cloud/scan.h"
+
+namespace leitstand {
+
+/// A scan that entered the map: labelled and reduced, with where it was put at first.
+struct KeyScanSample {
+    Time stamp{};                          ///< station's clock
+    std::uint64_t id = 0;                  ///< of the scan within the mission, from 1
+    ScanPtr scan;                          ///< never null
+    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+    Pose scanInMap = Pose::Identity();     ///< when it entered; ScanPosesSample corrects it
+    std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
+};
+
+/// Whether a key scan counts.
+enum class ScanTrust : std::uint8_t {
+    Certain,    ///< part of the map, others are registered against it
+    Uncertain,  ///< shown, but nothing is built on it until the operator decides
+    SetAside,   ///< rejected or rewound: not shown
+};
+
+/// Why a scan is uncertain, and what else is to be known of it: bits of ScanPose::doubts.
+enum class ScanDoubt : std::uint8_t {
+    Overlap = 1 << 0,    ///< too few of its points meet the map
+    Residual = 1 << 1,   ///< those that do are too far from it
+    Jump = 1 << 2,       ///< it would have moved otherwise than the odometry says
+    Certainty = 1 << 3,  ///< it could as well be shifted or turned some way
+    Diverged = 1 << 4,   ///< the registration came to no end
+    Odometry = 1 << 5,   ///< nobody knows how the robot came there
+    Points = 1 << 6,     ///< it has too few
+    Guessed = 1 << 7,    ///< odometry was missing within it; by itself that makes no scan uncertain
+};
+
+/// Where a key scan is, and how sure that is.
+struct ScanPose {
+    std::uint64_t scan = 0;  ///< KeyScanSample::id
+    Pose scanInMap = Pose::Identity();
+    double rms = 0.0;          ///< of paired points [m]
+    double inlierRatio = 0.0;  ///< 0 to 1
+    double overlap = 0.0;      ///< 0 to 1
+    double certainty = 0.0;    ///< 0 to 1
+    bool converged = false;
+    ScanTrust trust = ScanTrust::Certain;
+    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
+};
+
+[[nodiscard]] constexpr bool has(std::uint8_t doubts, ScanDoubt doubt) {
+    return (doubts & static_cast<std::uint8_t>(doubt)) != 0;
+}
+
+/// Poses that a registration or a correction changed, all at once; also what the operator decided of them.
+struct ScanPosesSample {
+    enum class Cause : std::uint8_t { Registration, LoopClosure, Operator };
+    Time stamp{};  ///< station's clock
+    std::string station;
+    Cause cause = Cause::Registration;
+    std::vector<ScanPose> poses;
+};
+
+/// What of the world belongs into the map, from then on: the operator's decision.
+struct MapCropSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::vector<Eigen::Vector2d> polygon;                      ///< corners, map frame [m]; empty: everything
+    double ceiling = std::numeric_limits<double>::infinity();  ///< what is higher stays out, map frame [m]
+};
+
+/// Where a robot was placed in the map that another one's scans made, and how its laser keeps it there.
+struct RobotPlaceSample {
+    enum class Cause : std::uint8_t {
+        Slot,        ///< looked for beside the robot that makes the map
+        Operator,    ///< put there
+        Tracked,     ///< followed since
+        FoundAgain,  ///< looked for and found away from where its odometry had it
+        Seen,        ///< looked for and found where another robot sees something of its size
+    };
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::string robot;
+    Cause cause = Cause::Tracked;
+    Time measured{};                    ///< robot's clock
+    Pose baseInMap = Pose::Identity();  ///< then
+    Pose odomInMap = Pose::Identity();  ///< where its odometry's poses lie from then on, level by its gyros
+    double certainty = 0.0;             ///< 0 to 1
+    double overlap = 0.0;               ///< share of what it sees that the map has
+    bool certain = false;               ///< else its odometry alone carries it on
+    std::string how;                    ///< in words, in English
+};
+
+}  // namespace leitstand

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/event/sample_header.h"
+
+namespace leitstand {
+
+/// Numbers that a sender does not know.
+inline constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Concentration of a gas (leitstand_msgs/msg/GasConcentration; std_msgs/msg/Float32 without stamp and name).
+struct GasSample {
+    SampleHeader header;
+    std::string gas = "co2";
+    double ppm = 0.0;  ///< parts per million by volume
+};
+
+/// State of a battery (sensor_msgs/msg/BatteryState); numbers are Unknown where not measured.
+struct BatterySample {
+    enum class Status : std::uint8_t { Unknown, Charging, Discharging, NotCharging, Full };
+    SampleHeader header;
+    double voltage = Unknown;      ///< [V]
+    double current = Unknown;      ///< negative when discharging [A]
+    double charge = Unknown;       ///< [Ah]
+    double capacity = Unknown;     ///< when last full [Ah]
+    double fraction = Unknown;     ///< 0 to 1
+    double temperature = Unknown;  ///< [degrees C]
+    Status status = Status::Unknown;
+    bool present = true;
+    std::string location;  ///< where it sits
+};
+
+/// What one part of a robot says about itself.
+struct DiagnosticStatus {
+    enum class Level : std::uint8_t { Ok, Warning, Error, Stale };
+    Level level = Level::Ok;
+    std::string name, message, hardwareId;
+    std::vector<std::pair<std::string, std::string>> values;  ///< key, value
+};
+
+/// diagnostic_msgs/msg/DiagnosticArray, only the statuses of this robot.
+struct DiagnosticsSample {
+    SampleHeader header;
+    std::vector<DiagnosticStatus> statuses;
+};
+
+/// What a robot is doing, on change.
+struct ModeSample {
+    SampleHeader header;
+    std::string mode;                    ///< "teleoperation", "explore": key of RobotDescription::linkLoss
+    bool autonomous = false;             ///< whether it drives by itself
+    std::string reason;                  ///< why it changed; may be empty
+    std::vector<std::string> available;  ///< modes that may be asked for
+};
+
+/// State of one bumper.
+struct Bumper {
+    std::string name;        ///< "front_left"
+    bool pressed = false;    ///< now
+    std::uint32_t hits = 0;  ///< since the robot started
+};
+
+/// All bumpers of a robot, on change.
+struct BumpSample {
+    SampleHeader header;
+    std::vector<Bumper> bumpers;
+};
+
+/// Something a robot itself believes to have found, on change.
+struct Sighting {
+    std::uint32_t id = 0;  ///< the same for the same thing
+    std::string kind;      ///< "victim", "heat", "motion", "sound", "co2", "code", "hazard"
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the header's frame [m]
+    double deviation = Unknown;                          ///< standard deviation of the position [m]
+    double confidence = Unknown;                         ///< 0 to 1
+    double value = Unknown;                              ///< heat [degrees C], co2 [ppm]
+    std::string text;                                    ///< content of a code; may be empty
+};
+
+/// All present sightings of a robot.
+struct SightingSample {
+    SampleHeader header;
+    std::vector<Sighting> sightings;
+};
+
+/// A robot's answer to StopCommandSample.
+struct StopStateSample {
+    SampleHeader header;
+    std::uint64_t number = 0;  ///< of the last stop or release that it answered
+    std::string station;       ///< whose command that was; empty: its own button
+    bool stopped = false;      ///< latched: it takes no drive command
+    bool standing = false;     ///< its odometry says zero
+    std::string refused;       ///< why that release was refused; empty when it was not
+    std::uint64_t stops = 0;   ///< rises with every stop that it takes: a release names what it releases
+};
+
+/// A robot's answer to PingSample.
+struct PongSample {
+    std::uint64_t number = 0;  ///< of the ping
+    std::string station;       ///< who asked
+    Time sent{};               ///< by the station, station's clock
+    Time received{};           ///< by the robot, robot's clock
+    Time replied{};            ///< by the robot, robot's clock
+};
+
+}  // namespace leitstand

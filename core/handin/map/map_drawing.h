@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/handin/map/occupancy_grid.h"
+
+namespace leitstand {
+
+/// A colour of the hand-in map.
+struct Rgb {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Rgb&) const = default;
+};
+
+/// The colours that the rules of the GeoTIFF map ask for (2009 to 2016).
+namespace map_colour {
+inline constexpr Rgb Text{0, 44, 207};
+inline constexpr Rgb Scale{0, 50, 140};
+inline constexpr Rgb UnexploredLight{226, 226, 227};
+inline constexpr Rgb UnexploredDark{237, 237, 238};
+inline constexpr Rgb Grid{190, 190, 191};
+inline constexpr Rgb Wall{0, 40, 120};
+inline constexpr Rgb ExploredLeast{128, 128, 128};
+inline constexpr Rgb ExploredMost{255, 255, 255};
+inline constexpr Rgb ClearedLeast{180, 230, 180};
+inline constexpr Rgb ClearedMost{130, 230, 130};
+inline constexpr Rgb Victim{240, 10, 10};
+inline constexpr Rgb UnconfirmedVictim{240, 100, 10};
+inline constexpr Rgb Hazard{255, 100, 30};
+inline constexpr Rgb Code{10, 10, 240};
+inline constexpr Rgb Object{10, 240, 10};
+inline constexpr Rgb Start{255, 200, 0};
+inline constexpr Rgb Path{120, 0, 140};
+inline constexpr Rgb Number{255, 255, 255};
+}  // namespace map_colour
+
+/// Something that was found, as it is marked in a map.
+struct MapMark {
+    /// What counts most first: it is painted over others.
+    enum class Kind : std::uint8_t { Victim, UnconfirmedVictim, Hazard, Code, Object };
+    Kind kind = Kind::Victim;
+    std::uint32_t number = 0;  ///< within Victim and UnconfirmedVictim, or within the kind
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
+};
+/// "V1", "H2", "Q3", "O4".
+[[nodiscard]] std::string nameOf(const MapMark& mark);
+
+/// Where a robot began, and where it looked then.
+struct MapStart {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
+    double heading = 0.0;                             ///< from x to y [rad]
+};
+
+/// Everything that a picture of the map shows.
+struct MapDrawing {
+    std::string title;  ///< the file's name; ASCII
+    OccupancyGrid grid;
+    std::vector<std::vector<Eigen::Vector2d>> paths;  ///< of the robots [m]
+    std::vector<MapStart> starts;
+    std::vector<MapMark> marks;
+};
+
+/// Part of the map, its corners with the least and the greatest coordinates [m].
+struct MapArea {
+    Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
+};
+/// All that @p drawing shows, on whole metres, with a metre around it; 2 m x 2 m where it shows nothing.
+[[nodiscard]] MapArea areaOf(const MapDrawing& drawing);
+
+}  // namespace leitstand

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/handin/map/map_drawing.h"
+#include "core/perception/pictures/picture.h"
+
+namespace leitstand {
+
+/// How a map is painted.
+struct PaintSettings {
+    std::optional<MapArea> area = {};  ///< else all of it, with room for the title above
+    double perPixel = 0.0;             ///< [m]; 0: 0.01, or coarser where that would be more than mostPixels
+    double mostPixels = 36e6;
+    bool title = true;  ///< with name, scale bar and orientation
+    bool names = true;  ///< beside marks that have no number in them
+};
+
+/// A picture of a map: x of the map is up, y is left.
+struct MapPicture {
+    Picture picture;                                    ///< Rgb8
+    Eigen::Vector2d topLeft = Eigen::Vector2d::Zero();  ///< of the corner of the first pixel, in the map [m]
+    double perPixel = 0.01;                             ///< edge of a pixel [m]
+
+    /// Column and row of a place of the map; may be outside, and between pixels.
+    [[nodiscard]] Eigen::Vector2d pixelOf(const Eigen::Vector2d& place) const {
+        return {(topLeft.y() - place.y()) / perPixel, (topLeft.x() - place.x()) / perPixel};
+    }
+    /// Colour of a pixel that is within the picture.
+    [[nodiscard]] Rgb at(int column, int row) const;
+};
+
+/// Sizes that the rules ask for [m].
+namespace map_size {
+inline constexpr double Disc = 0.35;     ///< across
+inline constexpr double Diamond = 0.30;  ///< side
+inline constexpr double Path = 0.02;     ///< wide
+inline constexpr double Grid = 0.5;      ///< from line to line
+inline constexpr double Checker = 1.0;   ///< side of a square
+inline constexpr double ScaleBar = 1.0;  ///< long
+inline constexpr double Arrow = 0.6;     ///< long
+}  // namespace map_size
+
+/// Paints @p drawing in the colours, sizes and layers of the rules: unexplored, explored, grid, cleared,
+/// walls, paths, marks, text. Only those colours are in it: nothing is smoothed.
+[[nodiscard]] MapPicture paintMap(const MapDrawing& drawing, const PaintSettings& settings = {});
+
+}  // namespace leitstand

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/handin/map/voxel_evidence.h"
+#include "core/mapping/floor_heights.h"
+
+namespace leitstand {
+
+/// Which heights a flat map shows, above the floor where one is [m].
+struct HeightBand {
+    double low = 0.25, high = 0.35;
+    std::string name = {};  ///< in words, "0.25 to 0.35 m above the floor"
+};
+/// The two heights of the hand-in: what stops a robot that drives, and what is left of that a metre up,
+/// where steps, boxes and barriers of the arena no longer hide the rooms.
+[[nodiscard]] const std::vector<HeightBand>& reportBands();
+
+/// A map seen from above.
+struct OccupancyGrid {
+    enum class State : std::uint8_t { Unexplored, Free, Occupied };
+    struct Cell {
+        State state = State::Unexplored;
+        float confidence = 0.0F;  ///< 0 to 1
+        float cleared =
+            -1.0F;  ///< how surely a victim would have been seen here, 0 to 1; below 0: not looked at
+    };
+    double cell = 0.05;                                ///< [m]
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< corner of cell (0, 0) with the least x and y [m]
+    int columns = 0, rows = 0;                         ///< along x and along y
+    std::vector<Cell> cells;                           ///< row by row
+
+    [[nodiscard]] bool empty() const { return cells.empty(); }
+    /// The cell at a place of the map [m]; an unexplored one outside.
+    [[nodiscard]] Cell at(double x, double y) const;
+};
+
+/// The map of what @p evidence has within @p band above @p floor: occupied where any cube of the band is,
+/// free where one was looked through or the floor was seen.
+[[nodiscard]] OccupancyGrid gridOf(const VoxelEvidence& evidence, const FloorHeights& floor,
+                                   const HeightBand& band);
+
+/// Area that is free or occupied [m2].
+[[nodiscard]] double exploredArea(const OccupancyGrid& grid);
+
+}  // namespace leitstand

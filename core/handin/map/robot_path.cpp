@@ -1,0 +1,90 @@
+#include "core/handin/map/robot_path.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core/mapping/live/trail.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry began anew [m]
+constexpr double Turned = degrees(10);
+
+/// Where an anchor has the odometry's frame.
+struct OdometryInMap {
+    Time time{};
+    Pose odomInMap = Pose::Identity();
+};
+
+/// The odometry at @p time, interpolated; empty where it is not known within half a second.
+std::optional<Pose> odometryAt(std::span<const PathPose> odometry, Time time) {
+    constexpr auto Gap = std::chrono::milliseconds(500);
+    const auto after = std::lower_bound(odometry.begin(), odometry.end(), time,
+                                        [](const PathPose& pose, Time at) { return pose.time < at; });
+    if (after != odometry.end() && after->time == time) return after->baseInMap;
+    if (after == odometry.begin() || after == odometry.end()) {
+        const PathPose& near = after == odometry.end() ? odometry.back() : *after;
+        return std::chrono::abs(near.time - time) <= Gap ? std::optional(near.baseInMap) : std::nullopt;
+    }
+    const PathPose& before = *std::prev(after);
+    if (after->time - before.time > Gap) return std::nullopt;
+    const double share = std::chrono::duration<double>(time - before.time) /
+                         std::chrono::duration<double>(after->time - before.time);
+    return interpolated(before.baseInMap, after->baseInMap, share);
+}
+
+std::vector<PathPose> thinned(const std::vector<PathPose>& path, double apart) {
+    std::vector<PathPose> kept;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (!path[i].baseInMap.matrix().allFinite()) continue;
+        const bool moved = kept.empty() ||
+                           distanceBetween(kept.back().baseInMap, path[i].baseInMap) >= apart ||
+                           angleBetween(kept.back().baseInMap, path[i].baseInMap) >= Turned;
+        if (moved || i + 1 == path.size()) kept.push_back(path[i]);
+    }
+    return kept;
+}
+
+}  // namespace
+
+double RobotPath::length() const {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        if (!poses[i].afterGap) sum += distanceBetween(poses[i - 1].baseInMap, poses[i].baseInMap);
+    }
+    return sum;
+}
+
+std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<const PathPose> odometry,
+                                 double apart) {
+    std::vector<OdometryInMap> corrections;
+    std::vector<PathPose> path;
+    for (const PathAnchor& anchor : anchors) {
+        path.push_back({anchor.time, anchor.baseInMap});
+        if (odometry.empty()) continue;
+        if (const auto at = odometryAt(odometry, anchor.time))
+            corrections.push_back({anchor.time, anchor.baseInMap * at->inverse()});
+    }
+    if (corrections.empty()) return thinned(path, apart);
+    path.clear();
+    std::size_t next = 0;  // first correction after the pose
+    for (const PathPose& pose : odometry) {
+        while (next < corrections.size() && corrections[next].time <= pose.time) ++next;
+        const OdometryInMap& before = corrections[next == 0 ? 0 : next - 1];
+        const OdometryInMap& after = corrections[std::min(next, corrections.size() - 1)];
+        const Pose byBefore = before.odomInMap * pose.baseInMap, byAfter = after.odomInMap * pose.baseInMap;
+        const auto span = std::chrono::duration<double>(after.time - before.time).count();
+        double share =
+            span > 0.0 ? std::chrono::duration<double>(pose.time - before.time).count() / span : 0.0;
+        if (distanceBetween(byBefore, byAfter) > MostDisagreement) share = share < 0.5 ? 0.0 : 1.0;
+        PathPose placed{pose.time, interpolated(byBefore, byAfter, std::clamp(share, 0.0, 1.0))};
+        placed.afterGap = !path.empty() && isGap(distanceBetween(path.back().baseInMap, placed.baseInMap),
+                                                 placed.time - path.back().time);
+        path.push_back(placed);
+    }
+    return thinned(path, apart);
+}
+
+}  // namespace leitstand

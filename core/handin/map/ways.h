@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/handin/map/occupancy_grid.h"
+#include "core/handin/map/robot_path.h"
+#include "core/mapping/floor_heights.h"
+
+namespace leitstand {
+
+/// How to go to a place, along where robots have driven.
+struct Way {
+    std::vector<Eigen::Vector3d> points;  ///< from the start to the place [m]; empty: no robot drove near it
+    double length = 0.0;                  ///< along the points, with the last piece [m]
+    double lastPiece = 0.0;               ///< from where a robot drove to the place, straight [m]
+    bool clear = false;                   ///< whether the map shows nothing in the way of the last piece
+    std::string robot;                    ///< whose start it begins at
+};
+
+/// Shortest ways along the trails of all robots: where trails cross, one may change from one to the other.
+class WayFinder {
+public:
+    explicit WayFinder(std::span<const RobotPath> paths);
+    ~WayFinder();
+    WayFinder(WayFinder&&) noexcept;
+    WayFinder& operator=(WayFinder&&) noexcept;
+
+    /// The way from the nearest start of a robot to @p place: along the trails to the nearest point from
+    /// which
+    /// @p map, at the height that stops robots, shows nothing in between but what @p place itself is, and
+    /// whose floor is on the storey of the floor below it; then straight. Where there is none, to the
+    /// trail's nearest point. Empty when the nearest trail is farther than @p reach [m].
+    [[nodiscard]] Way to(const Eigen::Vector3d& place, const OccupancyGrid& map = {},
+                         const FloorHeights& floor = {}, double reach = 5.0) const;
+
+private:
+    struct Graph;
+    std::unique_ptr<Graph> m_graph;
+};
+
+}  // namespace leitstand

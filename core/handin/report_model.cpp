@@ -1,0 +1,213 @@
+#include "core/handin/report_model.h"
+#include "core/mission/finds/find_book.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/handin/file_names.h"
+#include "core/mission/state/mission_clock.h"
+
+namespace leitstand {
+namespace {
+
+using std::chrono::nanoseconds;
+
+/// When the mission was over: a review that files something days later belongs to it, but not to its time.
+Time endOf(const MissionState& state) {
+    std::uint64_t heard = 0;  // newest of a robot
+    Time end{};
+    for (const auto& [name, robot] : state.robots) {
+        for (const auto& [topic, stream] : robot->streams) {
+            heard = std::max(heard, stream.sequence);
+            end = std::max(end, stream.received);
+        }
+    }
+    const auto& sessions = *state.sessions;
+    const auto later = std::find_if(sessions.begin(), sessions.end(),
+                                    [&](const SessionState& session) { return session.started > heard; });
+    if (heard == 0 || later == sessions.end()) return state.last;
+    for (const Decision& decision : *state.decisions) {
+        if (decision.sequence < later->started) end = std::max(end, decision.received);
+    }
+    return end;
+}
+
+ReportFacts factsOf(const ReportInput& input) {
+    const MissionState& state = input.state;
+    ReportFacts facts;
+    facts.mission = input.name;
+    facts.begin = state.first;
+    facts.end = endOf(state);
+    facts.events = state.events;
+    facts.duration = facts.end - state.first;
+    for (const SessionState& session : *state.sessions) {
+        facts.operators = std::max<std::uint32_t>(1, session.session.operators);
+        std::string words = fmt::format("Leitstand {}", session.session.version);
+        if (!session.session.title.empty()) words += fmt::format(" on {}", session.session.title);
+        if (std::find(facts.stations.begin(), facts.stations.end(), words) == facts.stations.end())
+            facts.stations.push_back(std::move(words));
+    }
+    if (const MissionClock clock =
+            clockAt(state.clock ? std::optional(state.clock->sample) : std::nullopt, facts.end);
+        clock.elapsed > nanoseconds::zero()) {
+        facts.duration = clock.elapsed;
+        facts.clocked = true;
+    }
+    if (state.info) {
+        const MissionInfoSample& info = state.info->sample;
+        facts.competition = info.competition;
+        facts.team = info.team;
+        facts.country = info.country;
+        if (!info.mission.empty()) facts.mission = info.mission;
+        facts.operators = info.operators;
+        facts.area = info.area;
+        facts.profile = info.profile;
+    }
+    return facts;
+}
+
+std::vector<PathAnchor> anchorsOf(const ReportInput& input, const std::string& robot) {
+    std::vector<PathAnchor> anchors;
+    for (const ReportScan& scan : input.scans) {
+        if (scan.scan->robot == robot) anchors.push_back({scan.scan->end, scan.baseInMap()});
+    }
+    if (const auto placed = input.places.find(robot); anchors.empty() && placed != input.places.end())
+        anchors = placed->second;
+    std::stable_sort(anchors.begin(), anchors.end(),
+                     [](const PathAnchor& a, const PathAnchor& b) { return a.time < b.time; });
+    return anchors;
+}
+
+ReportRobot robotOf(const ReportInput& input, const std::string& name) {
+    ReportRobot robot;
+    robot.name = name;
+    robot.path.robot = name;
+    const auto odometry = input.odometry.find(name);
+    robot.path.poses =
+        joinedPath(anchorsOf(input, name),
+                   odometry == input.odometry.end() ? std::vector<PathPose>() : odometry->second);
+    const auto known = input.state.robots.find(name);
+    if (known != input.state.robots.end() && known->second->clockOffset) {
+        const nanoseconds ahead = known->second->clockOffset->sample.ahead;
+        for (PathPose& pose : robot.path.poses) pose.time -= ahead;
+    }
+    robot.length = robot.path.length();
+    robot.scans = static_cast<std::size_t>(
+        std::count_if(input.scans.begin(), input.scans.end(),
+                      [&](const ReportScan& scan) { return scan.scan->robot == name; }));
+    if (const auto modes = input.modes.find(name); modes != input.modes.end()) {
+        const Time over = endOf(input.state);
+        for (std::size_t i = 0; i < modes->second.size(); ++i) {
+            const Time end = i + 1 < modes->second.size() ? modes->second[i + 1].time : over;
+            const nanoseconds span = std::max(nanoseconds::zero(), nanoseconds(end - modes->second[i].time));
+            (modes->second[i].autonomous ? robot.autonomous : robot.teleoperated) += span;
+        }
+    }
+    return robot;
+}
+
+MapMark::Kind kindOf(const VictimSample& find) {
+    switch (find.kind) {
+        case VictimSample::Kind::Hazard:
+            return MapMark::Kind::Hazard;
+        case VictimSample::Kind::Code:
+            return MapMark::Kind::Code;
+        case VictimSample::Kind::Object:
+            return MapMark::Kind::Object;
+        case VictimSample::Kind::Victim:
+            break;
+    }
+    return find.status == VictimSample::Status::Confirmed ? MapMark::Kind::Victim
+                                                          : MapMark::Kind::UnconfirmedVictim;
+}
+
+void addFinds(ReportModel& model, const MissionState& state) {
+    std::vector<RobotPath> paths;
+    for (const ReportRobot& robot : model.robots) paths.push_back(robot.path);
+    const WayFinder ways(paths);
+    for (const auto& [key, filed] : *state.victims) {
+        const VictimSample sample = wholeFind(state, key).value_or(filed.victim);
+        if (sample.status == VictimSample::Status::Discarded) {
+            ++model.discarded;
+            continue;
+        }
+        ReportFind find;
+        find.sample = sample;
+        find.name = nameOf(sample.kind, sample.number);
+        find.position = positionInMap(state, sample);
+        find.aboveFloor = find.position.z() - model.floor.below(find.position);
+        find.missionTime = std::max(nanoseconds::zero(), nanoseconds(sample.found - state.first));
+        if (find.position.allFinite()) find.way = ways.to(find.position, model.grids.front(), model.floor);
+        model.finds.push_back(std::move(find));
+    }
+}
+
+}  // namespace
+
+ReportModel reportOf(const ReportInput& input, const Progress& progress) {
+    ReportModel model;
+    model.facts = factsOf(input);
+    model.scans = input.scans.size();
+    model.uncertain = input.uncertain;
+    model.work = workOf(input.state);
+    std::vector<Eigen::Vector3d> ground;
+    for (const std::string& name : input.robots) {
+        model.robots.push_back(robotOf(input, name));
+        for (const PathPose& pose : model.robots.back().path.poses)
+            ground.push_back(pose.baseInMap.translation());
+    }
+    model.evidence = VoxelEvidence::of(input.scans, {}, progress);
+    model.floor = FloorHeights::of(input.scans, ground);
+    for (const HeightBand& band : reportBands()) {
+        model.grids.push_back(model.hasMap() ? gridOf(model.evidence, model.floor, band) : OccupancyGrid());
+    }
+    model.explored = exploredArea(model.grids.front());
+    if (model.hasMap()) {
+        const CoverageMapPtr coverage = coverageOf(input.scans, input.views, ground);
+        model.search = searchOf(*coverage);
+        // Of a bag without key scans nobody knows where cameras looked; some robots have none.
+        std::erase_if(model.search.sensors, [&](const ReportSearch::Sensor& one) {
+            return one.sensor != SearchSensor::Scanner &&
+                   std::none_of(input.views.begin(), input.views.end(),
+                                [&](const SearchView& view) { return view.sensor == one.sensor; });
+        });
+        for (OccupancyGrid& grid : model.grids) markCleared(grid, *coverage);
+    }
+    addFinds(model, input.state);
+    return model;
+}
+
+std::vector<MapMark> marksOf(const ReportModel& model) {
+    std::vector<MapMark> marks;
+    for (const ReportFind& find : model.finds) {
+        if (find.position.allFinite())
+            marks.push_back({kindOf(find.sample), find.sample.number, find.position.head<2>()});
+    }
+    return marks;
+}
+
+MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title) {
+    MapDrawing drawing;
+    drawing.title = std::move(title);
+    drawing.grid = model.grids.at(band);
+    for (const ReportRobot& robot : model.robots) {
+        if (robot.path.poses.empty()) continue;
+        drawing.paths.emplace_back();
+        for (const PathPose& pose : robot.path.poses) {
+            if (pose.afterGap) drawing.paths.emplace_back();
+            drawing.paths.back().emplace_back(pose.baseInMap.translation().head<2>());
+        }
+        const Pose& first = robot.path.poses.front().baseInMap;
+        drawing.starts.push_back({first.translation().head<2>(), std::atan2(first(1, 0), first(0, 0))});
+    }
+    drawing.marks = marksOf(model);
+    return drawing;
+}
+
+std::string handInName(const ReportFacts& facts) {
+    return handInName(facts.competition, facts.team, facts.mission);
+}
+
+}  // namespace leitstand

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/progress.h"
+#include "core/handin/map/map_drawing.h"
+#include "core/handin/map/robot_path.h"
+#include "core/handin/map/voxel_evidence.h"
+#include "core/handin/map/ways.h"
+#include "core/handin/report_search.h"
+#include "core/handin/report_work.h"
+#include "core/mapping/floor_heights.h"
+#include "core/mapping/report_scan.h"
+#include "core/mission/state/mission_state.h"
+
+namespace leitstand {
+
+/// From when on a robot was in a mode.
+struct ModeChange {
+    Time time{};  ///< station's clock
+    std::string mode;
+    bool autonomous = false;
+};
+
+/// All that a report is made of, as the log has it.
+struct ReportInput {
+    std::string name;                 ///< of the mission's folder
+    std::vector<std::string> robots;  ///< names, in the order of the report
+    MissionState state;               ///< after the last event
+    std::vector<ReportScan> scans;    ///< that count, by rising id
+    std::size_t uncertain = 0;        ///< scans that do not count, since nobody decided on them
+    std::map<std::string, std::vector<PathPose>> odometry;  ///< by robot, robot's clock, by time
+    std::map<std::string, std::vector<PathAnchor>>
+        places;  ///< where a robot was placed by its laser; likewise
+    std::map<std::string, std::vector<ModeChange>> modes;  ///< by time
+    std::vector<SearchView> views;                         ///< where cameras looked from, hung on scans
+};
+
+/// What a report says of the mission as a whole.
+struct ReportFacts {
+    std::string competition, team, country, mission, area, profile;  ///< may be empty, but mission
+    std::uint32_t operators = 1;
+    Time begin{}, end{};                  ///< first and last event, station's clock; epoch: no events
+    std::chrono::nanoseconds duration{};  ///< by the mission's clock where that ran, else from begin to end
+    bool clocked = false;                 ///< whether it ran
+    std::uint64_t events = 0;
+    std::vector<std::string> stations;  ///< "Leitstand 0.1.0 on kurts-laptop", each once
+};
+
+/// What a report says of a robot.
+struct ReportRobot {
+    std::string name;
+    RobotPath path;                         ///< empty where nobody knows its place
+    double length = 0.0;                    ///< of the path [m]
+    std::size_t scans = 0;                  ///< that are in the map
+    std::chrono::nanoseconds autonomous{};  ///< time in modes in which it drives by itself
+    std::chrono::nanoseconds teleoperated{};
+};
+
+/// A victim or another find that is not discarded.
+struct ReportFind {
+    VictimSample sample;
+    std::string name;                                    ///< "V1"
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map, with the newest poses of scans [m]
+    double aboveFloor = 0.0;                             ///< [m]
+    std::chrono::nanoseconds missionTime{};              ///< found, since the mission's begin
+    Way way;
+};
+
+/// Everything that a report tells, worked out.
+struct ReportModel {
+    ReportFacts facts;
+    std::vector<ReportRobot> robots;
+    std::vector<ReportFind> finds;  ///< by kind and number
+    std::size_t discarded = 0;      ///< finds that are not in it
+    std::size_t scans = 0, uncertain = 0;
+    VoxelEvidence evidence;
+    FloorHeights floor;
+    std::vector<OccupancyGrid> grids;  ///< one for each of reportBands()
+    double explored = 0.0;             ///< area at the lower height [m2]
+    ReportSearch search;
+    ReportWork work;
+
+    [[nodiscard]] bool hasMap() const { return !evidence.empty(); }
+};
+
+/// The report of @p input; equal inputs make equal reports.
+[[nodiscard]] ReportModel reportOf(const ReportInput& input, const Progress& progress = {});
+
+/// What was found, as it is marked in maps of @p model.
+[[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model);
+
+/// The map of @p model at the height of number @p band, with everything that is marked in it.
+[[nodiscard]] MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title);
+
+/// "RoboCup2013-Team-Mission" of @p facts.
+[[nodiscard]] std::string handInName(const ReportFacts& facts);
+
+}  // namespace leitstand

@@ -1,0 +1,46 @@
+#include "core/handin/report_work.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "core/mission/finds/find_book.h"
+
+namespace leitstand {
+namespace {
+
+bool isOfPeople(const Decision& decision) {
+    if (decision.undone) return false;
+    const auto* const poses = std::get_if<ScanPosesSample>(&decision.content);
+    return std::holds_alternative<MapCropSample>(decision.content) ||
+           (poses != nullptr && poses->cause == ScanPosesSample::Cause::Operator);
+}
+
+}  // namespace
+
+ReportWork workOf(const MissionState& state) {
+    ReportWork work;
+    work.mappedLive = !state.keyScans->empty();
+    std::set<FindKey> believed;
+    for (const auto& [id, entry] : *state.candidates) {
+        const CandidateSample& candidate = entry.candidate;
+        if (!(candidate.confidence >= LeastShownConfidence)) continue;
+        ++work.believed;
+        for (const Cue& cue : candidate.cues) work.cues.insert(cue.kind);
+        const bool sighted = std::any_of(candidate.cues.begin(), candidate.cues.end(),
+                                         [](const Cue& cue) { return cue.kind == "sighting"; });
+        work.sighted += sighted ? 1 : 0;
+        if (candidate.victim != 0) believed.insert({candidate.kind, candidate.victim});
+    }
+    work.cues.erase("sighting");  // is the robot's work
+    work.scanDecisions = static_cast<std::size_t>(
+        std::count_if(state.decisions->begin(), state.decisions->end(), &isOfPeople));
+    for (const auto& [key, entry] : *state.victims) {
+        if (entry.victim.status == VictimSample::Status::Discarded) continue;
+        ++work.filed;
+        if (believed.contains(key)) ++work.fromCandidates;
+        if (entry.victim.status == VictimSample::Status::Confirmed) ++work.confirmed;
+    }
+    return work;
+}
+
+}  // namespace leitstand

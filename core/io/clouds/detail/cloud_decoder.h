@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cloud/scan.h"
+#include "core/io/clouds/detail/cloud_layout.h"
+#include "core/io/clouds/detail/point_sink.h"
+#include "core/io/detail/input_file.h"
+#include "core/io/detail/line_reader.h"
+
+namespace leitstand::detail {
+
+enum class ByteOrder : bool { Little, Big };
+
+/// Turns the body of a PCD or PLY file into a scan.
+class CloudDecoder {
+public:
+    /// @p layout must have points.
+    CloudDecoder(const CloudLayout& layout, Scan& into);
+
+    /// Reads @p points records from byte @p offset of @p file on, in chunks; all of them must be there.
+    [[nodiscard]] Result<void> readRecords(InputFile& file, std::uint64_t offset, std::size_t points,
+                                           ByteOrder order);
+    /// Takes @p points from @p columns, one array per field in the layout's order (compressed PCD).
+    [[nodiscard]] Result<void> takeColumns(const std::vector<char>& columns, std::size_t points,
+                                           const std::string& file);
+    /// Reads one point a line until there are @p points; fewer are an error.
+    [[nodiscard]] Result<void> readLines(LineReader& reader, std::size_t points);
+
+    /// Drops labels that are not ours, which @p warnings then says of @p file.
+    void finish(const std::string& file, std::vector<std::string>& warnings);
+
+private:
+    static constexpr std::size_t Roles = 5;  // x, y, z, intensity, label
+    using Values = std::array<double, Roles>;
+
+    [[nodiscard]] std::optional<std::string_view> keep(const Values& values);
+    [[nodiscard]] std::optional<std::string> takeLine(std::string_view line);
+    void reserve(std::size_t points);
+
+    const CloudLayout& m_layout;
+    PointSink m_sink;
+    std::array<const CloudField*, Roles> m_fields;  // null where the file has none
+};
+
+}  // namespace leitstand::detail

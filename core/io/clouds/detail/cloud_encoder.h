@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/cloud/scan.h"
+
+namespace leitstand::detail {
+
+/// Appends point @p i with its intensity and its label (one byte per @p labelBytes) as little-endian numbers.
+void appendRecord(std::string& bytes, const Scan& scan, std::size_t i, std::size_t labelBytes);
+
+/// Appends point @p i with its intensity and label as a line of text that reads back exactly.
+void appendLine(std::string& text, const Scan& scan, std::size_t i);
+
+}  // namespace leitstand::detail

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/clouds/scan_reading.h"
+
+namespace leitstand {
+
+/// The scan files behind @p sources, in order: a folder stands for its scanNNN.3d, sorted by number, a file
+/// (.3d .pcd .ply .xyz) for itself. An error names the source that is neither.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> listScans(
+    const std::vector<std::filesystem::path>& sources);
+
+/// Reads the scan in @p file, whose format its ending tells: .3d .pcd .ply .xyz, in small or capital letters.
+[[nodiscard]] Result<ScanReading> readScan(const std::filesystem::path& file);
+
+}  // namespace leitstand

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/io/clouds/scan_reading.h"
+
+namespace leitstand {
+
+/// Reads a text of points: x y z [m], right-handed, separated by blanks, commas or semicolons; a fourth
+/// number is the intensity unless a first comment ("# x y z label") names the columns. NaN is no echo.
+[[nodiscard]] Result<ScanReading> readXyz(const std::filesystem::path& file);
+
+/// Writes @p scan so that readXyz() gives the same points, intensities and labels. The grid is not kept, but
+/// found again where a scanner's points lie in one.
+[[nodiscard]] Result<void> writeXyz(const std::filesystem::path& file, const Scan& scan);
+
+}  // namespace leitstand

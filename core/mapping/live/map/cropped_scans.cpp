@@ -1,0 +1,101 @@
+#include "core/mapping/live/map/cropped_scans.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/mapping/live/scan_work.h"
+
+namespace leitstand {
+namespace {
+
+/// Which of @p points are inside @p crop and not on @p others.
+std::vector<std::size_t> pointsInside(const std::vector<Eigen::Vector3f>& points, const MapCrop& crop,
+                                      const Pose& scanInMap, std::span<const PlacedBody> others) {
+    const std::vector<bool> on = onOthers(points, others, scanInMap);
+    std::vector<std::size_t> kept;
+    kept.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].allFinite() && !on[i] && crop.contains(scanInMap * points[i].cast<double>()))
+            kept.push_back(i);
+    }
+    return kept;
+}
+
+template <typename T>
+void keep(std::vector<T>& list, const std::vector<std::size_t>& kept) {
+    if (list.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) list[i] = list[kept[i]];  // kept[i] >= i
+    list.resize(kept.size());
+}
+
+PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInMap,
+                      std::span<const PlacedBody> others) {
+    const std::vector<std::size_t> kept = pointsInside(cloud.points, crop, scanInMap, others);
+    keep(cloud.points, kept);
+    keep(cloud.normals, kept);
+    keep(cloud.labels, kept);
+    return cloud;
+}
+
+MatchedCloudPtr insideCrop(const MatchedCloudPtr& whole, const MapCrop& crop, const Pose& scanInMap,
+                           const std::vector<PlacedBody>& others, const MatchedClouds& clouds) {
+    if (!whole) return nullptr;
+    const PointCloud inside = insideCrop(whole->unpacked(), crop, scanInMap, others);
+    if (inside.size() == whole->size()) return whole;
+    return clouds.keep(inside, [whole, crop, scanInMap, others] {
+        return insideCrop(whole->unpacked(), crop, scanInMap, others);
+    });
+}
+
+}  // namespace
+
+ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInMap,
+                   std::span<const PlacedBody> others) {
+    if (!scan || (crop.open() && others.empty())) return scan;
+    const std::vector<std::size_t> kept = pointsInside(scan->points, crop, scanInMap, others);
+    if (kept.size() == scan->points.size()) return scan;
+    return std::make_shared<const Scan>(selected(*scan, kept));
+}
+
+void CroppedScans::setCrop(MapCrop crop) {
+    if (crop.polygon == m_crop.polygon && crop.ceiling == m_crop.ceiling) return;
+    m_crop = std::move(crop);
+    for (auto& [id, fitted] : m_fitted) fitted.scan.reset();
+}
+
+void CroppedScans::setOthers(std::uint64_t id, std::vector<PlacedBody> others) {
+    if (others.empty()) {
+        m_others.erase(id);
+    } else {
+        m_others[id] = std::move(others);
+    }
+    if (const auto known = m_fitted.find(id); known != m_fitted.end()) known->second.scan.reset();
+}
+
+void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
+    const auto known = m_fitted.find(scan.id);
+    const auto placed = m_others.find(scan.id);
+    if (m_crop.open() && placed == m_others.end()) {
+        if (known == m_fitted.end()) return;
+        scan.scan = known->second.whole;
+        scan.reduced = known->second.wholeReduced;
+        m_fitted.erase(known);
+        return;
+    }
+    Fitted& fitted = known != m_fitted.end()
+                         ? known->second
+                         : m_fitted.emplace(scan.id, Fitted{scan.scan, scan.reduced, {}, {}}).first->second;
+    const Pose& here = scan.pose.scanInMap;
+    if (!fitted.scan || fitted.scanInMap.matrix() != here.matrix()) {
+        const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
+        fitted.scanInMap = here;
+        fitted.scan = insideCrop(fitted.whole, m_crop, here, others);
+        fitted.reduced = fitted.scan == fitted.whole
+                             ? fitted.wholeReduced
+                             : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
+    }
+    scan.scan = fitted.scan;
+    scan.reduced = fitted.reduced;
+}
+
+}  // namespace leitstand

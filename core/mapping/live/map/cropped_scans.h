@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/scan_cleaning.h"
+
+namespace leitstand {
+
+/// @p scan without what is outside @p crop or on @p others, seen from @p scanInMap: finite points only,
+/// unorganised. @p scan itself where all of it is kept.
+[[nodiscard]] ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInMap,
+                                 std::span<const PlacedBody> others = {});
+
+/// What of a map's key scans is inside the area that belongs into it, as the area is now, and not on other
+/// robots, as it is known now where they were: spectators may have been scanned before the area was drawn, a
+/// robot before it was placed. Keeps whole scans, so that a wider area brings their points back.
+class CroppedScans {
+public:
+    void setCrop(MapCrop crop);
+    [[nodiscard]] const MapCrop& crop() const { return m_crop; }
+    /// Other robots were at @p others, in the map, while the key scan @p id was taken.
+    void setOthers(std::uint64_t id, std::vector<PlacedBody> others);
+    /// Puts into @p scan what of it is inside, from where it stands now: its points, and what is matched of
+    /// them, where it has that, which is one of @p clouds then. The same key scan at the same place gets the
+    /// same pointers again.
+    void fit(LiveKeyScan& scan, const MatchedClouds& clouds = MatchedClouds());
+
+    /// The key scan @p id is no more: the next of its number is another.
+    void forget(std::uint64_t id) { m_fitted.erase(id), m_others.erase(id); }
+
+private:
+    /// A key scan that was looked at.
+    struct Fitted {
+        ScanPtr whole;
+        MatchedCloudPtr wholeReduced;
+        ScanPtr scan;  ///< inside ...
+        MatchedCloudPtr reduced;
+        Pose scanInMap = Pose::Identity();  ///< ... from here
+    };
+
+    MapCrop m_crop;
+    std::map<std::uint64_t, Fitted> m_fitted;  ///< by key scan; those of which something may be missing
+    std::map<std::uint64_t, std::vector<PlacedBody>> m_others;  ///< by key scan
+};
+
+}  // namespace leitstand

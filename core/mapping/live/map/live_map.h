@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/cloud/scan.h"
+#include "core/event/map_samples.h"
+#include "core/mapping/live/map/matched_clouds.h"
+
+namespace leitstand {
+
+/// A scan that entered the live map. Its points never change, its pose may.
+struct LiveKeyScan {
+    std::uint64_t id = 0;  ///< KeyScanSample::id
+    ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped now
+    Pose sensorInBase = Pose::Identity();
+    ScanPose pose;                      ///< and how sure that is
+    std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none
+    Time entered{};                     ///< station's clock; another one for each scan
+    std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
+    int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
+    MatchedCloudPtr reduced;            ///< for registration, with normals; scan's frame
+
+    [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
+};
+
+/// The live map, a snapshot: immutable once shared.
+struct LiveMap {
+    std::vector<LiveKeyScan> scans;  ///< by rising id
+};
+using LiveMapPtr = std::shared_ptr<const LiveMap>;
+
+}  // namespace leitstand

@@ -1,0 +1,45 @@
+#include "core/mapping/live/map/local_map.h"
+
+#include <algorithm>
+
+#include "core/cloud/filters/voxel_grid.h"
+
+namespace leitstand {
+namespace {
+
+void append(PointCloud& cloud, const PointCloud& more, const Pose& moreInCloud) {
+    const Eigen::Isometry3f motion = moreInCloud.cast<float>();
+    for (const Eigen::Vector3f& point : more.points) cloud.points.push_back(motion * point);
+    for (const Eigen::Vector3f& normal : more.normals) cloud.normals.push_back(motion.linear() * normal);
+}
+
+}  // namespace
+
+LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const LocalMapSettings& settings) {
+    struct Candidate {
+        double distance;
+        const LiveKeyScan* scan;
+    };
+    std::vector<Candidate> candidates;
+    for (const LiveKeyScan& scan : scans) {
+        if (scan.counts()) candidates.push_back({distanceBetween(scan.pose.scanInMap, place), &scan});
+    }
+    const auto most = std::min(candidates.size(), static_cast<std::size_t>(std::max(1, settings.scans)));
+    std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(most),
+                      candidates.end(), [](const Candidate& a, const Candidate& b) {
+                          return a.distance != b.distance ? a.distance < b.distance : a.scan->id > b.scan->id;
+                      });
+    candidates.resize(most);
+    LocalMap local;
+    PointCloud all;
+    for (const Candidate& candidate : candidates) {
+        local.scans.push_back(candidate.scan->id);
+        append(all, candidate.scan->reduced->unpacked(), candidate.scan->pose.scanInMap);
+    }
+    if (all.points.empty()) return local;
+    local.cloud = voxelGrid(all, settings.voxel, VoxelPoint::Centroid);
+    local.search = makeSearch(local.cloud, SearchMethod::KdTree);
+    return local;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/cloud/search/search.h"
+#include "core/mapping/live/map/live_map.h"
+
+namespace leitstand {
+
+/// What a scan is registered against: the key scans about it as one cloud, their number bounded, so that the
+/// time does not grow with the map.
+struct LocalMap {
+    std::vector<std::uint64_t> scans;  ///< ids, nearest first
+    PointCloud cloud;                  ///< in the map's frame
+    std::unique_ptr<Search> search;    ///< over the cloud; null when it is empty
+};
+
+/// How much of the map is taken.
+struct LocalMapSettings {
+    int scans = 12;       ///< the nearest, of those that count
+    double turned = 1.5;  ///< a key scan that looks the other way is so much farther [m / rad]
+    double voxel = 0.05;  ///< the cloud is thinned to this [m]
+};
+
+/// The local map about @p place.
+[[nodiscard]] LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place,
+                                const LocalMapSettings& settings = {});
+
+}  // namespace leitstand

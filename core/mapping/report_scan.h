@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/cloud/scan.h"
+
+namespace leitstand {
+
+/// A key scan of a mission where it lies now.
+struct ReportScan {
+    std::uint64_t id = 0;                  ///< KeyScanSample::id; 0: of a bag without key scans
+    ScanPtr scan;                          ///< never null
+    Pose scanInMap = Pose::Identity();     ///< newest
+    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+
+    [[nodiscard]] Pose baseInMap() const { return scanInMap * sensorInBase.inverse(); }
+};
+
+}  // namespace leitstand

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/event/cloud_sample.h"
+#include "core/mapping/live/scan_cleaning.h"
+#include "core/perception/pictures/pixel_ray.h"
+
+namespace leitstand {
+
+/// Where a ray meets what a scanner saw.
+struct RayHit {
+    double range = 0.0;    ///< from the ray's origin [m]
+    double scatter = 0.0;  ///< deviation of the ranges of the points that it is of [m]
+    int points = 0;
+};
+
+/// What a robot's scanners saw in the last seconds, in the odometry's frame: rays of its cameras are cut with
+/// it. One thread.
+class SeenPoints {
+public:
+    using PoseAt = std::function<std::optional<Pose>(Time)>;
+    static constexpr std::chrono::milliseconds Memory{4000};
+
+    /// Points on @p body, the robot's own, are left out.
+    explicit SeenPoints(RobotBody body = {});
+
+    /// @p baseInOdom tells where the robot was; points of times that it does not know are left out.
+    void add(const CloudSample& slice, const Pose& sensorInBase, const PoseAt& baseInOdom);
+    void add(const RangesSample& turn, const Pose& sensorInBase, const PoseAt& baseInOdom);
+    void clear() { m_chunks.clear(); }
+
+    /// Whether the picture shows what was looked for in a direction (odometry's frame, of unit length).
+    using Shows = std::function<bool(const Eigen::Vector3d&)>;
+
+    /// Where @p ray (odometry's frame) meets a surface: the nearest of those that many of the points within
+    /// @p halfAngle [rad] about it are on. @p shows: points in other directions do not count; may be empty.
+    /// The cone is widened some times where it holds too few. Empty where nothing was seen nearer than
+    /// @p farthest [m].
+    [[nodiscard]] std::optional<RayHit> meet(const Ray& ray, double halfAngle, double farthest = 9.0,
+                                             const Shows& shows = {}) const;
+
+private:
+    struct Chunk {
+        Time stamp;
+        std::vector<Eigen::Vector3f> points;
+    };
+    void keep(Time stamp, std::vector<Eigen::Vector3f> points);
+    [[nodiscard]] bool isOwn(const Eigen::Vector3d& inBase) const;
+
+    RobotBody m_body;
+    std::deque<Chunk> m_chunks;  ///< by arrival
+};
+
+}  // namespace leitstand

@@ -1,0 +1,31 @@
+#include "core/mission/finds/dismissal.h"
+
+namespace leitstand {
+
+bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings) {
+    return sample.dismissed && !sample.cues.empty() && sample.confidence >= settings.tell;
+}
+
+CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station, Time now,
+                       const CandidateSettings& settings) {
+    candidate.dismissed = dismissed;
+    candidate.station = station;
+    candidate.stamp = now;
+    // As sure as when it was told: what is less sure is taken for a book's own doubt.
+    if (dismissed && !(candidate.confidence >= settings.tell)) candidate.confidence = settings.tell;
+    return candidate;
+}
+
+const CandidateSample* newestDismissal(const MissionState& state, const std::string& station,
+                                       std::uint64_t after) {
+    const CandidateSample* newest = nullptr;
+    for (const auto& [id, entry] : *state.candidates) {
+        const CandidateSample& one = entry.candidate;
+        if (one.station != station || entry.sequence <= after || !isDismissal(one)) continue;
+        after = entry.sequence;
+        newest = &one;
+    }
+    return newest;
+}
+
+}  // namespace leitstand

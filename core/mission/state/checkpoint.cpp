@@ -1,0 +1,107 @@
+#include "core/mission/state/checkpoint.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+// The fields stand before the archive, whose templates look for them.
+#include "core/mission/state/checkpoint_fields.h"
+
+#include "core/mission/state/archive.h"
+#include "core/mission/state/decisions.h"
+
+namespace leitstand {
+
+namespace {
+
+constexpr std::uint32_t Magic = 0x534d534c;  // "LSMS"
+
+/// FNV-1a over 64 bits: tells damage, not malice.
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+    std::uint64_t sum = 14'695'981'039'346'656'037ULL;
+    for (const std::byte byte : bytes)
+        sum = (sum ^ std::to_integer<std::uint64_t>(byte)) * 1'099'511'628'211ULL;
+    return sum;
+}
+
+bool rising(const std::vector<Decision>& decisions, std::uint64_t last) {
+    return std::is_sorted(decisions.begin(), decisions.end(),
+                          [](const Decision& a, const Decision& b) { return a.sequence <= b.sequence; }) &&
+           (decisions.empty() || decisions.back().sequence <= last);
+}
+
+}  // namespace
+
+std::vector<std::byte> serialised(const MissionState& state) {
+    Archive</*Writing=*/true> archive;
+    std::uint32_t magic = Magic, version = CheckpointVersion;
+    MissionState copy = state;  // shares all that is big
+    archive(magic, version, copy);
+    std::vector<std::byte> bytes = archive.take();
+    std::uint64_t sum = checksum(bytes);
+    Archive</*Writing=*/true> tail;
+    tail(sum);
+    const auto end = tail.take();
+    bytes.insert(bytes.end(), end.begin(), end.end());
+    return bytes;
+}
+
+Result<MissionState> deserialised(std::span<const std::byte> bytes) {
+    constexpr std::size_t Head = 8, Tail = 8;
+    if (bytes.size() < Head + Tail) {
+        return Error{
+            fmt::format("checkpoint: expected at least {} bytes, found {}", Head + Tail, bytes.size())};
+    }
+    std::uint32_t magic = 0, version = 0;
+    Archive</*Writing=*/false> archive(bytes.first(bytes.size() - Tail));
+    archive(magic, version);
+    if (magic != Magic || version != CheckpointVersion) {
+        return Error{fmt::format("checkpoint: expected version {} of a mission's state, found {}",
+                                 CheckpointVersion, magic == Magic ? version : 0)};
+    }
+    std::uint64_t sum = 0;
+    Archive</*Writing=*/false>(bytes.last(Tail))(sum);
+    if (sum != checksum(bytes.first(bytes.size() - Tail))) {
+        return Error{"checkpoint: expected bytes that fit their checksum"};
+    }
+    MissionState state;
+    archive(state);
+    if (!archive.ok() || !archive.rest().empty()) {
+        return Error{fmt::format("checkpoint: byte {}: expected a mission's state",
+                                 bytes.size() - Tail - archive.rest().size())};
+    }
+    if (!rising(*state.decisions, state.sequence)) {
+        return Error{"checkpoint: expected decisions of rising sequence"};
+    }
+    if (state.remarks->size() > MissionState::MaxRemarks) {
+        return Error{fmt::format("checkpoint: expected at most {} remarks", MissionState::MaxRemarks)};
+    }
+    reconsider(state);
+    return state;
+}
+
+CheckpointSample checkpointOf(const MissionState& state, Time stamp) {
+    auto bytes = std::make_shared<const std::vector<std::byte>>(serialised(state));
+    CheckpointSample checkpoint;
+    checkpoint.stamp = stamp;
+    checkpoint.sequence = state.sequence;
+    checkpoint.version = CheckpointVersion;
+    checkpoint.state = {bytes, std::span<const std::byte>(*bytes)};
+    return checkpoint;
+}
+
+Result<MissionState> stateOf(const CheckpointSample& checkpoint) {
+    if (checkpoint.version != CheckpointVersion) {
+        return Error{fmt::format("checkpoint after event {}: expected version {}, found {}",
+                                 checkpoint.sequence, CheckpointVersion, checkpoint.version)};
+    }
+    auto state = deserialised(checkpoint.state.bytes);
+    if (state && state->sequence != checkpoint.sequence) {
+        return Error{fmt::format("checkpoint after event {}: found the state after event {}",
+                                 checkpoint.sequence, state->sequence)};
+    }
+    return state;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,125 @@
+#include "core/mission/state/decisions.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace leitstand {
+
+namespace {
+
+/// What decisions do to the state. Editors are taken once: each edit() looks whether others share the value.
+class Effects {
+public:
+    explicit Effects(MissionState& state) : m_state(state) {}
+
+    void apply(const Decision& decision) {
+        std::visit([&](const auto& content) { effect(decision, content); }, decision.content);
+    }
+
+private:
+    void effect(const Decision& decision, const VictimSample& victim) {
+        const auto [known, fresh] = m_state.victims.edit().try_emplace(FindKey{victim.kind, victim.number});
+        if (fresh) known->second.filed = decision.sequence;
+        known->second.sequence = decision.sequence;
+        known->second.victim = victim;
+    }
+
+    void effect(const Decision& decision, const NoteSample& note) {
+        m_state.notes.edit().push_back({decision.sequence, decision.received, note});
+    }
+
+    void effect(const Decision& decision, const KeyScanEntry& entry) {
+        KeyScanState& scan = m_state.keyScans.edit()[entry.id];
+        scan.sequence = scan.poseSequence = decision.sequence;
+        scan.entry = entry;
+        scan.pose = {.scan = entry.id, .scanInMap = entry.scanInMap};
+    }
+
+    void effect(const Decision& decision, const ScanPosesSample& sample) {
+        auto& scans = m_state.keyScans.edit();
+        for (const ScanPose& pose : sample.poses) {
+            const auto scan = scans.find(pose.scan);
+            if (scan == scans.end()) continue;
+            scan->second.pose = pose;
+            scan->second.poseSequence = decision.sequence;
+        }
+    }
+
+    void effect(const Decision& decision, const MapCropSample& crop) {
+        m_state.crop = {decision.sequence, decision.received, crop};
+    }
+
+    void effect(const Decision&, const UndoSample&) {}
+
+    MissionState& m_state;
+};
+
+Decision* find(std::vector<Decision>& decisions, std::uint64_t sequence) {
+    const auto found = std::lower_bound(
+        decisions.begin(), decisions.end(), sequence,
+        [](const Decision& decision, std::uint64_t wanted) { return decision.sequence < wanted; });
+    return found != decisions.end() && found->sequence == sequence ? &*found : nullptr;
+}
+
+/// Tells what in @p decision names something that the mission does not have.
+void tellUnknown(MissionState& state, const Decision& decision) {
+    const auto* poses = std::get_if<ScanPosesSample>(&decision.content);
+    if (poses == nullptr) return;
+    for (const ScanPose& pose : poses->poses) {
+        if (state.keyScans->contains(pose.scan)) continue;
+        remark(state, decision.sequence,
+               fmt::format("a pose for key scan {}: expected a scan of the mission", pose.scan));
+    }
+}
+
+}  // namespace
+
+void remark(MissionState& state, std::uint64_t sequence, std::string text) {
+    auto& remarks = state.remarks.edit();
+    if (remarks.size() == MissionState::MaxRemarks) remarks.erase(remarks.begin());
+    remarks.push_back({sequence, std::move(text)});
+}
+
+void decide(MissionState& state, Decision decision) {
+    const auto* undo = std::get_if<UndoSample>(&decision.content);
+    if (undo == nullptr) {
+        tellUnknown(state, decision);
+        Effects(state).apply(decision);
+        state.decisions.edit().push_back(std::move(decision));
+        return;
+    }
+    const Decision* target = decisionAt(state, undo->event);
+    if (target == nullptr) {
+        remark(state, decision.sequence,
+               fmt::format("undo of event {}: expected a decision of the mission before it", undo->event));
+        return;
+    }
+    if (target->undone) {
+        remark(state, decision.sequence, fmt::format("undo of event {}: it is undone already", undo->event));
+    }
+    state.decisions.edit().push_back(std::move(decision));
+    reconsider(state);
+}
+
+void reconsider(MissionState& state) {
+    std::vector<Decision>& decisions = state.decisions.edit();
+    for (Decision& decision : decisions) decision.undone = false;
+    // An undo names an event before it: from the newest on, each is decided when its turn comes.
+    for (auto decision = decisions.rbegin(); decision != decisions.rend(); ++decision) {
+        const auto* undo = std::get_if<UndoSample>(&decision->content);
+        if (undo == nullptr || decision->undone || undo->event >= decision->sequence) continue;
+        if (Decision* target = find(decisions, undo->event)) target->undone = true;
+    }
+    state.victims.edit().clear();
+    state.keyScans.edit().clear();
+    state.notes.edit().clear();
+    state.crop.reset();
+    Effects effects(state);
+    for (const Decision& decision : *state.decisions) {
+        if (!decision.undone) effects.apply(decision);
+    }
+}
+
+}  // namespace leitstand

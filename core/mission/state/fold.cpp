@@ -1,0 +1,320 @@
+#include "core/mission/state/fold.h"
+
+#include <algorithm>
+#include <chrono>
+#include <concepts>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/mission/state/decisions.h"
+
+namespace leitstand {
+
+namespace {
+
+/// The sender's time of a sample; epoch where it has none.
+template <class T>
+Time stampOf(const T& sample) {
+    if constexpr (requires { sample.header.stamp; }) {
+        return sample.header.stamp;
+    } else if constexpr (requires {
+                             { sample.stamp } -> std::convertible_to<Time>;
+                         }) {
+        return sample.stamp;
+    } else {
+        return {};
+    }
+}
+
+/// Replaces what the same part said before; beyond a sane number of parts, the one that was silent longest
+/// goes.
+void mergeStatus(std::vector<DiagnosticStatus>& statuses, const DiagnosticStatus& status) {
+    constexpr std::size_t MostParts = 256;
+    std::erase_if(statuses, [&](const DiagnosticStatus& known) { return known.name == status.name; });
+    if (statuses.size() == MostParts) statuses.erase(statuses.begin());
+    statuses.push_back(status);
+}
+
+class Step {
+public:
+    Step(MissionState& state, const Event& event) : m_state(state), m_event(event) {}
+
+    void take() {
+        countStream();
+        std::visit([this](const auto& sample) { handle(sample); }, m_event.sample);
+    }
+
+private:
+    RobotState& robot() { return m_state.robots[m_event.robot].edit(); }
+
+    template <class T>
+    Latest<T> latest(const T& sample) const {
+        return {m_event.sequence, m_event.received, sample};
+    }
+
+    void countStream() {
+        auto& streams = m_event.robot.empty() ? m_state.ownTopics.edit() : robot().streams;
+        StreamState& stream = streams[m_event.topic];
+        stream.role = m_event.role;
+        stream.sensor = m_event.sensor;
+        ++stream.events;
+        stream.sequence = m_event.sequence;
+        stream.received = m_event.received;
+        stream.stamp = std::visit([](const auto& sample) { return stampOf(sample); }, m_event.sample);
+    }
+
+    /// Puts @p sample into a robot's state; samples that name no robot say nothing about one.
+    template <class T>
+    void keep(std::optional<Latest<T>> RobotState::*place, const T& sample) {
+        if (!m_event.robot.empty()) robot().*place = latest(sample);
+    }
+
+    void decided(decltype(Decision::content) content) {
+        decide(m_state, {m_event.sequence, m_event.received, false, std::move(content)});
+    }
+
+    /// What @p sample counts beyond what the robot counted before. A robot that starts again counts from
+    /// zero.
+    void countContacts(const BumpSample& sample) {
+        RobotState& state = robot();
+        for (const Bumper& bumper : sample.bumpers) {
+            // The first that is said may count what happened before the mission, but for what is pressed now.
+            std::uint32_t before = 0;
+            if (!state.bumps) before = bumper.hits - (bumper.pressed && bumper.hits > 0 ? 1 : 0);
+            if (state.bumps) {
+                for (const Bumper& known : state.bumps->sample.bumpers) {
+                    if (known.name == bumper.name) before = known.hits;
+                }
+            }
+            if (bumper.hits < before) before = 0;
+            if (bumper.hits == before || state.contacts.size() >= RobotState::MostContacts) continue;
+            std::optional<Pose> place;
+            if (state.odometry) place = state.odometry->sample.baseInOdom;
+            state.contacts.push_back(
+                {m_event.sequence, m_event.received, bumper.name, bumper.hits - before, place});
+        }
+    }
+
+    /// Who tells of @p sample, as that robot drives now.
+    FirstTold toldNow(const CandidateSample& sample) const {
+        FirstTold told{.stamp = sample.stamp, .robot = {}, .autonomous = {}};
+        if (sample.cues.empty()) return told;
+        told.robot = sample.cues.front().robot;
+        const auto robot = m_state.robots.find(told.robot);
+        if (robot != m_state.robots.end() && robot->second->mode)
+            told.autonomous = robot->second->mode->sample.autonomous;
+        return told;
+    }
+
+    /// Takes @p sample into the mean of what the battery gives. A robot that rests takes little and one that
+    /// starts takes much: neither tells how long it lasts.
+    void weigh(const BatterySample& sample) {
+        RobotState& state = robot();
+        const bool goesOn = state.battery && state.load.current < 0.0 && sample.current < 0.0;
+        if (!goesOn) {
+            state.load = {.current = sample.current, .seconds = BatteryLoad::AtFirst};
+            return;
+        }
+        const double since =
+            std::chrono::duration<double>(m_event.received - state.battery->received).count();
+        const double step = std::clamp(since, 0.0, BatteryLoad::Longest);
+        state.load.seconds = std::min(state.load.seconds + step, BatteryLoad::Longest);
+        state.load.current += (sample.current - state.load.current) * step / state.load.seconds;
+    }
+
+    void handle(const OdometrySample& sample) {
+        OdometrySample kept = sample;
+        kept.poseCovariance = kept.twistCovariance = {};
+        keep(&RobotState::odometry, kept);
+    }
+    void handle(const ImuSample& sample) {
+        ImuSample kept = sample;
+        kept.orientationCovariance = kept.angularVelocityCovariance = kept.linearAccelerationCovariance = {};
+        keep(&RobotState::imu, kept);
+    }
+    void handle(const ModeSample& sample) { keep(&RobotState::mode, sample); }
+    void handle(const BatterySample& sample) {
+        if (m_event.robot.empty()) return;
+        weigh(sample);
+        keep(&RobotState::battery, sample);
+    }
+    void handle(const GasSample& sample) { keep(&RobotState::gas, sample); }
+    void handle(const BumpSample& sample) {
+        if (m_event.robot.empty()) return;
+        countContacts(sample);
+        keep(&RobotState::bumps, sample);
+    }
+    void handle(const SightingSample& sample) { keep(&RobotState::sightings, sample); }
+    void handle(const DiagnosticsSample& sample) {
+        if (m_event.robot.empty() || sample.statuses.empty()) return;  // a message about other robots
+        auto& kept = robot().diagnostics;
+        DiagnosticsSample merged = kept ? std::move(kept->sample) : DiagnosticsSample{};
+        merged.header = sample.header;
+        for (const DiagnosticStatus& status : sample.statuses) mergeStatus(merged.statuses, status);
+        kept = latest(merged);
+    }
+    void handle(const StopStateSample& sample) { keep(&RobotState::stop, sample); }
+    void handle(const StopCommandSample& sample) { keep(&RobotState::stopCommand, sample); }
+    void handle(const ClockOffsetSample& sample) {
+        if (!sample.robot.empty()) m_state.robots[sample.robot].edit().clockOffset = latest(sample);
+    }
+    void handle(const RobotPlaceSample& sample) {
+        if (!sample.robot.empty()) m_state.robots[sample.robot].edit().place = latest(sample);
+    }
+    void handle(const ClockSample& sample) { m_state.clock = latest(sample); }
+    void handle(const MissionInfoSample& sample) { m_state.info = latest(sample); }
+    void handle(const CandidateSample& sample) {
+        CandidateState& candidate = m_state.candidates.edit()[sample.id];
+        if (candidate.first == 0) {
+            candidate.first = m_event.sequence;
+            candidate.told = toldNow(sample);
+        }
+        candidate.sequence = m_event.sequence;
+        candidate.candidate = sample;
+    }
+
+    void handle(const VictimSample& sample) { decided(sample); }
+    void handle(const NoteSample& sample) { decided(sample); }
+    void handle(const ScanPosesSample& sample) { decided(sample); }
+    void handle(const MapCropSample& sample) { decided(sample); }
+    void handle(const UndoSample& sample) { decided(sample); }
+    void handle(const KeyScanSample& sample) {
+        KeyScanEntry entry;
+        entry.id = sample.id;
+        entry.robot = sample.scan ? sample.scan->robot : m_event.robot;
+        entry.stamp = sample.stamp;
+        entry.sensorInBase = sample.sensorInBase;
+        entry.scanInMap = sample.scanInMap;
+        if (sample.scan && sample.scan->hasOdometry) entry.sensorInOdom = sample.scan->sensorInOdom;
+        entry.matched = sample.matched;
+        entry.points = sample.scan ? sample.scan->points.size() : 0;
+        decided(std::move(entry));
+    }
+
+    void handle(const GrantSample& sample) {
+        GrantState& grant = m_state.grants.edit()[{sample.kind, sample.robot}];
+        switch (sample.action) {
+            case GrantSample::Action::Hold:
+                if (sample.term < grant.term) break;  // a holder that was superseded and does not know yet
+                grant.station = sample.station;
+                grant.title = sample.title;
+                grant.term = sample.term;
+                grant.heartbeat = m_event.received;
+                if (grant.requestedBy == sample.station) grant.requestedBy.clear();
+                break;
+            case GrantSample::Action::Request:
+                grant.requestedBy = sample.station;
+                break;
+            case GrantSample::Action::Consent:
+            case GrantSample::Action::Refuse:
+                if (grant.requestedBy == sample.other) grant.requestedBy.clear();
+                if (sample.action == GrantSample::Action::Refuse) break;
+                [[fallthrough]];
+            case GrantSample::Action::Release:
+                if (grant.station != sample.station) break;
+                grant.station.clear();
+                grant.title.clear();
+                break;
+        }
+    }
+
+    void handle(const AlarmSample& sample) {
+        AlarmState& alarm = m_state.alarms.edit()[{sample.station, sample.robot, sample.key}];
+        alarm.sequence = m_event.sequence;
+        alarm.alarm = sample;
+        if (sample.state != AlarmSample::State::Raised) return;
+        alarm.raised = m_event.sequence;
+        ++alarm.times;
+    }
+
+    void handle(const SessionSample& sample) {
+        auto& sessions = m_state.sessions.edit();
+        if (sample.start) {
+            sessions.push_back({m_event.sequence, 0, sample});
+            return;
+        }
+        const auto open = std::find_if(sessions.rbegin(), sessions.rend(), [&](const SessionState& session) {
+            return session.ended == 0 && session.session.station == sample.station;
+        });
+        if (open != sessions.rend()) {
+            open->ended = m_event.sequence;
+        } else {
+            remark(m_state, m_event.sequence,
+                   fmt::format("end of a session of \"{}\": expected its start before it", sample.station));
+        }
+    }
+
+    // Only counted: the log has them.
+    void handle(const CloudSample&) {}
+    void handle(const RangesSample&) {}
+    void handle(const JointSample&) {}
+    void handle(const TransformsSample&) {}
+    void handle(const PictureSample&) {}
+    void handle(const CameraInfoSample&) {}
+    void handle(const PongSample&) {}
+    void handle(const TwistSample&) {}
+    void handle(const ModeCommandSample&) {}
+    void handle(const PoseSample&) {}
+    void handle(const StreamCommandSample&) {}
+    void handle(const PingSample&) {}
+    void handle(const CheckpointSample&) {}
+
+    MissionState& m_state;
+    const Event& m_event;
+};
+
+/// Whether @p event comes after all of @p state, or says of another robot what is in it already: robots share
+/// topics, and so one message is an event of each of them.
+bool isNext(const MissionState& state, const Event& event) {
+    if (event.sequence != state.sequence) return event.sequence > state.sequence;
+    if (event.robot.empty()) return false;
+    const auto robot = state.robots.find(event.robot);
+    if (robot == state.robots.end()) return true;
+    const auto& streams = robot->second->streams;
+    const auto stream = streams.find(event.topic);
+    return stream == streams.end() || stream->second.sequence < event.sequence;
+}
+
+}  // namespace
+
+MissionState fold(MissionState state, const Event& event) {
+    if (!isNext(state, event)) {
+        remark(state, event.sequence,
+               fmt::format("event {} of {}: expected a sequence above {}", event.sequence, event.topic,
+                           state.sequence));
+        return state;
+    }
+    Step(state, event).take();
+    if (state.events++ == 0) state.first = event.received;
+    state.last = event.received;
+    state.sequence = event.sequence;
+    return state;
+}
+
+void Fold::add(const Event& event) {
+    m_state = fold(std::move(m_state), event);
+}
+
+std::optional<CheckpointSample> Fold::dueCheckpoint(Time now, std::chrono::nanoseconds interval) {
+    if (m_state.sequence == m_checkpointedSequence || now - m_checkpointed < interval) return std::nullopt;
+    m_checkpointed = now;
+    m_checkpointedSequence = m_state.sequence;
+    return checkpointOf(m_state, now);
+}
+
+MissionState stateAt(MissionHistory& history, std::uint64_t sequence) {
+    Fold replay;
+    for (auto stored = history.checkpointUpTo(sequence); stored;
+         stored = stored->sequence > 1 ? history.checkpointUpTo(stored->sequence - 1) : std::nullopt) {
+        auto state = stateOf(stored->checkpoint);
+        // It is of what came before it; an older one may be readable.
+        if (!state || state->sequence >= stored->sequence) continue;
+        replay = Fold(std::move(state).value());
+        break;
+    }
+    history.events(replay.state().sequence, sequence, [&](const Event& event) { replay.add(event); });
+    return replay.state();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "core/base/time.h"
+#include "core/event/event.h"
+#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/mission_state.h"
+
+namespace leitstand {
+
+/// The state after @p event, from the one before it. Pure; moving @p state in saves copies. Never fails: what
+/// makes no sense is told in MissionState::remarks.
+[[nodiscard]] MissionState fold(MissionState state, const Event& event);
+
+/// Keeps the state of a mission as its events come. One thread adds; snapshots may go anywhere.
+class Fold {
+public:
+    explicit Fold(MissionState start = {}) : m_state(std::move(start)) {}
+
+    void add(const Event& event);
+    [[nodiscard]] const MissionState& state() const { return m_state; }
+    /// An immutable copy for others.
+    [[nodiscard]] MissionStatePtr snapshot() const { return std::make_shared<const MissionState>(m_state); }
+
+    /// A checkpoint of the state, when events came since the last one and @p interval has passed. The caller
+    /// logs it as an event.
+    [[nodiscard]] std::optional<CheckpointSample> dueCheckpoint(
+        Time now, std::chrono::nanoseconds interval = std::chrono::seconds(20));
+
+private:
+    MissionState m_state;
+    Time m_checkpointed{};
+    std::uint64_t m_checkpointedSequence = 0;
+};
+
+/// Where stateAt() finds the past: the log, decoded.
+class MissionHistory {
+public:
+    struct StoredCheckpoint {
+        std::uint64_t sequence = 0;  ///< of the event that holds it
+        CheckpointSample checkpoint;
+    };
+    virtual ~MissionHistory() = default;
+    /// The newest checkpoint event up to and with @p sequence; empty when there is none.
+    [[nodiscard]] virtual std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) = 0;
+    /// Gives the events after @p after up to and with @p upTo to @p take, in order.
+    virtual void events(std::uint64_t after, std::uint64_t upTo,
+                        const std::function<void(const Event&)>& take) = 0;
+};
+
+/// The state after the event of @p sequence: the nearest checkpoint that can be read and the events after it,
+/// which is the same as folding all from the first.
+[[nodiscard]] MissionState stateAt(MissionHistory& history, std::uint64_t sequence);
+
+}  // namespace leitstand

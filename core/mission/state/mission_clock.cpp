@@ -1,0 +1,64 @@
+#include "core/mission/state/mission_clock.h"
+
+#include <algorithm>
+
+namespace leitstand {
+namespace {
+
+ClockSample asTold(const MissionClock& clock, Time now, const std::string& station) {
+    ClockSample sample;
+    sample.stamp = now;
+    sample.station = station;
+    sample.running = clock.running;
+    sample.elapsed = clock.elapsed;
+    sample.limit = clock.limit;
+    return sample;
+}
+
+}  // namespace
+
+MissionClock clockAt(const std::optional<ClockSample>& said, Time now) {
+    MissionClock clock;
+    if (!said) return clock;
+    clock.running = said->running;
+    clock.limit = std::max(said->limit, std::chrono::nanoseconds(0));
+    clock.elapsed = said->elapsed;
+    // A station whose clock was set back shows what it had.
+    if (clock.running) clock.elapsed += std::max(now - said->stamp, std::chrono::nanoseconds(0));
+    if (clock.limit.count() > 0) clock.left = clock.limit - clock.elapsed;
+    return clock;
+}
+
+bool beganByItself(const ClockSample& clock) {
+    return clock.running && clock.elapsed == std::chrono::nanoseconds(0) &&
+           clock.limit == std::chrono::nanoseconds(0);
+}
+
+MissionClock withLength(MissionClock clock, double minutes) {
+    if (clock.limit.count() > 0 || !(minutes > 0.0)) return clock;
+    clock.limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double, std::ratio<60>>(minutes));
+    clock.left = clock.limit - clock.elapsed;
+    return clock;
+}
+
+ClockSample clockRun(const MissionClock& clock, bool running, Time now, const std::string& station) {
+    ClockSample sample = asTold(clock, now, station);
+    sample.running = running;
+    return sample;
+}
+
+ClockSample clockLimited(const MissionClock& clock, std::chrono::nanoseconds limit, Time now,
+                         const std::string& station) {
+    ClockSample sample = asTold(clock, now, station);
+    sample.limit = std::max(limit, std::chrono::nanoseconds(0));
+    return sample;
+}
+
+ClockSample clockReset(const MissionClock& clock, Time now, const std::string& station) {
+    ClockSample sample = asTold(clock, now, station);
+    sample.elapsed = std::chrono::nanoseconds(0);
+    return sample;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/victim_sample.h"
+#include "core/mission/state/robot_state.h"
+#include "core/mission/state/shared_value.h"
+
+namespace leitstand {
+
+/// A key scan as a decision: where its points stand in the log, without them.
+struct KeyScanEntry {
+    std::uint64_t id = 0;
+    std::string robot;
+    Time stamp{};                          ///< station's clock
+    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+    Pose scanInMap = Pose::Identity();     ///< when it entered
+    std::optional<Pose> sensorInOdom{};    ///< by odometry, at the end of the sweep
+    std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
+    std::uint64_t points = 0;
+};
+
+/// An event that undo can take back, and whether it is taken back. All of them are kept, in order: they are
+/// also what a timeline offers to jump to.
+struct Decision {
+    std::uint64_t sequence = 0;
+    Time received{};      ///< station's clock
+    bool undone = false;  ///< an undo that is not undone itself names it
+    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample> content;
+};
+
+/// What names a victim or another find.
+using FindKey = std::pair<VictimSample::Kind, std::uint32_t>;  ///< kind, number
+
+/// A victim as the newest decision that is not undone has it.
+struct VictimState {
+    std::uint64_t sequence = 0;  ///< of that decision
+    std::uint64_t filed = 0;     ///< sequence of the first that is not undone
+    VictimSample victim;
+};
+
+/// Who told a candidate first, and how that robot drove then: so a find of it counts, however late it is
+/// filed.
+struct FirstTold {
+    Time stamp{};                    ///< station's clock
+    std::string robot;               ///< empty: nobody knows
+    std::optional<bool> autonomous;  ///< it drove itself; empty: nobody knows
+};
+
+/// What the station believes to have found, as it said last.
+struct CandidateState {
+    std::uint64_t sequence = 0;  ///< of the newest
+    std::uint64_t first = 0;     ///< sequence of the first of this id
+    FirstTold told;              ///< by that one
+    CandidateSample candidate;
+};
+
+/// A key scan and where it is now.
+struct KeyScanState {
+    std::uint64_t sequence = 0;  ///< of the event that has its points
+    KeyScanEntry entry;
+    ScanPose pose;                   ///< newest that is not undone
+    std::uint64_t poseSequence = 0;  ///< of the event that said so; the scan's own when nothing moved it
+};
+
+/// Who holds a grant.
+struct GrantState {
+    std::string station, title;  ///< empty: nobody
+    std::uint64_t term = 0;
+    Time heartbeat{};         ///< newest Hold, station's clock
+    std::string requestedBy;  ///< station that asked last and was not answered; may be empty
+};
+
+/// An alarm as it is now.
+struct AlarmState {
+    std::uint64_t sequence = 0;  ///< of the newest change
+    std::uint64_t raised = 0;    ///< sequence of the newest raising
+    std::uint64_t times = 0;     ///< how often it was raised
+    AlarmSample alarm;
+};
+
+/// A time that a station wrote the mission.
+struct SessionState {
+    std::uint64_t started = 0;  ///< sequence
+    std::uint64_t ended = 0;    ///< sequence; 0: runs, or was cut off
+    SessionSample session;      ///< its start
+};
+
+/// Something the fold met that makes no sense; the mission goes on.
+struct FoldRemark {
+    std::uint64_t sequence = 0;
+    std::string text;  ///< in English
+};
+
+/// The state of a mission after an event (design, section 1): a value, cheap to copy, whose copies share what
+/// they have in common. Equal logs make equal states, bit for bit.
+struct MissionState {
+    using GrantKey = std::pair<GrantSample::Kind, std::string>;          ///< kind, robot
+    using AlarmKey = std::tuple<std::string, std::string, std::string>;  ///< station, robot, key
+
+    std::uint64_t sequence = 0;  ///< last event that is in it
+    std::uint64_t events = 0;
+    Time first{}, last{};  ///< receive times of the first and of the last event
+
+    std::map<std::string, SharedValue<RobotState>> robots;            ///< by name
+    SharedValue<std::map<std::string, StreamState>> ownTopics;        ///< the stations' own topics
+    SharedValue<std::vector<Decision>> decisions;                     ///< rising sequences
+    SharedValue<std::map<FindKey, VictimState>> victims;              ///< and other finds
+    SharedValue<std::map<std::uint32_t, CandidateState>> candidates;  ///< by id
+    SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;      ///< by id
+    SharedValue<std::vector<Latest<NoteSample>>> notes;               ///< that are not undone
+    std::optional<Latest<MapCropSample>> crop;                        ///< newest that is not undone
+    SharedValue<std::map<GrantKey, GrantState>> grants;
+    SharedValue<std::map<AlarmKey, AlarmState>> alarms;
+    SharedValue<std::vector<SessionState>> sessions;
+    SharedValue<std::vector<FoldRemark>> remarks;  ///< newest MaxRemarks
+    std::optional<Latest<ClockSample>> clock;
+    std::optional<Latest<MissionInfoSample>> info;
+
+    static constexpr std::size_t MaxRemarks = 100;
+};
+using MissionStatePtr = std::shared_ptr<const MissionState>;
+
+/// Where @p victim is in the map now: with the scan it hangs on, else where it was filed [m].
+[[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
+[[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
+/// The decision of @p sequence; null when there is none.
+[[nodiscard]] const Decision* decisionAt(const MissionState& state, std::uint64_t sequence);
+
+}  // namespace leitstand

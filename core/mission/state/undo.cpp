@@ -1,0 +1,97 @@
+#include "core/mission/state/undo.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace leitstand {
+namespace {
+
+using Kind = MapDecision::Kind;
+
+MapDecision scansOf(const ScanPosesSample& decision) {
+    const auto& poses = decision.poses;
+    const bool aside = std::all_of(poses.begin(), poses.end(),
+                                   [](const ScanPose& pose) { return pose.trust == ScanTrust::SetAside; });
+    const bool certain = poses.front().trust == ScanTrust::Certain;
+    MapDecision told{aside ? Kind::SetAside : certain ? Kind::Taken : Kind::Tried, {}, 0};
+    for (const ScanPose& pose : poses) told.scans.push_back(pose.scan);
+    return told;
+}
+
+/// The operator's decision on the map that @p decision is; empty: another kind, or another station's.
+std::optional<MapDecision> onMap(const Decision& decision, const std::string& station) {
+    std::optional<MapDecision> told;
+    if (const auto* poses = std::get_if<ScanPosesSample>(&decision.content)) {
+        const bool ours = poses->cause == ScanPosesSample::Cause::Operator && poses->station == station;
+        if (ours && !poses->poses.empty()) told = scansOf(*poses);
+    } else if (const auto* crop = std::get_if<MapCropSample>(&decision.content)) {
+        if (crop->station == station) told = MapDecision{Kind::Crop, {}, 0};
+    }
+    if (told) told->event = decision.sequence;
+    return told;
+}
+
+}  // namespace
+
+UndoneThing undoneThing(const MapDecision& decision) {
+    UndoneThing thing;
+    thing.scans = decision.scans.size();
+    if (thing.scans == 1) thing.scan = decision.scans.front();
+    switch (decision.kind) {
+        case Kind::Taken:
+            thing.kind = UndoneThing::Kind::Taken;
+            break;
+        case Kind::SetAside:
+            thing.kind = UndoneThing::Kind::SetAside;
+            break;
+        case Kind::Tried:
+            thing.kind = UndoneThing::Kind::Tried;
+            break;
+        case Kind::Crop:
+            thing.kind = UndoneThing::Kind::Crop;
+            break;
+    }
+    return thing;
+}
+
+std::optional<MapDecision> undoable(const MissionState& state, const std::string& station) {
+    const auto& all = *state.decisions;
+    for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
+        if (decision->undone) continue;
+        if (auto told = onMap(*decision, station)) return told;
+    }
+    return std::nullopt;
+}
+
+std::optional<MapDecision> redoable(const MissionState& state, const std::string& station) {
+    const auto& all = *state.decisions;
+    for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
+        if (decision->undone) continue;
+        if (onMap(*decision, station)) return std::nullopt;  // made since
+        const auto* undo = std::get_if<UndoSample>(&decision->content);
+        if (undo == nullptr || undo->station != station) continue;
+        const Decision* target = decisionAt(state, undo->event);
+        if (target == nullptr || !target->undone) continue;
+        auto told = onMap(*target, station);
+        if (!told) continue;
+        told->event = decision->sequence;
+        return told;
+    }
+    return std::nullopt;
+}
+
+std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station, Time now) {
+    const auto decision = undoable(state, station);
+    if (!decision) return std::nullopt;
+    return UndoSample{now, station, decision->event, undoText(undoneThing(*decision))};
+}
+
+std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station, Time now) {
+    const auto decision = redoable(state, station);
+    if (!decision) return std::nullopt;
+    UndoneThing thing = undoneThing(*decision);
+    thing.again = true;
+    return UndoSample{now, station, decision->event, undoText(thing)};
+}
+
+}  // namespace leitstand

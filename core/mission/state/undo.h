@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/undo_says.h"
+
+namespace leitstand {
+
+/// A decision on the map that the operator may take back, or do again.
+struct MapDecision {
+    enum class Kind {
+        Taken,     ///< scans count
+        SetAside,  ///< scans do not
+        Tried,     ///< scans were registered again, and are still doubted
+        Crop,      ///< what of the world belongs into the map
+    };
+    Kind kind = Kind::Taken;
+    std::vector<std::uint64_t> scans;  ///< by id
+    std::uint64_t event = 0;           ///< sequence that the UndoSample has to name
+};
+/// What an undo of @p decision takes back.
+[[nodiscard]] UndoneThing undoneThing(const MapDecision& decision);
+
+/// The newest of the operator's decisions on the map that @p station made and that is not taken back yet;
+/// empty: there is none.
+[[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
+/// The one that was taken back last; empty: none was, or the operator decided something since.
+[[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
+
+/// Takes undoable() back.
+[[nodiscard]] std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station,
+                                                  Time now);
+/// Does redoable() again.
+[[nodiscard]] std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station,
+                                                  Time now);
+
+}  // namespace leitstand

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/perception/pictures/picture.h"
+
+namespace leitstand {
+
+/// The pixels of @p picture without a copy, which must outlive it; empty where it holds numbers, or fewer
+/// bytes than its size says. Colours are red, green, blue.
+[[nodiscard]] inline cv::Mat matOf(const Picture& picture) {
+    const bool colours = picture.pixel == Picture::Pixel::Rgb8;
+    if (!colours && picture.pixel != Picture::Pixel::Grey8) return {};
+    if (picture.width <= 0 || picture.height <= 0) return {};
+    const auto bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) *
+                       picture.pixelSize();
+    if (picture.bytes.size() != bytes) return {};
+    // OpenCV only reads it.
+    auto* data = const_cast<std::byte*>(picture.bytes.data());
+    return {picture.height, picture.width, colours ? CV_8UC3 : CV_8UC1, data};
+}
+
+/// @p picture in grey; empty as above.
+[[nodiscard]] inline cv::Mat greyOf(const Picture& picture) {
+    const cv::Mat mat = matOf(picture);
+    if (mat.empty() || mat.channels() == 1) return mat;
+    cv::Mat grey;
+    cv::cvtColor(mat, grey, cv::COLOR_RGB2GRAY);
+    return grey;
+}
+
+}  // namespace leitstand

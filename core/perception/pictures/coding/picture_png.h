@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/perception/pictures/picture.h"
+
+namespace leitstand {
+
+/// Words that go with a picture, by keyword ("Title", 1 to 79 letters of ASCII).
+using PictureTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// @p picture as a PNG file, its values as they are (Grey16 in 16 bits), with @p texts (UTF-8) in chunks that
+/// every reader of PNG knows (iTXt; PNG 1.2, 4.2.3.3). Float32 cannot be written.
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(const Picture& picture,
+                                                       const PictureTexts& texts = {});
+
+}  // namespace leitstand

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/perception/pictures/picture.h"
+
+namespace leitstand {
+
+/// Help for eyes in the dark.
+enum class ContrastHelp : std::uint8_t {
+    Off,
+    Gentle,  ///< local contrast
+    Strong,  ///< shadows lifted, and much local contrast: noise comes up too
+};
+
+/// @p picture with more contrast in its brightness (gamma, then CLAHE: Zuiderveld 1994); colours keep their
+/// hue. Pictures of numbers (Grey16, Float32) and empty ones come back as they are.
+[[nodiscard]] Picture withContrast(const Picture& picture, ContrastHelp help);
+
+}  // namespace leitstand

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/time.h"
+#include "core/robot/link/link_status.h"
+
+namespace leitstand {
+
+/// The four times of a ping (RFC 5905, section 8).
+struct PingTimes {
+    Time sent{};           ///< by the station, station's clock
+    Time robotReceived{};  ///< robot's clock
+    Time robotReplied{};   ///< robot's clock
+    Time received{};       ///< by the station, station's clock
+};
+
+/// A robot's clock minus the station's, and bounds of it.
+struct ClockEstimate {
+    std::chrono::nanoseconds ahead{};
+    std::chrono::nanoseconds uncertainty{};  ///< the truth is within ahead +- uncertainty
+    ClockSource source = ClockSource::Pings;
+};
+
+/// How far one clock can be ahead of another: no less and no more than so [ns].
+struct ClockBounds {
+    std::int64_t least = 0, most = 0;
+};
+
+/// The offset of a clock from pings. No packet arrives before it was sent, so every ping bounds the offset
+/// from both sides (Marzullo 1984); the bounds of all pings together are as narrow as the quickest way there
+/// and the quickest way back (Cristian 1989), however long the others take. Old bounds widen with the drift
+/// that clocks may have. Pings that contradict the bounds are outliers, until several agree: then the clock
+/// stepped. Constant memory, no allocation.
+class PingClock {
+public:
+    static constexpr double MaxDrift = 100e-6;               ///< of one clock against the other
+    static constexpr std::int64_t ReadingError = 1'000'000;  ///< clocks may be read in milliseconds [ns]
+    static constexpr int Remembered = 8;                     ///< newest pings, for outliers
+    static constexpr int Convinced = 3;  ///< so many of them that agree with each other are right
+
+    /// Takes a ping; false when its times contradict themselves. Returns by how much the clock stepped in
+    /// @p stepped, where it did.
+    bool add(const PingTimes& ping, SteadyTime now,
+             std::optional<std::chrono::nanoseconds>* stepped = nullptr);
+    [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
+    [[nodiscard]] SteadyTime newest() const { return m_at; }  ///< ping that was believed
+
+private:
+    struct Doubt {
+        ClockBounds bounds;
+        SteadyTime at;
+        bool open = false;  ///< it contradicted what was believed
+    };
+    [[nodiscard]] std::optional<ClockBounds> agreement(SteadyTime now) const;
+
+    std::optional<ClockBounds> m_bounds;
+    SteadyTime m_at;
+    std::array<Doubt, Remembered> m_doubts;
+    std::size_t m_count = 0;
+};
+
+/// The offset of a clock from when samples were written and when they arrived: none arrives before it was
+/// written, and the quickest of the last seconds takes no longer than LeastDelay. For robots that answer no
+/// pings. A clock that steps forward is followed within a few samples, one that steps back within Window
+/// (it looks like a link that became slow, until the last sample from before is forgotten).
+class StampClock {
+public:
+    static constexpr std::int64_t LeastDelay = 50'000'000;  ///< [ns]
+    static constexpr std::int64_t Step = 500'000'000;       ///< less is no step [ns]
+    static constexpr int Window = 10;                       ///< [s]
+    static constexpr int Convinced = 3;                     ///< samples that agree on a step forward
+
+    /// @p stepped: as of PingClock::add.
+    void add(Time written, Time received, SteadyTime now,
+             std::optional<std::chrono::nanoseconds>* stepped = nullptr);
+    [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
+
+private:
+    struct Second {
+        std::int64_t number = -1;  ///< of the steady clock
+        std::int64_t most = 0;     ///< written minus received [ns]
+    };
+    [[nodiscard]] std::optional<std::int64_t> envelope() const;
+    void put(std::int64_t second, std::int64_t difference);
+
+    std::array<Second, Window> m_seconds;
+    std::optional<std::int64_t> m_told;  ///< envelope as of the last sample
+    SteadyTime m_at;
+    std::int64_t m_doubted = 0;  ///< a difference far beyond the envelope
+    int m_doubts = 0;            ///< how often in a row
+};
+
+/// The offset of a robot's clock from what there is: pings, else stamps.
+class ClockOffset {
+public:
+    static constexpr std::chrono::seconds PingsHold{60};  ///< stamps are asked after so long without answer
+
+    /// False when the times contradict themselves.
+    bool ping(const PingTimes& ping, SteadyTime now);
+    /// A sample of the robot that was @p written on its clock.
+    void stamp(Time written, Time received, SteadyTime now);
+    /// Empty while nothing is known.
+    [[nodiscard]] std::optional<ClockStatus> status(SteadyTime now) const;
+
+private:
+    [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
+    void tell(const std::optional<std::chrono::nanoseconds>& stepped, SteadyTime now);
+
+    PingClock m_pings;
+    StampClock m_stamps;
+    int m_steps = 0;
+    std::chrono::nanoseconds m_lastStep{};
+    SteadyTime m_steppedAt;
+};
+
+}  // namespace leitstand

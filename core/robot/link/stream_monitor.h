@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "core/base/time.h"
+#include "core/robot/link/link_status.h"
+
+namespace leitstand {
+
+/// One sample of a stream, as the wire told it.
+struct StreamArrival {
+    std::size_t bytes = 0;
+    std::array<std::uint8_t, 16> writer{};  ///< identity of who wrote it: a restarted robot has another
+    std::uint64_t sequence = 0;             ///< number at its writer, from 1: gaps are losses; 0: not told
+    Time written{};                         ///< writer's clock; epoch when not told
+    Time received{};                        ///< station's clock
+};
+
+/// What StreamMonitor makes of a stream.
+struct StreamFigures {
+    double rate = 0.0;            ///< [Hz]
+    double lossRatio = 0.0;       ///< 0 to 1
+    std::uint64_t lossBasis = 0;  ///< samples, arrived or lost, that the ratio is taken over
+    double megabitsPerSecond = 0.0;
+    double age = std::numeric_limits<double>::infinity();  ///< [s]
+    /// Arrival on the station's clock minus writing on the robot's: the least of the last second, or of the
+    /// newest sample; empty when not told.
+    std::optional<std::chrono::nanoseconds> transit;
+};
+
+/// Counts what comes over one topic. Constant memory, no allocation.
+class StreamMonitor {
+public:
+    static constexpr std::chrono::milliseconds Slot{500};
+    static constexpr int Slots = 20;      ///< loss is taken over the last 10 s
+    static constexpr int RateSlots = 10;  ///< rate and Mbit/s over the last 5 s
+    static constexpr int Writers = 4;     ///< told apart; of more, the longest silent is forgotten
+    static constexpr int Learned = 5;     ///< intervals after which a rate is known
+    static constexpr int Convinced = 3;   ///< long intervals after which a stream is slower now, not broken
+
+    void add(const StreamArrival& arrival, SteadyTime now);
+    [[nodiscard]] StreamFigures figures(SteadyTime now) const;
+    /// Time between samples as their writer makes them, whatever the link does to them [s]; empty until
+    /// learned.
+    [[nodiscard]] std::optional<double> interval() const;
+    [[nodiscard]] std::uint64_t samples() const { return m_samples; }
+    [[nodiscard]] std::uint64_t lost() const { return m_lost; }
+    [[nodiscard]] SteadyTime newest() const { return m_newest; }  ///< meaningless before the first sample
+
+private:
+    struct Writer {
+        std::array<std::uint8_t, 16> id{};
+        std::uint64_t sequence = 0;
+        Time written{};
+        SteadyTime arrived;
+        bool known = false;
+    };
+    struct Count {
+        std::int64_t slot = -1;
+        std::uint64_t samples = 0, lost = 0, bytes = 0;
+        SteadyTime first;
+        std::optional<std::chrono::nanoseconds> transit;  ///< least
+    };
+    Writer& writerOf(const StreamArrival& arrival);
+    void learn(const Writer& before, const StreamArrival& arrival, SteadyTime now);
+
+    std::array<Writer, Writers> m_writers;
+    std::array<Count, Slots> m_counts;
+    std::uint64_t m_samples = 0, m_lost = 0;
+    SteadyTime m_newest;
+    std::optional<std::chrono::nanoseconds> m_transit;  ///< of the newest
+    double m_interval = 0.0;
+    int m_intervals = 0;  ///< that it is learned from, at most Learned
+    int m_long = 0;       ///< much longer ones in a row
+};
+
+}  // namespace leitstand

@@ -1,0 +1,211 @@
+#include "core/station/alarms/alarm_rules.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/said.h"
+#include "core/station/alarms/alarm_says.h"
+#include "core/station/robot_figures.h"
+
+namespace leitstand {
+namespace {
+
+/// Rounded, and never "-0".
+std::string wholeDegrees(double radians) {
+    return saidFigure(std::round(inDegrees(radians)) + 0.0);
+}
+
+std::string batteryText(double share, double minutes) {
+    const std::string percent = saidFigure(100.0 * share), left = saidFigure(minutes);
+    if (!std::isfinite(minutes)) return fmt::format(alarm_says::BatteryShare, percent);
+    return std::isfinite(share) ? fmt::format(alarm_says::BatteryBoth, percent, left)
+                                : fmt::format(alarm_says::BatteryMinutes, left);
+}
+
+/// Puts together the causes of one robot.
+class Judge {
+public:
+    Judge(const RobotWatch& robot, const AlarmBook& book, Time now, const AlarmLimits& limits)
+        : m_robot(robot), m_book(book), m_now(now), m_limits(limits) {}
+
+    [[nodiscard]] std::vector<AlarmCause> all() {
+        link();
+        if (m_robot.view.link.state != LinkState::Lost) {
+            attitude();
+            battery();
+            gas();
+            bump();
+            diagnostics();
+            pictures();
+            clock();
+        }
+        stop();
+        grant();
+        return std::move(m_causes);
+    }
+
+private:
+    using Severity = AlarmSeverity;
+
+    [[nodiscard]] AlarmId idOf(const char* key, const std::string& detail = {}) const {
+        return {m_robot.description.name, key, detail};
+    }
+    void add(AlarmId id, Severity severity, const std::string& text, double value = Unknown,
+             const std::string& note = {}) {
+        m_causes.push_back(
+            {std::move(id), severity, fmt::format("{}: {}", m_robot.description.title, text), value, note});
+    }
+    /// How loud a number is that shall stay under @p attention and @p act; empty: not at all.
+    [[nodiscard]] std::optional<Severity> above(const AlarmId& id, double value, double attention,
+                                                double act) const {
+        const auto standing = m_book.severity(id);
+        if (value >= (standing == Severity::Act ? m_limits.over : 1.0) * act) return Severity::Act;
+        if (value >= (standing ? m_limits.over : 1.0) * attention) return Severity::Attention;
+        return std::nullopt;
+    }
+    /// ... or shall stay over them.
+    [[nodiscard]] std::optional<Severity> below(const AlarmId& id, double value, double attention,
+                                                double act) const {
+        const auto standing = m_book.severity(id);
+        if (value <= (standing == Severity::Act ? 1.0 / m_limits.over : 1.0) * act) return Severity::Act;
+        if (value <= (standing ? 1.0 / m_limits.over : 1.0) * attention) return Severity::Attention;
+        return std::nullopt;
+    }
+
+    void link() {
+        const LinkStatus& link = m_robot.view.link;
+        if (link.state == LinkState::Lost) {
+            add(idOf(alarm_key::LinkLost), Severity::Act,
+                fmt::format(alarm_says::LinkLost, saidFigure(link.silence)), link.silence);
+        } else if (link.state == LinkState::Degraded) {
+            const std::string why = link.reasons.empty() ? "degraded" : toString(link.reasons.front());
+            add(idOf(alarm_key::LinkDegraded), Severity::Attention,
+                fmt::format(alarm_says::LinkDegraded, why), Unknown, why);
+        }
+        if (const auto& unheard = m_robot.view.hearing) {
+            const std::string what = toString(*unheard);
+            add(idOf(alarm_key::Unheard), Severity::Attention, fmt::format(alarm_says::Unheard, what),
+                Unknown, what);
+        }
+    }
+
+    void attitude() {
+        const auto angles = rollAndPitch(m_robot.description, m_robot.said, m_now);
+        if (!angles) return;
+        const auto [roll, pitch] = *angles;
+        const double tilt = std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
+        if (const AlarmId id = idOf(alarm_key::RollOver);
+            above(id, tilt, m_limits.rolledOver, m_limits.rolledOver)) {
+            return add(id, Severity::Act, fmt::format(alarm_says::RolledOver, saidFigure(inDegrees(tilt))),
+                       tilt);
+        }
+        const AlarmId id = idOf(alarm_key::Attitude);
+        const double share = shareOfLimits(m_robot.description, roll, pitch);
+        if (const auto loud = above(id, share, m_limits.attitude, m_limits.attitudeAct)) {
+            add(id, *loud,
+                fmt::format(alarm_says::Tilted, wholeDegrees(roll), wholeDegrees(pitch),
+                            saidFigure(100.0 * share)),
+                share);
+        }
+    }
+
+    void battery() {
+        if (!isFresh(m_robot.said.battery, m_now, BatteryAge)) return;
+        const BatterySample& battery = m_robot.said.battery->sample;
+        if (battery.status == BatterySample::Status::Charging) return;
+        const AlarmId id = idOf(alarm_key::Battery);
+        const double minutes = minutesLeft(m_robot.said);
+        const auto byTime = std::isfinite(minutes)
+                                ? below(id, minutes, m_limits.batteryMinutes, m_limits.batteryMinutesAct)
+                                : std::nullopt;
+        const auto byShare =
+            std::isfinite(battery.fraction)
+                ? below(id, battery.fraction, m_limits.batteryShare, m_limits.batteryShareAct)
+                : std::nullopt;
+        if (!byTime && !byShare) return;
+        const Severity loud =
+            std::max(byTime.value_or(Severity::Attention), byShare.value_or(Severity::Attention));
+        const bool timed = std::isfinite(minutes);
+        add(id, loud, batteryText(battery.fraction, minutes), timed ? minutes : battery.fraction,
+            timed ? "minutes" : "share");
+    }
+
+    void gas() {
+        if (!isFresh(m_robot.said.gas, m_now, 5.0)) return;
+        const double ppm = m_robot.said.gas->sample.ppm;
+        const AlarmId id = idOf(alarm_key::Gas);
+        if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
+            add(id, Severity::Attention, fmt::format(alarm_says::Gas, saidFigure(ppm)), ppm);
+    }
+
+    void bump() {
+        if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped) {
+            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention,
+                fmt::format(alarm_says::Bumped, m_robot.bumper));
+        }
+    }
+
+    void diagnostics() {
+        if (!m_robot.said.diagnostics) return;
+        for (const DiagnosticStatus& part : m_robot.said.diagnostics->sample.statuses) {
+            if (part.level != DiagnosticStatus::Level::Error) continue;
+            add(idOf(alarm_key::Diagnostics, part.name), Severity::Act,
+                fmt::format(alarm_says::Part, part.name, part.message), Unknown, part.message);
+        }
+    }
+
+    void pictures() {
+        for (const CameraView& camera : m_robot.view.cameras) {
+            if (!camera.age.isFrozen(m_limits.frozen)) continue;
+            add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention,
+                fmt::format(alarm_says::Frozen, camera.sensor, saidFigure(camera.age.content)),
+                camera.age.content);
+        }
+    }
+
+    void clock() {
+        if (!m_robot.view.link.clock) return;
+        const ClockStatus& clock = *m_robot.view.link.clock;
+        const double ahead = std::chrono::duration<double>(clock.ahead).count();
+        const AlarmId id = idOf(alarm_key::ClockOffset);
+        if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
+        const std::string by = saidFigure(std::abs(ahead), 1);
+        add(id, Severity::Attention,
+            ahead > 0.0 ? fmt::format(alarm_says::ClockAhead, by) : fmt::format(alarm_says::ClockBehind, by),
+            ahead);
+    }
+
+    void stop() {
+        const StopStatus& stop = m_robot.view.stop;
+        const double waits = std::chrono::duration<double>(stop.unanswered).count();
+        if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
+        add(idOf(alarm_key::StopUnanswered), Severity::Act,
+            fmt::format(alarm_says::StopUnanswered, saidFigure(waits)), waits);
+    }
+
+    void grant() {
+        const GrantView& grant = m_robot.view.grant;
+        if (grant.lostTo.empty() || grant.mine) return;
+        const std::string who = grant.holderTitle.empty() ? grant.lostTo : grant.holderTitle;
+        add(idOf(alarm_key::GrantLost), Severity::Attention, fmt::format(alarm_says::GrantLost, who), Unknown,
+            who);
+    }
+
+    const RobotWatch& m_robot;
+    const AlarmBook& m_book;
+    const Time m_now;
+    const AlarmLimits& m_limits;
+    std::vector<AlarmCause> m_causes;
+};
+
+}  // namespace
+
+std::vector<AlarmCause> alarmsOf(const RobotWatch& robot, const AlarmBook& book, Time now,
+                                 const AlarmLimits& limits) {
+    return Judge(robot, book, now, limits).all();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,100 @@
+#include "core/station/alarms/logged_alarm.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "core/base/pose.h"
+#include "core/base/said.h"
+#include "core/station/alarms/alarm_says.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::array LogKeys = {log_key::DiskFilling, log_key::DiskSlow, log_key::DiskFull,
+                                log_key::EventsLost, log_key::Failed};
+
+/// A sentence with an alarm's value in it.
+struct MeasuredSentence {
+    const char* key;
+    const char* words;
+    double unit = 1.0;      ///< of the figure, as the key's value has it
+    std::size_t which = 0;  ///< of its figures
+    const char* note = "";
+};
+
+constexpr MeasuredSentence MeasuredSentences[] = {
+    {alarm_key::Attitude, alarm_says::Tilted, 0.01, 2},
+    {alarm_key::RollOver, alarm_says::RolledOver, degrees(1.0)},
+    {alarm_key::LinkLost, alarm_says::LinkLost},
+    {alarm_key::Battery, alarm_says::BatteryBoth, 1.0, 1, "minutes"},
+    {alarm_key::Battery, alarm_says::BatteryMinutes, 1.0, 0, "minutes"},
+    {alarm_key::Battery, alarm_says::BatteryShare, 0.01, 0, "share"},
+    {alarm_key::Gas, alarm_says::Gas},
+    {alarm_key::StopUnanswered, alarm_says::StopUnanswered},
+    {alarm_key::FrozenPicture, alarm_says::Frozen, 1.0, 1},
+    {alarm_key::ClockOffset, alarm_says::ClockAhead},
+    {alarm_key::ClockOffset, alarm_says::ClockBehind, -1.0},
+    {alarm_key::UncertainScan, alarm_says::UncertainScan},
+    {alarm_key::UncertainScan, alarm_says::UncertainScans},
+};
+
+void readValue(AlarmCause& cause) {
+    for (const MeasuredSentence& one : MeasuredSentences) {
+        if (cause.id.key != one.key) continue;
+        const SaidSentence found = knownEnding(cause.text, std::array{one.words});
+        if (found.words == nullptr) continue;
+        const auto figure = figureIn(found.values[one.which]);
+        if (!figure) continue;
+        cause.value = *figure * one.unit;
+        cause.note = one.note;
+        return;
+    }
+}
+
+/// What @p part said stands after its name; what it says may have its name in it, too.
+std::string messageOf(const std::string& part, const std::string& text) {
+    const std::string name = part + ": ";
+    if (const auto at = text.find(": " + name); at != std::string::npos)
+        return text.substr(at + 2 + name.size());
+    return text.starts_with(name) ? text.substr(name.size()) : std::string();
+}
+
+void readNote(AlarmCause& cause) {
+    if (cause.id.key == alarm_key::Diagnostics) cause.note = messageOf(cause.id.detail, cause.text);
+    for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, alarm_says::LinkDegraded),
+                                     std::pair(alarm_key::GrantLost, alarm_says::GrantLost),
+                                     std::pair(alarm_key::Unheard, alarm_says::Unheard)}) {
+        if (cause.id.key != key) continue;
+        const SaidSentence found = knownEnding(cause.text, std::array{words});
+        if (found.words != nullptr) cause.note = found.values.front();
+    }
+}
+
+}  // namespace
+
+bool isAlarmOfLog(std::string_view key) {
+    return std::ranges::find(LogKeys, key, [](const char* one) { return std::string_view(one); }) !=
+           LogKeys.end();
+}
+
+AlarmCause loggedCause(const AlarmSample& said) {
+    AlarmCause cause;
+    cause.severity =
+        said.severity == AlarmSample::Severity::Critical ? AlarmSeverity::Act : AlarmSeverity::Attention;
+    cause.text = said.text;
+    if (isAlarmOfLog(said.key)) {
+        cause.id = {{}, alarm_key::Log, said.key};
+        cause.note = said.text;
+        return cause;
+    }
+    const auto slash = said.key.find('/');
+    cause.id = {said.robot, said.key.substr(0, slash),
+                slash == std::string::npos ? std::string() : said.key.substr(slash + 1)};
+    readValue(cause);
+    readNote(cause);
+    return cause;
+}
+
+}  // namespace leitstand

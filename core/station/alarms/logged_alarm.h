@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/event/station_samples.h"
+#include "core/station/alarms/alarm.h"
+
+namespace leitstand {
+
+/// The keys of alarms that the log raises by itself; each is the detail of alarm_key::Log.
+namespace log_key {
+
+inline constexpr const char* DiskFilling = "disk_filling";
+inline constexpr const char* DiskSlow = "disk_slow";
+inline constexpr const char* DiskFull = "disk_full";
+inline constexpr const char* EventsLost = "events_lost";
+inline constexpr const char* Failed = "log_failed";
+
+}  // namespace log_key
+
+[[nodiscard]] bool isAlarmOfLog(std::string_view key);
+
+/// The cause that @p said was logged of: its value, to the figures that were written, and its note are read
+/// out of the text. What cannot be read stays unknown: NaN, and empty.
+[[nodiscard]] AlarmCause loggedCause(const AlarmSample& said);
+
+}  // namespace leitstand

@@ -1,0 +1,98 @@
+#include "core/station/pad/pad_mapping.h"
+
+#include <utility>
+
+#include "core/robot/control/drive_keys.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Hysteresis = 0.8;  ///< an axis that is pressed is let go below this share of the press
+
+}  // namespace
+
+PadMapping::PadMapping(PadBindings bindings) : m_bindings(std::move(bindings)) {}
+
+void PadMapping::setBindings(PadBindings bindings) {
+    m_bindings = std::move(bindings);
+    m_known = false;
+    needNeutral();
+}
+
+void PadMapping::needNeutral() {
+    m_triggerFree = m_sticksFree = m_camerasFree = false;
+}
+
+bool PadMapping::isHeld(const PadControl& control, const PadState& state, bool before) const {
+    if (control.kind == PadControl::Kind::None) return false;
+    return amountOf(control, state) >= m_bindings.press * (before ? Hysteresis : 1.0);
+}
+
+PadWishes PadMapping::update(const PadState& state, PadScope scope) {
+    PadWishes wishes;
+    if (!state.connected) {
+        m_held.fill(false);
+        m_known = false;
+        needNeutral();
+        return wishes;
+    }
+    const bool stopWasHeld = held(PadAction::Stop);
+    for (const PadAction action : padActions()) {
+        bool& held = m_held[static_cast<std::size_t>(action)];
+        held = isHeld(m_bindings.at(action), state, held);
+    }
+    wishes.stop = held(PadAction::Stop) && !stopWasHeld;
+    const bool moves = scope == PadScope::All;
+    if (!moves || wishes.stop) needNeutral();
+    readCommands(state, scope, wishes);
+    if (!moves) return wishes;
+    readDrive(state, wishes);
+    readCameras(state, wishes);
+    return wishes;
+}
+
+void PadMapping::readCommands(const PadState& state, PadScope scope, PadWishes& wishes) {
+    m_commandHeld.resize(m_bindings.commands.size(), false);
+    for (std::size_t i = 0; i < m_bindings.commands.size(); ++i) {
+        const bool before = m_commandHeld[i], now = isHeld(m_bindings.commands[i].control, state, before);
+        m_commandHeld[i] = now;
+        // What is held when the pad comes was not pressed for us.
+        if (now && !before && m_known && scope != PadScope::Nothing)
+            wishes.commands.push_back(m_bindings.commands[i].id);
+    }
+    m_known = true;
+}
+
+void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
+    const bool trigger = held(PadAction::DeadMan);
+    if (!trigger) {
+        m_triggerFree = true;
+        m_sticksFree = false;
+        return;
+    }
+    const double forward = shapedOf(m_bindings, PadAction::Forward, state),
+                 left = shapedOf(m_bindings, PadAction::SlideLeft, state),
+                 turn = shapedOf(m_bindings, PadAction::TurnLeft, state);
+    wishes.driving = m_triggerFree;
+    if (wishes.driving && forward == 0.0 && turn == 0.0 && left == 0.0) m_sticksFree = true;
+    wishes.withoutEyes = wishes.driving && held(PadAction::WithoutEyes);
+    wishes.needsNeutral = !m_triggerFree || !m_sticksFree;
+    if (wishes.needsNeutral) return;
+    const double share = held(PadAction::Slow)    ? DriveKeys::Slowly
+                         : held(PadAction::Turbo) ? 1.0
+                                                  : DriveKeys::Usual;
+    DriveVelocity wish;
+    wish.forward = share * m_limits.speed * forward;
+    wish.left = share * m_limits.speed * left;
+    wish.turn = share * m_limits.turnRate * turn;
+    wishes.drive = limited(wish, m_limits);
+}
+
+void PadMapping::readCameras(const PadState& state, PadWishes& wishes) {
+    const double pan = shapedOf(m_bindings, PadAction::PanLeft, state),
+                 tilt = shapedOf(m_bindings, PadAction::TiltUp, state);
+    if (pan == 0.0 && tilt == 0.0) m_camerasFree = true;
+    if (m_camerasFree) wishes.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
+}
+
+}  // namespace leitstand

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/robot/control/drive_setpoint.h"
+#include "core/station/pad/pad_bindings.h"
+
+namespace leitstand {
+
+/// How fast the cameras are to turn.
+struct PanTiltRate {
+    double pan = 0.0;   ///< to the left [rad/s]
+    double tilt = 0.0;  ///< upwards [rad/s]
+    friend bool operator==(const PanTiltRate&, const PanTiltRate&) = default;
+};
+
+/// What the operator wants by a gamepad.
+struct PadWishes {
+    DriveVelocity drive;        ///< zero unless driving
+    bool driving = false;       ///< the dead-man trigger is held and counts: this pad has the sticks
+    bool withoutEyes = false;   ///< while driving: old pictures shall not cap the speed
+    bool needsNeutral = false;  ///< the trigger is held, but trigger or sticks have to be let go first
+    PanTiltRate cameras;        ///< needs no trigger: nobody is hurt by a look around
+    bool stop = false;          ///< the button that stops all robots was pressed
+    std::vector<std::string> commands;  ///< that were pressed
+    friend bool operator==(const PadWishes&, const PadWishes&) = default;
+};
+
+/// What a gamepad may do now.
+enum class PadScope {
+    Nothing,   ///< another window has the operator
+    Commands,  ///< the robot is stopped: what files, looks or selects goes on
+    All,       ///< drive and turn cameras, too
+};
+
+/// From the state of a gamepad to what the operator wants (design, section 7). Pure.
+///
+/// Nothing drives without the dead-man trigger; letting it go is zero at once. The sticks count from when
+/// they were neutral while the trigger was held: motion begins only with the operator's hand. After the pad
+/// came, and whenever it had not PadScope::All (another window, a stop, another robot), the trigger must have
+/// been let go first. Stop needs none of that.
+class PadMapping {
+public:
+    explicit PadMapping(PadBindings bindings = {});
+
+    void setBindings(PadBindings bindings);  ///< trigger and sticks have to be let go first
+    [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
+    void setLimits(const DriveLimits& limits) { m_limits = limits; }
+    void needNeutral();  ///< trigger and sticks have to be let go first
+
+    /// The wishes of the pad as it is now; to be asked with every change.
+    [[nodiscard]] PadWishes update(const PadState& state, PadScope scope);
+
+private:
+    [[nodiscard]] bool isHeld(const PadControl& control, const PadState& state, bool before) const;
+    [[nodiscard]] bool held(PadAction action) const { return m_held[static_cast<std::size_t>(action)]; }
+    void readCommands(const PadState& state, PadScope scope, PadWishes& wishes);
+    void readDrive(const PadState& state, PadWishes& wishes);
+    void readCameras(const PadState& state, PadWishes& wishes);
+
+    PadBindings m_bindings;
+    DriveLimits m_limits;
+    std::array<bool, PadActionCount> m_held{};
+    std::vector<bool> m_commandHeld;  ///< as m_bindings.commands
+    bool m_known = false;             ///< the pad has been seen since it came
+    bool m_triggerFree = false;       ///< the trigger was let go since it had to be
+    bool m_sticksFree = false;        ///< the sticks were neutral while the trigger was held
+    bool m_camerasFree = false;       ///< their stick was neutral since it had to be
+};
+
+}  // namespace leitstand

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/robot/clock/far_clock.h"
+#include "core/robot/control/stop/guard_view.h"
+#include "core/robot/link/wire_complaint.h"
+#include "core/robot/robot_description.h"
+#include "core/station/preflight/brake_test.h"
+#include "core/station/robot_view.h"
+
+namespace leitstand {
+
+/// A network card of this computer.
+struct NetworkCard {
+    std::string name, address;  ///< "wlan0", "192.168.0.7"
+    bool up = false, loopback = false;
+    bool used = false;  ///< by the station
+};
+
+/// What is to be judged of one robot.
+struct RobotFacts {
+    RobotDescription robot;
+    RobotView view;
+    BrakeResult brake;             ///< newest
+    bool brakeOverridden = false;  ///< driven although it failed
+    GuardView guard;               ///< of one without a watchdog that is driven nevertheless
+    std::vector<WireComplaint> complaints;
+};
+
+/// Everything that the preflight page judges.
+struct PreflightFacts {
+    std::vector<RobotFacts> robots;
+    std::vector<std::string> strangers;     ///< robots in the domain that the station does not drive
+    std::vector<WireComplaint> complaints;  ///< about no robot in particular
+    std::vector<std::string> limits;        ///< of this computer, that cost samples
+    std::vector<NetworkCard> cards;
+    std::string folder;  ///< of the mission
+    std::uint64_t freeBytes = 0;
+    std::optional<double> writeRate;  ///< of the mission's disk [B/s]; empty: not measured yet
+    double logRate = 0.0;             ///< that the log needs now [B/s]
+    std::string logProblem;           ///< why nothing can be recorded; empty: all is well
+    std::string gamepad;              ///< its name; empty: there is none
+    std::string soundProblem;         ///< why the tones of alarms are not heard; empty: all is well
+    bool secured = false;
+    std::string security;               ///< who we are, in words, or why not
+    std::vector<std::string> versions;  ///< of the programs
+    double farClock = FarClock;         ///< from where on the alarms tell of a robot's clock [s]
+    Time now{};                         ///< station's clock
+};
+
+/// A note is neither in order nor wrong: it says how things are.
+enum class CheckState : std::uint8_t { Ok, Note, Attention, Fail };
+
+/// One line of the page. Core finds what is so; widgets find the words for it by its kind.
+struct PreflightCheck {
+    enum class Kind : std::uint8_t {
+        RobotConnected,  ///< number: round trip [s]; reasons: why it is degraded
+        RobotMissing,    ///< never heard, or lost; number: silence [s]
+        StreamsComing,   ///< number: how many
+        StreamsMissing,  ///< detail: which; a stream of its file that never came
+        StreamsStale,    ///< detail: which came, and do not any more
+        PicturesFresh,   ///< number: age of the oldest camera's newest picture [s]
+        PicturesOld,     ///< detail: which; number: age of the oldest [s]
+        Wire,            ///< wire: what stands between a reader and a writer
+        ClockSteady,     ///< number: how far the robot's clock is ahead [s]
+        ClockFar,        ///< number: the same, and that is much
+        ClockUnknown,
+        Grant,        ///< ours
+        GrantFree,    ///< nobody's: taken when driving begins
+        GrantOthers,  ///< detail: who has it
+        Deaf,         ///< it hears no drive commands
+        Stopped,      ///< a stop stands
+        BrakePassed,  ///< number: until standing [s]; other: way [m]; brake
+        BrakeOld,     ///< the same, more than a day ago
+        BrakeUntested,
+        BrakeFailed,      ///< refused for driving; brake
+        BrakeOverridden,  ///< failed, and driven nevertheless; brake, guard
+        BrakeUnclear,     ///< brake: why
+        Stranger,         ///< detail: name of a robot that may be added
+        Network,          ///< detail: card and address that are used
+        NetworkNone,      ///< no card but the computer's own
+        Limits,           ///< detail: the limit and what lifts it
+        Disk,             ///< number: hours; other: write rate [B/s]
+        DiskSlow,         ///< number: write rate [B/s]; other: what the log needs
+        DiskShort,        ///< number: hours that are left
+        DiskBroken,       ///< detail: why nothing is recorded
+        Gamepad,          ///< detail: its name
+        GamepadNone,
+        Sound,
+        SoundNone,  ///< detail: why the tones of alarms are not heard
+        Secured,    ///< detail: who
+        Open,       ///< anybody in the network may speak
+        Versions,   ///< detail
+    };
+    Kind kind = Kind::Versions;
+    CheckState state = CheckState::Ok;
+    std::string robot = {};   ///< name; empty: the station's own
+    std::string detail = {};  ///< as the kind says
+    double number = 0.0, other = 0.0;
+    BrakeResult brake = {};
+    GuardView guard = {};
+    WireComplaint wire = {};
+    std::vector<LinkReason> reasons = {};
+};
+
+/// What is in order, what needs a look, what prevents the mission: robot by robot in their order, then the
+/// station's own.
+[[nodiscard]] std::vector<PreflightCheck> preflight(const PreflightFacts& facts);
+/// The worst of @p checks.
+[[nodiscard]] CheckState worstOf(const std::vector<PreflightCheck>& checks);
+
+}  // namespace leitstand

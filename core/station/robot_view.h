@@ -1,0 +1,51 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/event/motion_samples.h"
+#include "core/perception/pictures/picture_watch.h"
+#include "core/perception/surroundings/virtual_scan_view.h"
+#include "core/robot/control/drive_setpoint.h"
+#include "core/robot/control/grant_book.h"
+#include "core/robot/control/stop/stop_control.h"
+#include "core/robot/link/hearing.h"
+#include "core/robot/link/link_status.h"
+#include "core/station/sight_cap.h"
+
+namespace leitstand {
+
+/// How the operator's hold on a robot is.
+struct DriveView {
+    bool drivable = false;      ///< it takes drive commands
+    DriveVelocity velocity;     ///< as sent last
+    bool focus = false;         ///< the sticks are this robot's
+    bool driving = false;       ///< permitted, with fresh sticks
+    bool needsNeutral = false;  ///< the sticks have to be let go first
+    bool listening = false;     ///< the robot hears drive commands
+    bool reachable = false;     ///< it would hear them, also while none is sent
+    SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
+};
+
+/// One camera's pictures as they come.
+struct CameraView {
+    std::string sensor;  ///< StreamDescription::sensor
+    PictureAges age;
+};
+
+/// One robot as the station has it now.
+struct RobotView {
+    LinkStatus link;
+    std::optional<HearingFault> hearing;  ///< it is announced, and nothing of it comes
+    GrantView grant;
+    StopStatus stop;
+    DriveView drive;
+    std::optional<VirtualScanView> around;  ///< where it was asked for
+    std::vector<CameraView> cameras;        ///< those that sent pictures; not the thermal ones
+    std::optional<JointSample> joints;      ///< newest: chains, pan and tilt
+    double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]
+};
+
+}  // namespace leitstand

@@ -1,0 +1,39 @@
+#include "app/services/handin/finds/find_tables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mission/finds/find_book.h"
+#include "core/mission/state/fold.h"
+
+namespace leitstand::test {
+namespace {
+
+TEST(FindTables, TwoCodesSideBySideAreBothHandedIn) {
+    const Time now(std::chrono::seconds(100));
+    ReportInput input;
+    input.name = "mission";
+    const auto say = [&](const Sample& sample) {
+        const std::uint64_t sequence = input.state.sequence + 1;
+        input.state = fold(std::move(input.state), {sequence, now, "", "/leitstand/victims", {}, "", sample});
+    };
+    for (const std::uint32_t number : {1U, 2U}) {
+        CandidateSample code;
+        code.id = number;
+        code.kind = VictimSample::Kind::Code;
+        code.confidence = 0.95;
+        code.positionInMap = {1.0 + 0.3 * number, 0.0, 0.5};
+        code.cues = {{.kind = "code", .robot = "kurt3d", .text = "yellow-" + std::to_string(number)}};
+        say(code);
+        const VictimSample filed = filedFrom(input.state, code, "s", now);
+        say(filed);
+        say(*withStatus(input.state, {filed.kind, filed.number}, VictimSample::Status::Confirmed, "s", now));
+    }
+    const FindList list = listOf(reportOf(input), FindList::Kind::Codes);
+    std::vector<std::string> texts;
+    for (const ListedFind& one : list.finds) texts.push_back(one.text);
+    EXPECT_THAT(texts, testing::ElementsAre("yellow-1", "yellow-2"));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,156 @@
+#include "tests/app/services/shared_intake_fixture.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST_F(SharedIntakeTest, PosesAndPlacesWaitForTheScansThatTheyLieOn) {
+    begin();
+    hear(poses({1, 2}));
+    hear(crawlerAt(0.5), station_topic::RobotPlaces);
+    EXPECT_THAT(entered(), IsEmpty());
+    hear(keyScan(1));
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
+    hear(keyScan(2));
+    EXPECT_THAT(entered(), ElementsAre("scan 2", "poses of 2", "place"));
+    EXPECT_EQ(placeOf(2), 1.0);
+    EXPECT_TRUE(m_intake->isAdopted(2));
+    EXPECT_THAT(*m_state->remarks, IsEmpty());
+}
+
+TEST_F(SharedIntakeTest, WhatWasSaidLaterNeverEntersBefore) {
+    begin();
+    hear(keyScan(1));
+    hear(poses({1, 2}, 3.0));  // its scan 2 is on its way
+    hear(poses({1}, 5.0));
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
+    hear(keyScan(2));
+    EXPECT_EQ(placeOf(1), 5.0);
+    EXPECT_THAT(entered(), ElementsAre("scan 2", "poses of 2", "poses of 1"));
+}
+
+TEST_F(SharedIntakeTest, AScanThatNeverComesHoldsTheOthersUpForAMinuteOnly) {
+    begin();
+    hear(keyScan(1));
+    hear(poses({1, 9}, 3.0));
+    heartbeat(59s);
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
+    heartbeat(2s);
+    EXPECT_THAT(entered(), ElementsAre("poses of 2"));
+    EXPECT_EQ(placeOf(1), 3.0);
+}
+
+TEST_F(SharedIntakeTest, WhatIsToldAgainEntersOnce) {
+    begin();
+    for (int i = 0; i < 2; ++i) {
+        hear(keyScan(1));
+        hear(keyScan(2));
+    }
+    EXPECT_THAT(entered(), ElementsAre("scan 1", "scan 2"));
+    begin();  // as after a restart: the mission has them
+    hear(keyScan(1), Third);
+    hear(keyScan(2), Third);
+    hear(keyScan(3), Third);
+    EXPECT_THAT(entered(), ElementsAre("scan 3"));
+    EXPECT_FALSE(m_intake->isAdopted(1));
+    EXPECT_EQ(m_told, "");
+}
+
+TEST_F(SharedIntakeTest, AScanThatCameAfterAKilledStationLostItsOwnCountsInsteadOfThat) {
+    begin();
+    hear(keyScan(1));
+    hear(keyScan(2));
+    hear(keyScan(1), Third);  // the same station, started anew: its log had only the first
+    hear(keyScan(2, 50), Third);
+    EXPECT_THAT(entered(), ElementsAre("scan 1", "scan 2", "scan 2"));
+    EXPECT_EQ(m_state->keyScans->at(2).entry.stamp, at(50));
+    EXPECT_EQ(m_told, "");
+}
+
+TEST_F(SharedIntakeTest, AnotherMapIsToldOnceAndNothingOfItIsTaken) {
+    begin();
+    hear(keyScan(1));
+    hear(keyScan(2));
+    (void)entered();
+    hear(poses({1, 2}, 7.0), Third);
+    hear(keyScan(5, 70), Third);  // not yet to be told
+    hear(keyScan(1, 66), Third);
+    EXPECT_THAT(m_told, HasSubstr("another map"));
+    m_told.clear();
+    hear(keyScan(2, 67), Third);
+    hear(keyScan(6, 71), Third);
+    hear(poses({1, 2}, 7.0), Third);
+    hear(crawlerAt(0.5), station_topic::RobotPlaces, Third);
+    VictimSample victim;
+    victim.stamp = at(80);
+    victim.number = 1;
+    hear(victim, station_topic::Victims, Third);
+    heartbeat(61s);
+    EXPECT_THAT(entered(), IsEmpty());
+    EXPECT_EQ(m_told, "");
+    hear(poses({1}, 2.0));
+    EXPECT_THAT(entered(), ElementsAre("poses of 1")) << "that of the station that makes ours goes on";
+}
+
+TEST_F(SharedIntakeTest, TheStationThatMakesTheMapHearsNobodyElses) {
+    begin();
+    m_holdsMap = true;
+    hear(keyScan(1));
+    hear(poses({1}));
+    hear(crawlerAt(0.5), station_topic::RobotPlaces);
+    EXPECT_THAT(entered(), IsEmpty());
+    VictimSample victim;
+    victim.stamp = at(80);
+    victim.number = 1;
+    hear(victim, station_topic::Victims);
+    EXPECT_THAT(entered(), ElementsAre("victim")) << "finds are everybody's";
+}
+
+TEST_F(SharedIntakeTest, AScanThatComesBeforeAnyTellsWhoseMapItIsWaits) {
+    begin();
+    hear(keyScan(1));
+    begin();  // after a restart
+    (void)entered();
+    hear(keyScan(1001), Third);  // its newest overtakes what it tells of the rest
+    hear(poses({1001}, 4.0), Third);
+    EXPECT_THAT(entered(), IsEmpty());
+    hear(keyScan(1), Third);
+    EXPECT_THAT(entered(), ElementsAre("scan 1001", "poses of 1"));
+    EXPECT_TRUE(m_intake->isAdopted(1001));
+    hear(keyScan(1001), Third);
+    EXPECT_THAT(entered(), IsEmpty());
+}
+
+TEST_F(SharedIntakeTest, WhatWaitedIsNotTakenByWhoMakesTheMapByThen) {
+    begin();
+    hear(keyScan(1));
+    hear(poses({1, 9}, 3.0));
+    m_holdsMap = true;
+    heartbeat(61s);
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
+}
+
+TEST_F(SharedIntakeTest, OwnWordsAreLeftOutAndNonsenseIsKeptForTheLog) {
+    begin();
+    hear(keyScan(1), Me);
+    EXPECT_THAT(entered(), IsEmpty());
+    RawEvent event;
+    event.topic = station_topic::ScanPoses;
+    event.type = "leitstand_msgs/msg/ScanPoses";
+    event.cdr = std::make_shared<const std::vector<std::byte>>(3);
+    m_intake->take(event, Other, m_now);
+    EXPECT_THAT(entered(), ElementsAre("broken"));
+    for (int i = 0; i < 1000; ++i) {  // whoever they are
+        Sender crowd;
+        crowd.bytes[0] = static_cast<std::uint8_t>(i);
+        crowd.bytes[1] = static_cast<std::uint8_t>(i / 256);
+        hear(poses({static_cast<std::uint64_t>(i) + 1}), crowd);
+    }
+    EXPECT_THAT(entered(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace leitstand::test

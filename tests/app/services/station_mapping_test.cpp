@@ -1,0 +1,329 @@
+#include "app/services/station/station_mapping.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/services/log/live_mission.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/places/mission_map.h"
+#include "tests/support/rooms.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+RobotDescription kurt() {
+    RobotDescription robot;
+    robot.name = "kurt3d";
+    robot.baseFrame = "base_link";
+    robot.odomFrame = "odom";
+    robot.sensors["laser"].sensorInBase = poseFrom({0, 0, 0.9}, 0, 0, 0);
+    StreamDescription points;
+    points.topic = "/kurt3d/points";
+    robot.streams.push_back(points);
+    return robot;
+}
+
+/// A station's mapping with its log, and a robot that drives through the furnished room.
+class StationMappingTest : public testing::Test {
+protected:
+    void begin() {
+        LiveMissionSettings settings;
+        settings.folder = m_folder / "mission";
+        settings.robots = {kurt()};
+        settings.station = "us";
+        LiveMissionListener listener;
+        listener.onEvent = [this](const Event& event) {
+            if (StationMapping* const mapping = m_hears) mapping->take(event);
+        };
+        auto earlier = keyScansOf(settings.folder);
+        auto mission = LiveMission::open(settings, std::move(listener));
+        ASSERT_TRUE(mission.ok()) << mission.error().text;
+        m_mission = std::move(mission).value();
+        StationMappingListener told;
+        told.onMessage = [this](const std::string& text) {
+            const std::scoped_lock lock(m_mutex);
+            m_words += text + "\n";
+        };
+        told.onScans = [this](const LiveMapPtr& map) { m_shown = map->scans.size(); };
+        m_mapping = std::make_unique<StationMapping>(
+            *m_mission, [this] { return m_granted.load(); },
+            StationMappingSetup{settings.robots, settings.station, {}, std::move(earlier)}, std::move(told));
+        m_hears = m_mapping.get();
+    }
+    void end() {
+        m_mapping->end();
+        m_hears = nullptr;
+        m_mission.reset();
+        m_mapping.reset();
+    }
+    void TearDown() override {
+        if (m_mapping) end();
+    }
+
+    void say(Sample sample, StreamRole role) {
+        Event event;
+        event.received = m_time;
+        event.robot = "kurt3d";
+        event.role = role;
+        event.topic = role == StreamRole::Points ? "/kurt3d/points" : "/kurt3d/odom";
+        event.sensor = role == StreamRole::Points ? "laser" : "";
+        event.sample = std::move(sample);
+        m_mapping->take(event);
+    }
+    void odometry(const Pose& baseInOdom) {
+        OdometrySample sample;
+        sample.header = {m_time, "kurt3d/odom"};
+        sample.childFrame = "kurt3d/base_link";
+        sample.baseInOdom = baseInOdom;
+        say(sample, StreamRole::Odometry);
+    }
+    /// The robot drives on by 0.4 m and looks around; @p slip: its odometry is wrong by that.
+    void scan(const Pose& slip = Pose::Identity()) {
+        const Pose before = m_slip;
+        for (int i = 0; i < 20; ++i) {
+            m_time += 100ms;
+            m_slip = before * interpolated(Pose::Identity(), slip, (i + 1) / 20.0);
+            odometry(basePose(m_way + 0.4 * (i + 1) / 20.0) * m_slip);
+        }
+        m_way += 0.4;
+        RoomSettings room;
+        room.sensorInRoom = basePose(m_way) * poseFrom({0, 0, 0.9}, 0, 0, 0);
+        room.sweep = Sweep::Yawing;
+        room.rows = 121;
+        room.columns = 81;
+        room.seed = ++m_seed;
+        CloudSample cloud;
+        cloud.header = {m_time, "kurt3d/laser"};
+        for (const Eigen::Vector3f& point : scanRoom(room).scan.points) {
+            if (point.allFinite()) cloud.points.push_back(point);
+        }
+        say(std::move(cloud), StreamRole::Points);
+    }
+    [[nodiscard]] static Pose basePose(double way) { return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0); }
+
+    [[nodiscard]] bool scans(std::size_t count) {
+        return waitUntil([&] { return m_mapping->scans()->scans.size() >= count && logged() >= count; }, 60s);
+    }
+    [[nodiscard]] std::size_t logged() const { return m_mission->state()->keyScans->size(); }
+    [[nodiscard]] ScanTrust trust(std::uint64_t id) const {
+        return m_mapping->scans()->scans.at(id - 1).pose.trust;
+    }
+    [[nodiscard]] ScanTrust trustInLog(std::uint64_t id) const {
+        return m_mission->state()->keyScans->at(id).pose.trust;
+    }
+    [[nodiscard]] bool becomes(std::uint64_t id, ScanTrust wanted) const {
+        return waitUntil([&] { return trust(id) == wanted && trustInLog(id) == wanted; }, 60s);
+    }
+    [[nodiscard]] std::string words() {
+        const std::scoped_lock lock(m_mutex);
+        return m_words;
+    }
+
+    const TemporaryFolder m_folder;
+    std::atomic<bool> m_granted = true;
+    std::atomic<std::size_t> m_shown = 0;
+    std::mutex m_mutex;
+    std::string m_words;
+    Time m_time = Time(1'700'000'000s);
+    Pose m_slip = Pose::Identity();
+    double m_way = 0.0;
+    unsigned m_seed = 0;
+    std::unique_ptr<LiveMission> m_mission;
+    std::unique_ptr<StationMapping> m_mapping;
+    std::atomic<StationMapping*> m_hears = nullptr;  ///< the same, for the thread of the log
+};
+
+TEST_F(StationMappingTest, DecisionsAreInTheLogAndCanBeTakenBackAndDoneAgain) {
+    begin();
+    for (int i = 0; i < 3; ++i) scan();
+    ASSERT_TRUE(scans(3)) << words();
+    EXPECT_EQ(trust(3), ScanTrust::Certain);
+    ASSERT_TRUE(m_mapping->reject(2).ok());
+    ASSERT_TRUE(becomes(2, ScanTrust::SetAside));
+    ASSERT_TRUE(m_mapping->rewind(Time{}).ok());
+    ASSERT_TRUE(becomes(1, ScanTrust::SetAside));
+    // Two at once: the second waits for the first.
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(becomes(2, ScanTrust::Certain)) << words();
+    EXPECT_TRUE(becomes(1, ScanTrust::Certain));
+    EXPECT_TRUE(waitUntil([&] { return !m_mapping->undo().ok(); })) << "nothing is left";
+    ASSERT_TRUE(m_mapping->redo().ok());
+    ASSERT_TRUE(becomes(2, ScanTrust::SetAside));
+    EXPECT_EQ(trust(1), ScanTrust::Certain);
+    ASSERT_TRUE(m_mapping->accept(2).ok());
+    ASSERT_TRUE(becomes(2, ScanTrust::Certain));
+    EXPECT_TRUE(waitUntil([&] { return !m_mapping->redo().ok(); })) << "something was decided since";
+    scan();
+    ASSERT_TRUE(scans(4));
+    EXPECT_EQ(trust(4), ScanTrust::Certain) << "the robot goes on";
+}
+
+TEST_F(StationMappingTest, AScanThatDoesNotFitIsTriedAgain) {
+    begin();
+    for (int i = 0; i < 2; ++i) scan();
+    scan(poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25)));
+    ASSERT_TRUE(scans(3)) << words();
+    EXPECT_EQ(trust(3), ScanTrust::Uncertain);
+    EXPECT_FALSE(m_mapping->robots()->front().certain);
+    EXPECT_THAT(m_mapping->robots()->front().how, testing::Not(testing::IsEmpty()));
+    RetrySettings settings;
+    const LiveKeyScan first = m_mapping->scans()->scans.front();
+    settings.guessInMap = first.pose.scanInMap * poseFrom({0.7, 0.1, 0}, 0, 0, 0);
+    ASSERT_TRUE(m_mapping->retry(3, settings).ok());
+    ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
+    EXPECT_TRUE(waitUntil([&] { return m_mapping->robots()->front().certain; }));
+}
+
+TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {
+    begin();
+    for (std::size_t i = 1; i <= 2; ++i) {
+        scan();
+        ASSERT_TRUE(scans(i)) << words();
+    }
+    scan(poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25)));
+    ASSERT_TRUE(scans(3)) << words();
+    for (int i = 0; i < 10; ++i) {
+        m_time += 50ms;
+        odometry(basePose(m_way + 0.03 * (i + 1)) * m_slip);
+    }
+    const auto tip = [&] { return m_mapping->robots()->front().trail->back().inMap; };
+    const auto here = [&] { return m_mapping->robots()->front(); };
+    ASSERT_TRUE(waitUntil([&] { return here().stamp == m_time; }, 60s));
+    const Eigen::Vector3f wrong = tip();
+    EXPECT_LT((wrong - here().baseInMap.translation().cast<float>()).norm(), 0.11F);
+    RetrySettings settings;
+    const LiveKeyScan first = m_mapping->scans()->scans.front();
+    settings.guessInMap = first.pose.scanInMap * poseFrom({0.7, 0.1, 0}, 0, 0, 0);
+    ASSERT_TRUE(m_mapping->retry(3, settings).ok());
+    ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
+    EXPECT_TRUE(waitUntil([&] {
+        return (tip() - here().baseInMap.translation().cast<float>()).norm() < 0.11F;
+    })) << "its end goes along with the robot";
+    EXPECT_GT((tip() - wrong).norm(), 0.3F);
+}
+
+TEST_F(StationMappingTest, OnlyTheHolderOfTheGrantDecidesAndScansWaitForIt) {
+    m_granted = false;
+    begin();
+    scan();
+    scan();
+    EXPECT_THAT(m_mapping->reject(1).error().text, HasSubstr("another station"));
+    EXPECT_THAT(m_mapping->undo().error().text, HasSubstr("another station"));
+    EXPECT_TRUE(m_mapping->scans()->scans.empty());
+    m_granted = true;
+    scan();
+    ASSERT_TRUE(scans(3)) << "those of the last seconds entered too; " << words();
+    EXPECT_THAT(m_mapping->reject(17).error().text, HasSubstr("key scan 17"));
+    EXPECT_THAT(m_mapping->rewind(stationTime() + 1h).error().text, HasSubstr("rewind"));
+    // At once, or in words when what the scans said has come back.
+    const auto undone = m_mapping->undo();
+    EXPECT_TRUE(!undone.ok() ||
+                waitUntil([&] { return words().find("nothing to be taken back") != std::string::npos; }, 60s))
+        << words();
+}
+
+TEST_F(StationMappingTest, RobotsAreWhereTheirOdometryCarriesThemFromTheirNewestScan) {
+    begin();
+    EXPECT_FALSE(m_mapping->robots()->at(0).placed);
+    for (std::size_t i = 1; i <= 3; ++i) {
+        scan();
+        ASSERT_TRUE(scans(i)) << words();
+    }
+    for (int i = 0; i < 10; ++i) {
+        m_time += 50ms;
+        odometry(basePose(m_way + 0.03 * (i + 1)) * m_slip);
+    }
+    const auto here = [&] { return m_mapping->robots()->front(); };
+    // The map begins at the first scan: the scanner over the robot, 1.4 m into the room.
+    ASSERT_TRUE(waitUntil([&] { return here().stamp == m_time && here().certain; }, 60s));
+    EXPECT_TRUE(here().placed);
+    EXPECT_LT((here().baseInMap.translation() - Eigen::Vector3d(1.1, 0, -0.9)).norm(), 0.03);
+    EXPECT_GT(here().certainty, 0.5);
+    EXPECT_GE(here().trail->size(), 6u);
+    EXPECT_LT((here().trail->back().inMap - here().baseInMap.translation().cast<float>()).norm(), 0.11f);
+}
+
+TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
+    begin();
+    scan();
+    ASSERT_TRUE(scans(1)) << words();
+    const auto farthestAhead = [&](std::size_t at) {
+        const LiveKeyScan one = m_mapping->scans()->scans.at(at);
+        double x = -100.0;
+        for (const Eigen::Vector3f& point : one.scan->points) {
+            if (point.allFinite()) x = std::max(x, (one.pose.scanInMap * point.cast<double>()).x());
+        }
+        return x;
+    };
+    const auto crop = [&] { return m_mapping->crop(); };
+    const auto inLog = [&](std::size_t corners) {
+        return waitUntil([&] {
+            const auto said = m_mission->state()->crop;
+            return (said ? said->sample.polygon.size() : 0) == corners && crop().polygon.size() == corners;
+        });
+    };
+    EXPECT_GT(farthestAhead(0), 1.5);
+    EXPECT_TRUE(crop().open());
+    MapCrop area;
+    area.polygon = {{0.0, 0.0}, {1.0, 0.0}};
+    EXPECT_FALSE(m_mapping->setCrop(area).ok()) << "two corners are no area";
+    EXPECT_TRUE(crop().open());
+    area.polygon = {{-10.0, -10.0}, {1.2, -10.0}, {1.2, 10.0}, {-10.0, 10.0}};
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    area.ceiling = 0.5;
+    ASSERT_TRUE(m_mapping->setCrop(area).ok());
+    ASSERT_TRUE(inLog(4));
+    ASSERT_TRUE(waitUntil([&] { return farthestAhead(0) < 1.2 + 1e-6; })) << "also what is in the map";
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(waitUntil([&] { return !(crop().ceiling < 1e9); })) << "as it was before";
+    EXPECT_TRUE(inLog(4));
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(inLog(0));
+    ASSERT_TRUE(waitUntil([&] { return farthestAhead(0) > 1.5; })) << "it is back";
+    EXPECT_FALSE(m_mapping->undoable().has_value());
+    EXPECT_EQ(m_mapping->redoable()->kind, MapDecision::Kind::Crop);
+    ASSERT_TRUE(m_mapping->redo().ok());
+    ASSERT_TRUE(inLog(4));
+    end();
+    begin();
+    EXPECT_EQ(crop().polygon, area.polygon) << "also after a restart";
+    EXPECT_FALSE(crop().ceiling < 1e9);
+    EXPECT_LT(farthestAhead(0), 1.2 + 1e-6);
+    scan();
+    ASSERT_TRUE(scans(2)) << words();
+    EXPECT_LT(farthestAhead(1), 1.2 + 1e-6) << "what is outside stays out";
+    ASSERT_TRUE(m_mapping->undo().ok()) << "also what was decided before";
+    EXPECT_TRUE(inLog(0));
+}
+
+TEST_F(StationMappingTest, AStationThatStartsAgainHasTheMapTheRobotsAndWhatWasTakenBack) {
+    begin();
+    for (int i = 0; i < 3; ++i) scan();
+    ASSERT_TRUE(scans(3)) << words();
+    ASSERT_TRUE(m_mapping->reject(3).ok());
+    ASSERT_TRUE(becomes(3, ScanTrust::SetAside));
+    end();
+    m_shown = 0;
+    begin();
+    EXPECT_EQ(m_shown, 3u);
+    EXPECT_EQ(trust(3), ScanTrust::SetAside);
+    EXPECT_TRUE(m_mapping->robots()->front().placed) << "where it was seen last";
+    ASSERT_TRUE(m_mapping->undo().ok()) << "also what was decided before";
+    EXPECT_TRUE(becomes(3, ScanTrust::Certain));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,288 @@
+#include "core/station/alarms/alarm_rules.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/station/alarms/logged_alarm.h"
+#include "tests/core/robot/control_scene.h"
+
+namespace leitstand::test {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+/// A robot about which nothing is to be told.
+struct Calm {
+    Calm() {
+        description.name = "kurt3d";
+        description.title = "Kurt3D";
+        description.maxRoll = description.maxPitch = degrees(25);
+        view.link.state = LinkState::Connected;
+        view.grant.mine = true;
+        view.cameras = {{"left", {0.1, 0.1}}};
+        tilt(degrees(3), degrees(-5));
+        BatterySample battery;
+        battery.fraction = 0.7;
+        battery.capacity = 10.0;
+        battery.current = -7.0;
+        said.battery = Latest<BatterySample>{1, wallAt(-500), battery};
+        GasSample gas;
+        gas.ppm = 640.0;
+        said.gas = Latest<GasSample>{1, wallAt(-500), gas};
+        said.diagnostics = Latest<DiagnosticsSample>{1, wallAt(-500), {}};
+        said.diagnostics->sample.statuses.push_back(
+            {DiagnosticStatus::Level::Warning, "motor_driver", "warm", "kurt3d", {}});
+        view.link.clock = ClockStatus{.ahead = milliseconds(900), .uncertainty = milliseconds(20)};
+    }
+    void tilt(double roll, double pitch) {
+        OdometrySample odometry;
+        odometry.baseInOdom = poseFrom({1, 2, 0}, roll, pitch, 0.7);
+        said.odometry = Latest<OdometrySample>{1, wallAt(-20), odometry};
+    }
+    BatterySample& battery() { return said.battery->sample; }
+    [[nodiscard]] std::vector<AlarmCause> causes(const AlarmBook& book = AlarmBook()) const {
+        return alarmsOf({description, view, said, bumpAge, "front_left"}, book, wallAt(0));
+    }
+
+    RobotDescription description;
+    RobotView view;
+    RobotState said;
+    std::optional<double> bumpAge;
+};
+
+struct Case {
+    const char* what;
+    std::function<void(Calm&)> change;
+    const char* key;  ///< null: nothing is told
+    AlarmSeverity severity = AlarmSeverity::Attention;
+    const char* text = "";
+};
+
+void PrintTo(const Case& one, std::ostream* out) {
+    *out << one.what;
+}
+
+class AlarmRule : public testing::TestWithParam<Case> {};
+
+TEST_P(AlarmRule, IsToldSo) {
+    Calm robot;
+    GetParam().change(robot);
+    const auto causes = robot.causes();
+    if (GetParam().key == nullptr) {
+        EXPECT_TRUE(causes.empty()) << causes.front().text;
+        return;
+    }
+    ASSERT_EQ(causes.size(), 1u);
+    EXPECT_EQ(causes[0].id.key, GetParam().key);
+    EXPECT_EQ(causes[0].id.robot, "kurt3d");
+    EXPECT_EQ(causes[0].severity, GetParam().severity);
+    EXPECT_THAT(causes[0].text, testing::HasSubstr("Kurt3D: "));
+    EXPECT_THAT(causes[0].text, testing::HasSubstr(GetParam().text));
+}
+
+/// Half of the last digit that is written.
+double roundingOf(const AlarmCause& cause) {
+    if (cause.id.key == alarm_key::Attitude || cause.note == "share") return 0.005;
+    if (cause.id.key == alarm_key::RollOver) return degrees(0.5);
+    return cause.id.key == alarm_key::ClockOffset ? 0.05 : 0.5;
+}
+
+TEST_P(AlarmRule, IsReadAgainFromTheLog) {
+    for (const char* title : {"Kurt3D", "", "Kurt: 3D", "link", "CO2 7 ppm: link lost, silent for 7 s"}) {
+        Calm robot;
+        robot.description.title = title;
+        GetParam().change(robot);
+        for (const AlarmCause& cause : robot.causes()) {
+            AlarmSample said;
+            said.robot = cause.id.robot;
+            said.key = logKey(cause.id);
+            said.severity = cause.severity == AlarmSeverity::Act ? AlarmSample::Severity::Critical
+                                                                 : AlarmSample::Severity::Warning;
+            said.text = cause.text;
+            const AlarmCause read = loggedCause(said);
+            EXPECT_EQ(read.id, cause.id);
+            EXPECT_EQ(read.severity, cause.severity);
+            EXPECT_EQ(read.text, cause.text);
+            EXPECT_EQ(read.note, cause.note) << cause.text;
+            ASSERT_EQ(std::isnan(read.value), std::isnan(cause.value)) << cause.text;
+            if (!std::isnan(cause.value)) {
+                EXPECT_NEAR(read.value, cause.value, roundingOf(cause) + 1e-9) << cause.text;
+            }
+        }
+    }
+}
+
+constexpr auto Act = AlarmSeverity::Act;
+constexpr auto Look = AlarmSeverity::Attention;
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, AlarmRule,
+    testing::Values(
+        Case{"calm", [](Calm&) {}, nullptr},
+        Case{"roll near its limit", [](Calm& r) { r.tilt(degrees(18), 0); }, alarm_key::Attitude, Look,
+             "roll 18, pitch 0 degrees: 72 %"},
+        Case{"pitch at its limit", [](Calm& r) { r.tilt(0, degrees(-23)); }, alarm_key::Attitude, Act,
+             "92 %"},
+        Case{"no limits known",
+             [](Calm& r) {
+                 r.description.maxRoll = r.description.maxPitch = 0;
+                 r.tilt(degrees(40), 0);
+             },
+             nullptr},
+        Case{"on its side", [](Calm& r) { r.tilt(degrees(85), 0); }, alarm_key::RollOver, Act, "85 degrees"},
+        Case{"on its back", [](Calm& r) { r.tilt(degrees(180), 0); }, alarm_key::RollOver, Act},
+        Case{"attitude of long ago",
+             [](Calm& r) {
+                 r.tilt(degrees(85), 0);
+                 r.said.odometry->received = wallAt(-1'500);
+             },
+             nullptr},
+        Case{"link lost",
+             [](Calm& r) {
+                 r.view.link.state = LinkState::Lost;
+                 r.view.link.silence = 4.2;
+                 r.tilt(degrees(24), 0);  // of then
+             },
+             alarm_key::LinkLost, Act, "silent for 4 s"},
+        Case{"never seen", [](Calm& r) { r.view.link.state = LinkState::NeverSeen; }, nullptr},
+        Case{"link degraded",
+             [](Calm& r) {
+                 r.view.link.state = LinkState::Degraded;
+                 r.view.link.reasons = {{.kind = LinkReason::Kind::Slow, .value = 0.38}};
+             },
+             alarm_key::LinkDegraded, Look, "round trip 380 ms"},
+        Case{"minutes left", [](Calm& r) { r.battery().current = -60.0; }, alarm_key::Battery, Look,
+             "7 min left"},
+        Case{"hardly any minutes left", [](Calm& r) { r.battery().current = -200.0; }, alarm_key::Battery,
+             Act},
+        Case{"little charge, load unknown",
+             [](Calm& r) {
+                 r.battery().current = Unknown;
+                 r.battery().fraction = 0.18;
+             },
+             alarm_key::Battery, Look, "battery 18 %"},
+        Case{"no charge",
+             [](Calm& r) {
+                 r.battery().current = -0.1;
+                 r.battery().fraction = 0.05;
+             },
+             alarm_key::Battery, Act},
+        Case{"charging",
+             [](Calm& r) {
+                 r.battery().fraction = 0.05;
+                 r.battery().status = BatterySample::Status::Charging;
+             },
+             nullptr},
+        Case{"nothing known of the battery", [](Calm& r) { r.battery() = {}; }, nullptr},
+        Case{"breath", [](Calm& r) { r.said.gas->sample.ppm = 2'100; }, alarm_key::Gas, Look, "2100 ppm"},
+        Case{"a broken sensor", [](Calm& r) { r.said.gas->sample.ppm = Unknown; }, nullptr},
+        Case{"a bump", [](Calm& r) { r.bumpAge = 0.4; }, alarm_key::Bump, Look, "front_left"},
+        Case{"a bump of before", [](Calm& r) { r.bumpAge = 3.4; }, nullptr},
+        Case{"a part in error",
+             [](Calm& r) { r.said.diagnostics->sample.statuses[0].level = DiagnosticStatus::Level::Error; },
+             alarm_key::Diagnostics, Act, "motor_driver: warm"},
+        Case{"a frozen picture",
+             [](Calm& r) {
+                 r.view.cameras[0].age = {0.1, 2.5};
+             },
+             alarm_key::FrozenPicture, Look, "left"},
+        Case{"no more pictures",
+             [](Calm& r) {
+                 r.view.cameras[0].age = {9.0, 9.0};
+             },
+             nullptr},
+        Case{"a stop just sent",
+             [](Calm& r) {
+                 r.view.stop.sent = true;
+                 r.view.stop.unanswered = milliseconds(1'900);
+             },
+             nullptr},
+        Case{"a stop without an answer",
+             [](Calm& r) {
+                 r.view.stop.sent = true;
+                 r.view.stop.unanswered = milliseconds(2'100);
+             },
+             alarm_key::StopUnanswered, Act},
+        Case{"a stop that the robot cannot answer",
+             [](Calm& r) {
+                 r.view.stop.supported = false;
+                 r.view.stop.sent = true;
+                 r.view.stop.unanswered = seconds(9);
+             },
+             nullptr},
+        Case{"a lost grant",
+             [](Calm& r) {
+                 r.view.grant = {};
+                 r.view.grant.lostTo = "b";
+                 r.view.grant.holderTitle = "Van";
+             },
+             alarm_key::GrantLost, Look, "Van"},
+        Case{"a clock ahead", [](Calm& r) { r.view.link.clock->ahead = seconds(3); }, alarm_key::ClockOffset,
+             Look, "3.0 s ahead of"},
+        Case{"a clock behind", [](Calm& r) { r.view.link.clock->ahead = -seconds(9); },
+             alarm_key::ClockOffset, Look, "9.0 s behind"},
+        Case{"a clock by which a robot drops commands",
+             [](Calm& r) { r.view.link.clock->ahead = -milliseconds(1'020); }, alarm_key::ClockOffset, Look,
+             "1.0 s behind"},
+        Case{"a clock that is not known well",
+             [](Calm& r) {
+                 r.view.link.clock->ahead = seconds(3);
+                 r.view.link.clock->uncertainty = milliseconds(2'100);
+             },
+             nullptr}));
+
+TEST(AlarmRules, WhatStandsTakesMoreToEndThanItTookToBegin) {
+    Calm robot;
+    AlarmBook book;
+    const auto tellFor = [&](double value) {
+        robot.said.gas->sample.ppm = value;
+        const auto causes = robot.causes(book);
+        book.update(causes, wallAt(0));
+        book.update(causes, wallAt(1'000));
+        return !causes.empty();
+    };
+    EXPECT_FALSE(tellFor(1'950));
+    EXPECT_TRUE(tellFor(2'010));
+    EXPECT_TRUE(tellFor(1'950)) << "it hovers about its limit";
+    EXPECT_TRUE(tellFor(1'710));
+    EXPECT_FALSE(tellFor(1'690));
+
+    // Attitude comes down from "act" to "look" to nothing.
+    Calm tilted;
+    AlarmBook other;
+    const auto severityAt = [&](double roll) -> std::optional<AlarmSeverity> {
+        tilted.tilt(degrees(roll), 0);
+        const auto causes = tilted.causes(other);
+        other.update(causes, wallAt(0));
+        other.update(causes, wallAt(1'000));
+        return causes.empty() ? std::nullopt : std::optional(causes[0].severity);
+    };
+    EXPECT_EQ(severityAt(23), Act);
+    EXPECT_EQ(severityAt(20), Act);
+    EXPECT_EQ(severityAt(18.5), Look);
+    EXPECT_EQ(severityAt(16), Look);
+    EXPECT_EQ(severityAt(14), std::nullopt);
+
+    Calm low;
+    AlarmBook third;
+    low.battery().current = Unknown;
+    const auto tellCharge = [&](double share) {
+        low.battery().fraction = share;
+        const auto causes = low.causes(third);
+        third.update(causes, wallAt(0));
+        third.update(causes, wallAt(1'000));
+        return !causes.empty();
+    };
+    EXPECT_TRUE(tellCharge(0.19));
+    EXPECT_TRUE(tellCharge(0.22));
+    EXPECT_FALSE(tellCharge(0.25));
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,97 @@
+#include "core/station/alarms/logged_alarm.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/station/alarms/log_says.h"
+
+namespace leitstand {
+namespace {
+
+using testing::ElementsAre;
+
+AlarmCause read(const std::string& key, const std::string& text) {
+    AlarmSample said;
+    said.robot = "kurt3d";
+    said.key = key;
+    said.text = text;
+    return loggedCause(said);
+}
+
+TEST(LoggedAlarm, FiguresComeFromTheText) {
+    EXPECT_DOUBLE_EQ(read("link_lost", "Kurt3D: link lost, silent for 4 s").value, 4.0);
+    EXPECT_DOUBLE_EQ(read("link_lost", "link lost, silent for 4 s").value, 4.0) << "nobody named";
+    EXPECT_DOUBLE_EQ(read("attitude", "A: roll 18, pitch -3 degrees: 72 % of where it tips over").value,
+                     0.72);
+    EXPECT_DOUBLE_EQ(read("clock_offset", "A: its clock is 9.0 s behind the station's").value, -9.0);
+    EXPECT_DOUBLE_EQ(read("uncertain_scan", "1 uncertain scan to be decided on").value, 1.0);
+    EXPECT_DOUBLE_EQ(read("uncertain_scan", "2 uncertain scans to be decided on").value, 2.0);
+    const AlarmCause minutes = read("battery", "A: battery, 7 min left");
+    EXPECT_DOUBLE_EQ(minutes.value, 7.0);
+    EXPECT_EQ(minutes.note, "minutes");
+}
+
+TEST(LoggedAlarm, WhoItIsOfComesFromTheKey) {
+    EXPECT_EQ(read("bump/front_left", "A: bumped: front_left").id,
+              (AlarmId{"kurt3d", alarm_key::Bump, "front_left"}));
+    EXPECT_EQ(read("diagnostics/drive/left", "A: drive/left: hot").id.detail, "drive/left");
+    EXPECT_EQ(read("", "").id, (AlarmId{"kurt3d", "", ""}));
+    EXPECT_EQ(read("/", "").id, (AlarmId{"kurt3d", "", ""}));
+}
+
+TEST(LoggedAlarm, APartMaySayItsOwnName) {
+    EXPECT_EQ(read("diagnostics/motor", "A: motor: motor: 90 degrees").note, "motor: 90 degrees");
+    EXPECT_EQ(read("diagnostics/motor", "A: something else").note, "");
+}
+
+TEST(LoggedAlarm, WhatCannotBeReadStaysUnknown) {
+    const std::string huge(1'000'000, ':');
+    std::string nearly;
+    for (int i = 0; i < 100'000; ++i) nearly += "CO2 : ";
+    for (const char* key : {"link_lost", "attitude", "roll_over", "battery", "gas", "stop_unanswered",
+                            "frozen_picture/left", "clock_offset", "uncertain_scan", "what_is_this"}) {
+        for (const std::string& text :
+             {std::string(), std::string(": "), std::string("Kurt3D"), huge, nearly + "ppm",
+              std::string("A: link lost, silent for nan s"), std::string("A: link lost, silent for inf s"),
+              std::string("A: CO2  ppm"), std::string("A: battery nan %"), std::string("A: battery")}) {
+            const AlarmCause cause = read(key, text);
+            EXPECT_TRUE(std::isnan(cause.value)) << key << ": " << text.substr(0, 40);
+            EXPECT_EQ(cause.note, "") << key;
+            EXPECT_EQ(cause.text, text);
+        }
+    }
+    for (const char* key : {"link_degraded", "grant_lost"}) EXPECT_EQ(read(key, huge).note, "");
+}
+
+TEST(LoggedAlarm, ThoseOfTheLogAreOfTheStation) {
+    for (const char* key : {"disk_filling", "disk_slow", "disk_full", "events_lost", "log_failed"}) {
+        EXPECT_TRUE(isAlarmOfLog(key));
+        const AlarmCause cause = read(key, "/m/a.db3: disk I/O error");
+        EXPECT_EQ(cause.id, (AlarmId{"", alarm_key::Log, key}));
+        EXPECT_EQ(cause.note, "/m/a.db3: disk I/O error");
+    }
+    EXPECT_FALSE(isAlarmOfLog("link_lost"));
+    EXPECT_FALSE(isAlarmOfLog(""));
+}
+
+TEST(LogSays, NewsAreKnownAgainWithTheirFigures) {
+    for (const char* words : log_says::All) {
+        const std::string said = withValues(words, {"1", "2.5", "3"});
+        EXPECT_STREQ(log_says::newsIn("/a: b/c.db3: " + said).words, words);
+        EXPECT_STREQ(log_says::newsIn(said).words, words);
+    }
+    EXPECT_THAT(log_says::newsIn("/a.db3: the disk is full in 8 minutes at 3.2 MB/s").values,
+                ElementsAre("8", "3.2"));
+}
+
+TEST(LogSays, OthersAreNone) {
+    for (const char* said : {"", "/a.db3", "/a.db3: disk I/O error", "/a.db3: the disk is full",
+                             "/a.db3: the disk is full in nan minutes at 1 MB/s",
+                             "/a.db3: the disk is full in 8 minutes at  MB/s"})
+        EXPECT_EQ(log_says::newsIn(said).words, nullptr) << said;
+}
+
+}  // namespace
+}  // namespace leitstand

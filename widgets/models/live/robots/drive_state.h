@@ -1,0 +1,100 @@
+#pragma once
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "core/mission/state/robot_state.h"
+#include "core/robot/robot_description.h"
+#include "core/station/alarms/alarm_rules.h"
+#include "core/station/robot_figures.h"
+#include "core/station/robot_view.h"
+#include "widgets/models/live/robots/gas_trend.h"
+#include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/live/texts/mode_label.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// A number as a gauge has it.
+struct Figure {
+    QString value;  ///< "0.42"; an en dash where it is not known
+    QString unit;   ///< "m/s"
+    Tone tone = Tone::Normal;
+
+    bool operator==(const Figure&) const = default;
+};
+
+struct AttitudeFigures {
+    bool known = false;                    ///< measured, and lately
+    double roll = 0.0, pitch = 0.0;        ///< right side down, nose down [rad]
+    double maxRoll = 0.0, maxPitch = 0.0;  ///< where the robot tips over; 0: unknown [rad]
+    QString text;                          ///< "roll 6° · pitch -3°", in signs
+    QString limits;                        ///< "tips at 25°"
+    Tone tone = Tone::Normal;              ///< Attention from 70 % of a limit, Act from 90 %
+};
+
+struct BatteryFigures {
+    Figure charge;  ///< as loud as the share or the time left, whichever is worse
+    double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
+    QString left;                                                ///< "38 min at this load"; may be empty
+    QString leftBrief;                                           ///< "38 min", where there is little room
+    Tone leftTone = Tone::Muted;                                 ///< of the time left alone
+};
+
+struct GasFigures {
+    double alarm = 2000.0;  ///< AlarmLimits::gas [ppm]
+    bool fitted = false;    ///< the robot measures it
+    Figure value;
+    QString arrow;                                   ///< rising, falling; may be empty
+    QString caption;                                 ///< "last 2 min · alarm at 2,000"
+    std::vector<std::pair<double, double>> samples;  ///< as of GasTrend
+};
+
+/// Speeds of the chains of a tracked robot, as measured and as commanded.
+struct TrackFigures {
+    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: it has none
+    QString brief;  ///< "0.21 of 0.25 · 0.20 of 0.25 m/s", where there is little room
+    QString note;   ///< "the left chain does not follow"; may be empty
+    Tone tone = Tone::Muted;
+};
+
+struct GrantFigures {
+    enum class Choice {
+        None,
+        Ask,
+        Asked,   ///< waits for the answer
+        GiveUp,  ///< this station has it
+        Answer,  ///< another station asks for it
+    };
+    Choice choice = Choice::None;
+    QString text;
+    Tone tone = Tone::Muted;
+};
+
+/// All that the drive strip shows of the selected robot.
+struct DriveState {
+    RobotFace face;
+    ModeLabel mode;
+    QString hint;  ///< what has to be known or done before it moves
+    Tone hintTone = Tone::Muted;
+    Figure speed, turn, nearest;
+    TrackFigures tracks;
+    AttitudeFigures attitude;
+    BatteryFigures battery;
+    QString link, linkReason;
+    Tone linkTone = Tone::Normal;
+    GasFigures gas;
+    GrantFigures grant;
+};
+
+/// Puts together what the strip shows. @p now: station's clock; @p limits: from where on figures are loud.
+[[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
+                                      const RobotView& robot, const RobotState& said, const GasTrend& gas,
+                                      Time now, const AlarmLimits& limits = {});
+
+[[nodiscard]] GrantFigures grantFiguresOf(const GrantView& grant);
+
+}  // namespace leitstand

@@ -1,0 +1,93 @@
+#include "widgets/models/live/robots/robot_chip.h"
+
+#include <chrono>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "core/station/robot_figures.h"
+#include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/live/texts/link_text.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct ChipTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::RobotChip)
+};
+
+/// @p parts that are not empty, with dots between.
+QString joined(const QStringList& parts) {
+    QStringList full = parts;
+    full.removeAll(QString());
+    return full.join(QStringLiteral(" · "));
+}
+
+/// A battery that was told long ago is not known: a dash.
+QString batteryOf(const RobotState& said, Time now) {
+    if (!said.battery || !std::isfinite(said.battery->sample.fraction)) return {};
+    return isFresh(said.battery, now, BatteryAge) ? percentText(said.battery->sample.fraction)
+                                                  : QStringLiteral("–\u202f%");
+}
+
+/// ... and every word of it.
+QString batteryDetails(const RobotState& said, Time now) {
+    const QString charge = batteryOf(said, now);
+    if (charge.isEmpty()) return charge;
+    if (isFresh(said.battery, now, BatteryAge)) return ChipTexts::tr("battery %1").arg(charge);
+    const double age = std::chrono::duration<double>(now - said.battery->received).count();
+    return ChipTexts::tr("battery %1, %2")
+        .arg(percentText(said.battery->sample.fraction), lossText({.arrival = age}));
+}
+
+/// @p label within a line, with @p name as the name of its mode. That is written as the language writes it:
+/// German has capitals.
+QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said, const QString& name) {
+    const QString large = said ? modeName(said->sample.mode).toUpper() : QString();
+    if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
+    return name + label.text.sliced(large.size()).toLower();
+}
+
+/// What a robot does that nothing is heard of, where there is little room.
+QString briefWithoutWord(LinkState link) {
+    return link == LinkState::Lost ? ChipTexts::tr("lost") : ChipTexts::tr("waits", "for the robot");
+}
+
+}  // namespace
+
+RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said, Time now) {
+    RobotChip chip;
+    chip.face = face;
+    chip.link = robot.link.state;
+    const ModeLabel label = modeLabelOf(robot, said.mode);
+    chip.mode = label.kind;
+    chip.tone = chip.link == LinkState::Lost ? Tone::Attention : Tone::Muted;
+    const std::string known = said.mode ? said.mode->sample.mode : std::string();
+    const QString mode = inALine(label, said.mode, modeName(known)),
+                  brief = inALine(label, said.mode, modeBrief(known)), battery = batteryOf(said, now);
+    const QString reason = worstReasonText(robot.link);
+    const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
+    if (talks) {
+        QString trip = roundTripText(robot.link), loss = lossShareText(robot.link);
+        if (chip.link == LinkState::Degraded && !reason.isEmpty()) trip = reason, loss = QString();
+        const QString lost = loss.startsWith(percentText(0.0)) ? QString() : loss;  // none is no news
+        chip.figures = {joined({trip, loss, battery}), joined({trip, lost, battery}), joined({trip, battery}),
+                        battery};
+    } else if (chip.link == LinkState::Lost) {
+        // The battery of a robot that says nothing is an old one: it goes before how long that is.
+        const QString silence = secondsText(robot.link.silence);
+        chip.figures = {joined({silence, battery}), silence};
+    }
+    chip.figures.removeAll(QString());
+    chip.figures.removeDuplicates();
+    chip.modes = {mode, talks ? brief : briefWithoutWord(chip.link)};
+    chip.modes.removeDuplicates();
+    chip.details = ChipTexts::tr("%1 (%2): %3 · link %4")
+                       .arg(face.title, face.letter, joined({mode, label.reason, batteryDetails(said, now)}),
+                            joined({linkStateText(chip.link), reason, roundTripText(robot.link),
+                                    talks ? lossShareText(robot.link) : QString()}));
+    return chip;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QStringList>
+
+#include "core/mission/state/robot_state.h"
+#include "core/station/robot_view.h"
+#include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/live/texts/mode_label.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// A robot in the bar on top.
+struct RobotChip {
+    RobotFace face;
+    LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
+    ModeKind mode = ModeKind::Stopped;
+    Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark tells of what is less
+    /// Its link and battery, the longest first; each leaves out something more: that nothing is lost, what is
+    /// lost, how slow it is. The battery is in all, and where nothing is heard for how long.
+    QStringList figures;
+    QStringList modes;  ///< what it does, the longest first: "teleoperation", "teleop"
+    QString details;    ///< every word of it, for tooltips and screen readers
+
+    friend bool operator==(const RobotChip&, const RobotChip&) = default;
+};
+
+/// @p now: station's clock.
+[[nodiscard]] RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said,
+                                    Time now);
+
+}  // namespace leitstand

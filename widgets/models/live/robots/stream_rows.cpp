@@ -1,0 +1,41 @@
+#include "widgets/models/live/robots/stream_rows.h"
+
+#include <algorithm>
+
+#include "core/robot/link/hearing.h"
+
+namespace leitstand {
+namespace {
+
+/// "sensor_msgs/msg/PointCloud2" -> "PointCloud2"
+QString shortType(const std::string& type) {
+    return QString::fromStdString(type.substr(type.rfind('/') + 1));
+}
+
+/// Whether a slower or coarser one would still be of use, and the robot can do it.
+bool isSettable(const RobotDescription& robot, StreamRole role) {
+    return comesSteadily(role) && role != StreamRole::Diagnostics &&
+           robot.stream(StreamRole::StreamCommand) != nullptr;
+}
+
+}  // namespace
+
+void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const RobotDescription& robot,
+                      const LinkStatus& link,
+                      const std::function<StreamSetting(const std::string& topic)>& settings) {
+    for (const StreamStatus& stream : link.streams) {
+        const auto described =
+            std::find_if(robot.streams.begin(), robot.streams.end(),
+                         [&](const StreamDescription& one) { return one.topic == stream.topic; });
+        if (described == robot.streams.end()) continue;
+        const StreamSetting setting = settings(stream.topic);
+        rows.push_back({.face = face,
+                        .stream = stream,
+                        .type = shortType(described->type),
+                        .own = setting.own,
+                        .effective = setting.effective,
+                        .settable = isSettable(robot, stream.role)});
+    }
+}
+
+}  // namespace leitstand

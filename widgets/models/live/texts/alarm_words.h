@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "core/base/time.h"
+#include "core/station/alarms/alarm.h"
+#include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/tone.h"
+
+namespace leitstand {
+
+/// What an alarm says, with its numbers: "link lost, silent for 4 s". The robot is not named; in
+/// English, as it was logged, where a log does not tell its numbers.
+[[nodiscard]] QString alarmText(const AlarmCause& cause);
+
+/// How far an alarm is.
+enum class AlarmStage { Standing, Acknowledged, Over };
+
+/// One alarm as it is shown.
+struct AlarmLine {
+    AlarmId id;
+    RobotFace face;  ///< without a letter: of the station
+    AlarmSeverity severity = AlarmSeverity::Attention;
+    AlarmStage stage = AlarmStage::Standing;
+    bool acknowledged = false;
+    QString text;   ///< "link lost, silent for 4 s"
+    QString since;  ///< "12 s"; "over for 3 s"
+    Tone tone = Tone::Normal;
+
+    friend bool operator==(const AlarmLine&, const AlarmLine&) = default;
+};
+
+/// @p faces: of the robots. @p now: station's clock.
+[[nodiscard]] std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms,
+                                                  const std::vector<RobotFace>& faces, Time now);
+
+/// "muted for 48 s"; empty when it is not.
+[[nodiscard]] QString muteText(Time mutedUntil, Time now);
+/// The same where there is little room: "48 s".
+[[nodiscard]] QString muteBrief(Time mutedUntil, Time now);
+
+}  // namespace leitstand

@@ -1,0 +1,98 @@
+#include "widgets/models/live/texts/mode_label.h"
+
+#include <string_view>
+
+#include <QCoreApplication>
+
+#include "core/robot/robot_says.h"
+#include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+struct ModeTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::ModeLabel)
+};
+
+ModeLabel labelOf(const ModeSample& mode) {
+    ModeKind kind = mode.autonomous ? ModeKind::Autonomous : ModeKind::Teleoperation;
+    if (mode.mode == "stopped") kind = ModeKind::Stopped;
+    return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason), modeBrief(mode.mode).toUpper()};
+}
+
+/// Of robots that do not tell their mode.
+ModeLabel labelWithoutWord(const RobotView& robot) {
+    if (robot.drive.driving)
+        return {ModeKind::Teleoperation,
+                ModeTexts::tr("TELEOPERATION"),
+                {},
+                modeBrief("teleoperation").toUpper()};
+    return {ModeKind::Stopped, ModeTexts::tr("MODE UNKNOWN"), ModeTexts::tr("the robot tells none")};
+}
+
+/// @p value of a robot's words: figures as the window's language writes them, modes by their names.
+QString valueText(const robot_says::Part& part) {
+    // By its letters: equal texts of two files may stand at two places.
+    if (part.words == std::string_view(robot_says::CannotBeAskedFor)) return modeName(part.value);
+    return saidFigureText(part.value);
+}
+
+}  // namespace
+
+QString robotSaysText(const std::string& said) {
+    QStringList texts;
+    for (const robot_says::Part& part : robot_says::partsOf(said)) {
+        if (part.words == nullptr) {
+            texts += QString::fromStdString(part.value);
+            continue;
+        }
+        texts += QCoreApplication::translate("leitstand::RobotSays", part.words)
+                     .replace(QStringLiteral("{}"), valueText(part));
+    }
+    return texts.join(QStringLiteral("; "));
+}
+
+QString modeName(const std::string& mode) {
+    if (mode == "stopped") return ModeTexts::tr("stopped");
+    if (mode == "teleoperation") return ModeTexts::tr("teleoperation");
+    if (mode == "safe_teleoperation") return ModeTexts::tr("safe teleoperation");
+    if (mode == "explore") return ModeTexts::tr("explore");
+    if (mode == "victim_approach") return ModeTexts::tr("victim approach");
+    if (mode == "remote") return ModeTexts::tr("radio remote");
+    return QString::fromStdString(mode).replace(QLatin1Char('_'), QLatin1Char(' ')).simplified();
+}
+
+QString modeBrief(const std::string& mode) {
+    if (mode == "teleoperation") return ModeTexts::tr("teleop");
+    if (mode == "safe_teleoperation") return ModeTexts::tr("safe teleop");
+    if (mode == "victim_approach") return ModeTexts::tr("approach");
+    if (mode == "remote") return ModeTexts::tr("remote");
+    return modeName(mode);
+}
+
+ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said) {
+    switch (robot.link.state) {
+        case LinkState::NeverSeen:
+            return {ModeKind::Stopped, ModeTexts::tr("NOT HEARD YET"), ModeTexts::tr("waits for the robot")};
+        case LinkState::Lost: {
+            const QString silence = secondsText(robot.link.silence);
+            const QString last =
+                said ? ModeTexts::tr("silent for %1 · was in %2").arg(silence, modeName(said->sample.mode))
+                     : ModeTexts::tr("silent for %1").arg(silence);
+            return {ModeKind::Lost, ModeTexts::tr("LINK LOST"), last};
+        }
+        case LinkState::Connected:
+        case LinkState::Degraded:
+            break;
+    }
+    if (robot.stop.sent || robot.stop.stopped) {
+        return {ModeKind::Stop, ModeTexts::tr("STOP"), {}};
+    }
+    ModeLabel label = said && !said->sample.mode.empty() ? labelOf(said->sample) : labelWithoutWord(robot);
+    if (robot.drive.focus && robot.drive.sight.overridden)
+        label.text = label.brief = ModeTexts::tr("%1 · OVERRIDE").arg(label.text);
+    return label;
+}
+
+}  // namespace leitstand

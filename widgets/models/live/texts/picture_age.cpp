@@ -1,0 +1,19 @@
+#include "widgets/models/live/texts/picture_age.h"
+
+#include <chrono>
+
+namespace leitstand {
+
+void PictureAge::arrived(std::uint64_t content, SteadyTime now) {
+    if (m_content != content) m_change = now;
+    m_content = content;
+    m_arrival = now;
+}
+
+DataAge PictureAge::at(SteadyTime now) const {
+    if (!m_content) return {};
+    const auto since = [now](SteadyTime then) { return std::chrono::duration<double>(now - then).count(); };
+    return {.arrival = since(m_arrival), .content = since(m_change)};
+}
+
+}  // namespace leitstand

@@ -1,0 +1,127 @@
+#include "widgets/models/live/texts/stop_line.h"
+
+#include <QCoreApplication>
+
+#include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Unanswered = 0.5;  ///< from then on it is told how long [s]
+
+struct StopTexts {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::StopLine)
+};
+
+StopStage stageOf(const StopStatus& stop) {
+    if (!stop.sent && !stop.stopped) return StopStage::None;
+    if (stop.releasing) return StopStage::Releasing;
+    // Robots that know no stops answer none: their motion alone tells.
+    if (stop.supported && stop.sent && !stop.acknowledged) return StopStage::Sent;
+    if (stop.standingKnown && stop.standing) return StopStage::Standing;
+    return stop.supported ? StopStage::Acknowledged : StopStage::Sent;
+}
+
+QString textOf(StopStage stage, const StopStatus& stop) {
+    switch (stage) {
+        case StopStage::None:
+            return {};
+        case StopStage::Sent: {
+            if (!stop.supported) return StopTexts::tr("held by zeros");
+            const double seconds = std::chrono::duration<double>(stop.unanswered).count();
+            return seconds < Unanswered ? StopTexts::tr("sent")
+                                        : StopTexts::tr("sent · no answer for %1").arg(secondsText(seconds));
+        }
+        case StopStage::Acknowledged:
+            return stop.standingKnown ? StopTexts::tr("acknowledged · moves")
+                                      : StopTexts::tr("acknowledged · motion unknown");
+        case StopStage::Standing:
+            return StopTexts::tr("standing");
+        case StopStage::Releasing:
+            return StopTexts::tr("releasing");
+    }
+    return {};
+}
+
+/// "4.2 s", "1:40": shorter than secondsText().
+QString briefSeconds(double seconds) {
+    constexpr double Few = 9.95, Many = 99.5, Hour = 3600.0;
+    if (seconds < Many) return StopTexts::tr("%1 s").arg(numberText(seconds, seconds < Few ? 1 : 0));
+    if (seconds >= Hour) return StopTexts::tr("> 1 h");
+    const int whole = static_cast<int>(seconds);
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+/// "? 4.2 s": how long nobody answered.
+QString briefSilence(double seconds) {
+    return StopTexts::tr("? %1", "a stop, not answered for 4.2 s").arg(briefSeconds(seconds));
+}
+
+QString briefOf(StopStage stage, const StopStatus& stop) {
+    switch (stage) {
+        case StopStage::None:
+            return {};
+        case StopStage::Sent: {
+            if (!stop.supported) return StopTexts::tr("held", "by zeros");
+            const double seconds = std::chrono::duration<double>(stop.unanswered).count();
+            return seconds < Unanswered ? StopTexts::tr("sent", "where there is little room")
+                                        : briefSilence(seconds);
+        }
+        case StopStage::Acknowledged:
+            return stop.standingKnown ? StopTexts::tr("moves") : StopTexts::tr("moves?");
+        case StopStage::Standing:
+            return StopTexts::tr("stands");
+        case StopStage::Releasing:
+            return StopTexts::tr("release", "is on its way");
+    }
+    return {};
+}
+
+QString detailsOf(const StopStatus& stop, bool mine) {
+    if (!stop.refused.empty())
+        return StopTexts::tr("The release did nothing: %1").arg(QString::fromStdString(stop.refused));
+    if (!stop.supported)
+        return StopTexts::tr("The robot knows no stops: it is held by drive commands of zero.");
+    if (stop.stopped && !stop.sent) {
+        return stop.stoppedBy.empty() ? StopTexts::tr("Stopped by the robot's own button.")
+                                      : StopTexts::tr("Stopped by another station.");
+    }
+    if (!mine) return StopTexts::tr("Only who has the grant to drive can release it.");
+    return {};
+}
+
+}  // namespace
+
+StopLine stopLineOf(const RobotFace& face, const RobotView& robot) {
+    const StopStatus& stop = robot.stop;
+    StopLine line;
+    line.face = face;
+    line.stage = stageOf(stop);
+    if (line.stage == StopStage::None) return line;
+    line.text = textOf(line.stage, stop);
+    line.brief = briefOf(line.stage, stop);
+    line.details = detailsOf(stop, robot.grant.mine);
+    const bool calm = line.stage == StopStage::Standing || line.stage == StopStage::Releasing;
+    line.tone = calm ? Tone::Normal : Tone::Attention;
+    if (line.stage == StopStage::Sent && stop.unanswered > std::chrono::seconds(1)) line.tone = Tone::Act;
+    const bool taken = !stop.sent || stop.acknowledged || !stop.supported;
+    line.releasable = robot.grant.mine && taken && !stop.releasing;
+    return line;
+}
+
+QStringList stopBriefs() {
+    QStringList all;
+    StopStatus stop;
+    for (const bool known : {false, true}) {
+        stop.supported = stop.standingKnown = known;
+        for (const StopStage stage :
+             {StopStage::Sent, StopStage::Acknowledged, StopStage::Standing, StopStage::Releasing})
+            all += briefOf(stage, stop);
+    }
+    for (const double seconds : {8.8, 88.0, 60.0 * 58.0 + 58.0, 1e9}) all += briefSilence(seconds);
+    all.removeDuplicates();
+    return all;
+}
+
+}  // namespace leitstand
