@@ -49,9 +49,10 @@ InformationSums informationSums(const Pairing& pairing, const Pose& pose, const 
     return sums;
 }
 
-/// Mean of j j^T over the pairs within @p maxSquared, see IcpResult::information.
-Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
-                      double maxSquared) {
+}  // namespace
+
+PairInformation informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vector3d& centre,
+                              double maxSquared) {
     const std::size_t pairs = pairing.partners().size();
     std::vector<InformationSums> chunks((pairs + Pairing::Grain - 1) / Pairing::Grain);
     parallelFor(pairs, Pairing::Grain, pairing.threads(), [&](std::size_t first, std::size_t last) {
@@ -63,14 +64,13 @@ Matrix6 informationOf(const Pairing& pairing, const Pose& pose, const Eigen::Vec
         sums.squaredRadii += chunk.squaredRadii;
         sums.count += chunk.count;
     }
-    if (sums.count == 0 || sums.squaredRadii <= 0.0) return Matrix6::Zero();
+    if (sums.count == 0 || sums.squaredRadii <= 0.0) return {};
     const auto n = static_cast<double>(sums.count);
     Vector6 scale = Vector6::Ones();
-    scale.tail<3>() *= 1.0 / std::sqrt(sums.squaredRadii / n);
-    return scale.asDiagonal() * (sums.products / n) * scale.asDiagonal();
+    const double radius = std::sqrt(sums.squaredRadii / n);
+    scale.tail<3>() *= 1.0 / radius;
+    return {scale.asDiagonal() * (sums.products / n) * scale.asDiagonal(), radius};
 }
-
-}  // namespace
 
 void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
     // Where the last step was below the limit, the pairs before it are still those of the pose.
@@ -93,7 +93,8 @@ void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
     result.rms = std::sqrt(squares / static_cast<double>(inliers));
     result.inlierRatio = static_cast<double>(inliers) / points;
     result.overlap = static_cast<double>(overlapping) / points;
-    result.information = informationOf(pairing, result.pose, pairing.sums().sourceMean(), maxSquared);
+    result.information =
+        informationOf(pairing, result.pose, pairing.sums().sourceMean(), maxSquared).information;
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(result.information);
     result.certainty = std::clamp(3.0 * solver.eigenvalues()[0], 0.0, 1.0);
     result.weakest = solver.eigenvectors().col(0);

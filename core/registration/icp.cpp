@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/registration/closed_forms.h"
 #include "core/registration/evaluation.h"
@@ -51,12 +52,16 @@ bool usesNormals(Minimizer minimizer) {
     return minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp;
 }
 
-IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer) {
+IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer,
+                 const GuessTerm* prior) {
     if (usesNormals(minimizer)) {
-        const NormalEquations equations = minimizer == Minimizer::Plane
-                                              ? planeEquations(pairing, pose, sums.sourceMean())
-                                              : gicpEquations(pairing, pose, sums.sourceMean());
-        return {equations.solve(), equations.cost / static_cast<double>(sums.count)};
+        NormalEquations equations = minimizer == Minimizer::Plane
+                                        ? planeEquations(pairing, pose, sums.sourceMean())
+                                        : gicpEquations(pairing, pose, sums.sourceMean());
+        const double cost = equations.cost / static_cast<double>(sums.count);
+        if (prior != nullptr)
+            prior->add(equations, pose, sums.count, minimizer == Minimizer::Plane ? 1.0 : GicpAcrossVariance);
+        return {equations.solve(), cost};
     }
     const Fit fit = closedForm(sums, minimizer);
     const bool usable = fit.outcome == FitOutcome::Ok || fit.outcome == FitOutcome::Mirror;
@@ -70,8 +75,9 @@ bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer mi
 
 /// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
 IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settings, const Progress& progress,
-                 IcpResult& result, const std::function<void()>& report) {
+                 IcpResult& result, GuessTerm* prior, const std::function<void()>& report) {
     PoseHistory history;
+    bool looked = false;
     const double minStep = settings.minStep.value_or(usesNormals(settings.minimizer) ? 1e-4 : 1e-5);
     while (result.iterations < settings.maxIterations) {
         if (progress.cancelled()) return IcpStop::Cancelled;
@@ -83,7 +89,8 @@ IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settin
         if (progress.cancelled()) return IcpStop::Cancelled;
         if (sums.count < 3) return IcpStop::Degenerate;
         const Stopwatch watch(result.times.minimising);
-        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer);
+        if (prior != nullptr && !std::exchange(looked, true)) prior->look(pairing, result.pose, maxDistance);
+        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer, prior);
         if (!step.motion) return IcpStop::Degenerate;
         history.add(result.pose, step.cost);
         const Pose next = orthonormalised(*step.motion * result.pose);
@@ -114,6 +121,8 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         return result;
     }
     Pairing pairing(target, search, source, settings.threads);
+    std::optional<GuessTerm> prior;
+    if (settings.prior && usesNormals(settings.minimizer)) prior.emplace(*settings.prior, guess);
     const auto stages = static_cast<double>(settings.maxDistances.size());
     for (const double maxDistance : settings.maxDistances) {
         const int before = result.iterations;
@@ -125,10 +134,12 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         };
         result.converged = false;
         const Stopwatch watch(result.times.stages.emplace_back(0.0));
-        result.stop = runStage(pairing, maxDistance, settings, progress, result, report);
+        result.stop =
+            runStage(pairing, maxDistance, settings, progress, result, prior ? &*prior : nullptr, report);
         if (result.stop == IcpStop::Converged) result.converged = true;
         if (result.stop != IcpStop::Converged && result.stop != IcpStop::LimitCycle) break;
     }
+    if (prior) result.open = prior->open();
     if (result.stop == IcpStop::Cancelled) return result;
     const Stopwatch watch(result.times.evaluating);
     evaluate(pairing, settings.maxDistances.back(), result);

@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/cloud/scan.h"
 #include "core/cloud/search/search.h"
+#include "core/registration/guess_prior.h"
 
 namespace leitstand {
 
@@ -31,7 +32,8 @@ struct IcpSettings {
                                     ///< Plane and Gicp and 1e-5 for point to point, which creeps
     int maxIterations = 500;        ///< over all stages
     Minimizer minimizer = Minimizer::Gicp;
-    int threads = 0;  ///< 0: one per core
+    int threads = 0;                  ///< 0: one per core
+    std::optional<GuessPrior> prior;  ///< how far the guess may be off; for Plane and Gicp
 };
 
 /// Why the last stage ended.
@@ -61,6 +63,7 @@ struct IcpResult {
     double certainty = 0.0;
     Eigen::Matrix<double, 6, 1> weakest =
         Eigen::Matrix<double, 6, 1>::Zero();  ///< its eigenvector, unit length
+    int open = 0;                             ///< directions in which IcpSettings::prior had a say
     IcpTimes times;
 
     static constexpr double OverlapDistance = 0.10;  ///< [m]

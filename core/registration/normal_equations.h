@@ -26,6 +26,9 @@ struct NormalEquations {
 [[nodiscard]] NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarget,
                                              const Eigen::Vector3d& centre);
 
+/// Of a pair across its surface, where both normals agree, by the weights of gicpEquations().
+inline constexpr double GicpAcrossVariance = 2e-3;
+
 /// Plane to plane (Segal, Haehnel & Thrun 2009): a point is uncertain by 1 along its surface and by 1e-3
 /// across (the paper's epsilon), so the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
 /// normals.

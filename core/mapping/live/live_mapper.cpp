@@ -23,7 +23,9 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
     step.measured = robot.odometryFrame >= 0;
     step.trusted = step.measured && !live.isGuessed() && !robot.lost;
-    step.way = robot.way + std::max(live.way, moved.translation().norm());
+    const double way = std::max(live.way, moved.translation().norm());
+    step.way = robot.way + way;
+    step.openWay = robot.openWay + way;
     step.turn = robot.turn + std::max(live.turn, Eigen::AngleAxisd(moved.linear()).angle());
     return robot.sensorInMap * moved;
 }
@@ -217,6 +219,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.odometry = scan.hasOdometry;
     robot.lost = match.doubts != 0;
     robot.way = robot.lost ? step.way : 0.0;
+    robot.openWay = match.icp.open > 0 ? step.openWay : 0.0;
     robot.turn = robot.lost ? step.turn : 0.0;
     here.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return update;

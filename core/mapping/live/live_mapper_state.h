@@ -28,6 +28,7 @@ struct RobotTrack {
     double certainty = 0.0;            ///< RobotFix::certainty
     std::uint8_t doubts = 0;           ///< of the newest scan
     double way = 0.0, turn = 0.0;      ///< since a scan was certain [m, rad]
+    double openWay = 0.0;              ///< since surfaces held all directions [m]
     Pose keyInMap = Pose::Identity();  ///< newest key scan
     std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
 };

@@ -22,6 +22,11 @@ struct MatchSettings {
     std::vector<double> wide = {1.5, 0.5, 0.25, 0.15};  ///< ... and where odometry is missing or guessed
     int maxIterations = 60;                             ///< a scan, over all stages
     double levelShare = 0.1;  ///< of what gravity says against the match, in roll and pitch; 0: none
+    double openBelow = 0.1;   ///< certainty of a direction below which odometry has a say in it (GuessPrior)
+    double drift = 0.03;      ///< of odometry, as share of the way [m / m] ...
+    double driftAtLeast = 0.004;             ///< ... and whatever the way [m]
+    double turnDrift = 0.03;                 ///< likewise, of the turn [rad / rad] ...
+    double turnDriftAtLeast = degrees(0.3);  ///< ... [rad]
 };
 
 /// When a scan does not fit.
@@ -34,7 +39,9 @@ struct FitSettings {
     double turn = degrees(6);           ///< likewise [rad] ...
     double turnOfTurn = 0.15;           ///< ... [rad / rad] ...
     double turnOfWay = degrees(5);      ///< ... [rad / m]
-    double leastCertainty = 0.02;       ///< IcpResult::certainty
+    double leastCertainty = 0.02;       ///< IcpResult::certainty, where no odometry can do instead
+    double mostDeviation = 0.3;         ///< expected along open directions, of the last metres of way [m]
+    double openWay = 5.0;               ///< so much of it [m]
     int leastPoints = 200;              ///< after reduction
     double leastSeen = degrees(270);    ///< of directions, by a cut-off turn that a map begins with [rad]
 };

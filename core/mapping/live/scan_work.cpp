@@ -45,6 +45,15 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     return selected(scan, kept);
 }
 
+/// How far odometry may be off after @p step.
+GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
+    GuessPrior prior;
+    prior.openBelow = settings.openBelow;
+    prior.deviation.head<3>().setConstant(settings.driftAtLeast + settings.drift * step.way);
+    prior.deviation.tail<3>().setConstant(settings.turnDriftAtLeast + settings.turnDrift * step.turn);
+    return prior;
+}
+
 }  // namespace
 
 Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap, const LiveSettings& settings,
@@ -187,15 +196,19 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     icp.maxIterations = settings.maxIterations;
     icp.threads = 1;
     icp.minStep = 5e-4;
+    if (step.measured) icp.prior = priorOf(step, settings);
     result.icp = align(local.cloud, *local.search, cloud, guess, icp);
     const IcpResult& found = result.icp;
     const bool open = found.stop == IcpStop::Degenerate;
+    // What surfaces leave open, odometry holds for a while.
+    const bool held = !open && step.measured && found.open > 0 &&
+                      settings.drift * std::min(step.openWay, fit.openWay) <= fit.mostDeviation;
     doubtIf(!open && !found.converged, ScanDoubt::Diverged);
     doubtIf(found.overlap < (step.measured ? fit.leastOverlap : fit.leastOverlapUnguided),
             ScanDoubt::Overlap);
     doubtIf(!step.measured && has(result.doubts, ScanDoubt::Overlap), ScanDoubt::Odometry);
     doubtIf(found.rms > fit.mostResidual, ScanDoubt::Residual);
-    doubtIf(open || found.certainty < fit.leastCertainty, ScanDoubt::Certainty);
+    doubtIf(open || (!held && found.certainty < fit.leastCertainty), ScanDoubt::Certainty);
     const double jump = distanceBetween(guess, found.pose), turn = angleBetween(guess, found.pose);
     doubtIf(step.measured && (jump > fit.jump + fit.jumpOfWay * step.way ||
                               turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way),

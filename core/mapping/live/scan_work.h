@@ -60,6 +60,7 @@ struct Step {
     bool measured = false;         ///< by odometry: the match must not jump against it
     bool trusted = false;          ///< so well that the match is looked for nearby
     double way = 0.0, turn = 0.0;  ///< since a scan was certain [m, rad]
+    double openWay = 0.0;          ///< since the surfaces about the robot held all directions [m]
 };
 
 /// Matches @p cloud with @p local, starting at @p guess: by the schedule that the step asks for, and where
