@@ -20,7 +20,8 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     if (robot.placedInMap) return *robot.placedInMap * live.sensorInBase;
     const bool sameFrame = robot.odometryFrame < 0 || robot.odometryFrame == live.odometryFrame;
     if (!scan.hasOdometry || !robot.odometry || !sameFrame) return robot.sensorInMap;
-    const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
+    Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
+    moved.translation() *= robot.scale.factor();
     step.measured = robot.odometryFrame >= 0;
     step.trusted = step.measured && !live.isGuessed() && !robot.lost;
     const double way = std::max(live.way, moved.translation().norm());
@@ -30,23 +31,64 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     return robot.sensorInMap * moved;
 }
 
-const LocalMap& LiveMapper::State::localAt(const Pose& place) {
-    if (localStale || distanceBetween(place, localPlace) > SamePlace) {
+const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& robot) {
+    if (!localStale && localKey == robot.key && distanceBetween(place, localPlace) <= SamePlace) return local;
+    if (robot.key == 0 || robot.placedInMap || !settings.loops.on) {
         local = localMap(map.scans, place, settings.local);
-        localPlace = place;
-        localStale = false;
+    } else {
+        const std::map<std::uint64_t, double> together = loops.sameAge(robot.key);
+        std::vector<LiveKeyScan> scans;
+        for (const LiveKeyScan& scan : map.scans) {
+            if (together.contains(scan.id)) scans.push_back(scan);
+        }
+        local = localMap(scans, place, settings.local);
     }
+    localPlace = place;
+    localKey = robot.key;
+    localStale = false;
     return local;
+}
+
+void LiveMapper::State::closeLoops(MapUpdate& update, RobotTrack& robot, Time now) {
+    const LiveKeyScan key = map.scans.back();
+    std::vector<ScanPose> moved = loops.close(key, map);
+    if (moved.empty()) return;
+    const auto own =
+        std::find_if(moved.begin(), moved.end(), [&](const ScanPose& pose) { return pose.scan == key.id; });
+    const Pose correction =
+        own == moved.end() ? Pose::Identity() : own->scanInMap * key.pose.scanInMap.inverse();
+    for (const ScanPose& pose : moved) {
+        LiveKeyScan* const scan = find(pose.scan);
+        scan->pose = pose;
+        cropped.fit(*scan, clouds);
+    }
+    for (auto& [name, track] : robots) {
+        if (track.key == 0 || &track == &robot) continue;
+        const LiveKeyScan* const newest = find(track.key);
+        if (newest != nullptr) {
+            const Pose moving = newest->pose.scanInMap * track.keyInMap.inverse();
+            track.sensorInMap = moving * track.sensorInMap;
+            track.keyInMap = newest->pose.scanInMap;
+        }
+    }
+    localStale = true;
+    Localisation& here = update.localisation;
+    here.baseInMap = correction * here.baseInMap;
+    here.guessInMap = correction * here.guessInMap;
+    here.odomInMap = correction * here.odomInMap;
+    update.scanInMap = correction * update.scanInMap;
+    robot.keyInMap = correction * robot.keyInMap;
+    update.closure = ScanPosesSample{now, station, ScanPosesSample::Cause::LoopClosure, std::move(moved)};
 }
 
 Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                  const Pose& guess, const Step& step) {
     const auto up = live.levelKnown ? std::optional(live.up) : std::nullopt;
-    Match result = match(cloud, localAt(guess), guess, step, up, settings.match, settings.fit);
+    Match result = match(cloud, localAt(guess, robot), guess, step, up, settings.match, settings.fit);
     if (result.doubts == 0 || robot.odometryFrame >= 0 || robot.placedInMap) return result;
     // The odometry may have begun anew while the station was away.
-    Match second =
-        match(cloud, localAt(robot.sensorInMap), robot.sensorInMap, {}, up, settings.match, settings.fit);
+    Match second = match(cloud, localAt(robot.sensorInMap, robot), robot.sensorInMap, {}, up, settings.match,
+                         settings.fit);
     return second.doubts == 0 ? second : result;
 }
 
@@ -55,8 +97,8 @@ void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, co
                                Match& match) {
     const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot);
     if (!on || match.doubts != 0) return;
-    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, settings, others), localAt(guess),
-                                 match.scanInMap, settings.refinement);
+    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, settings, others),
+                                 localAt(guess, robot), match.scanInMap, settings.refinement);
     if (!drift) return;
     LiveScan straight = live;
     straight.scan = std::make_shared<const Scan>(straightened(*live.scan, *drift));
@@ -155,11 +197,13 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     match.scanInMap = guess;
     double fresh = 1.0;
     std::uint64_t nearest = 0;
+    std::vector<std::uint64_t> against;
     if (!first) {
         match = state.matched(live, robot, ready.reduced, guess, step);
         state.refine(live, robot, guess, step, others, ready, match);
-        const LocalMap& local = state.localAt(match.scanInMap);
+        const LocalMap& local = state.localAt(match.scanInMap, robot);
         fresh = newGround(ready.reduced, local, match.scanInMap, state.settings.keyScans.newGroundFrom);
+        against = local.scans;
         if (!local.scans.empty()) nearest = local.scans.front();
     }
     here.doubts = match.doubts;
@@ -204,8 +248,16 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
+        if (state.settings.loops.on)
+            state.loops.add(key, state.find(robot.key), state.map, against, match, robot.scale.factor());
         state.map.scans.push_back(std::move(key));
         robot.keyInMap = match.scanInMap;
+        robot.key = here.keyScan;
+        if (match.doubts == 0 && state.settings.loops.on) state.closeLoops(update, robot, now);
+    }
+    if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0) {
+        const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
+        robot.scale.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
     }
     robot.known = true;
     robot.placedInMap.reset();
@@ -213,7 +265,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.sensorInBase = live.sensorInBase;
     robot.certainty = first ? 1.0 : certaintyOf(match.icp.overlap, match.icp.certainty);
     robot.doubts = match.doubts;
-    robot.sensorInMap = match.scanInMap;
+    robot.sensorInMap = update.scanInMap;
     robot.sensorInOdom = scan.sensorInOdom;
     robot.odometryFrame = live.odometryFrame;
     robot.odometry = scan.hasOdometry;

@@ -34,6 +34,7 @@ struct Localisation {
 struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
     std::optional<ScanPosesSample> poses;
+    std::optional<ScanPosesSample> closure;  ///< after that: a loop closed
     Localisation localisation;
     ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null where it was not looked at ...
     Pose scanInMap = Pose::Identity();  ///< ... and where it was taken

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/loop_closer.h"
 #include "core/mapping/live/map/cropped_scans.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
+#include "core/mapping/motion/odometry_scale.h"
 
 namespace leitstand {
 
@@ -29,19 +31,27 @@ struct RobotTrack {
     std::uint8_t doubts = 0;           ///< of the newest scan
     double way = 0.0, turn = 0.0;      ///< since a scan was certain [m, rad]
     double openWay = 0.0;              ///< since surfaces held all directions [m]
+    OdometryScale scale;               ///< of the odometry's way
     Pose keyInMap = Pose::Identity();  ///< newest key scan
+    std::uint64_t key = 0;             ///< its id; 0: none of this run
     std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
 };
 
 /// Insides of LiveMapper.
 struct LiveMapper::State {
     State(std::string name, LiveSettings chosen)
-        : station(std::move(name)), settings(std::move(chosen)), clouds(settings.pages, settings.inMemory) {
+        : station(std::move(name)),
+          settings(std::move(chosen)),
+          clouds(settings.pages, settings.inMemory),
+          loops(settings.loops, settings.match, settings.fit) {
         cropped.setCrop(settings.crop);
     }
 
     [[nodiscard]] Pose guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const;
-    [[nodiscard]] const LocalMap& localAt(const Pose& place);
+    /// The scans about @p place that @p robot's newest scans hang together with.
+    [[nodiscard]] const LocalMap& localAt(const Pose& place, const RobotTrack& robot);
+    /// What closes at the newest key scan, and poses that follow.
+    void closeLoops(MapUpdate& update, RobotTrack& robot, Time now);
     [[nodiscard]] Match matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                 const Pose& guess, const Step& step);
     /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
@@ -67,10 +77,12 @@ struct LiveMapper::State {
     LiveMap map;
     MatchedClouds clouds;  ///< of the map's scans
     CroppedScans cropped;  ///< what of its scans is in the map
+    LoopCloser loops;
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan
     LocalMap local;
     Pose localPlace = Pose::Identity();
+    std::uint64_t localKey = 0;  ///< of the robot that it is for
     bool localStale = true;
 };
 

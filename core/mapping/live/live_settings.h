@@ -54,11 +54,31 @@ struct KeyScanRule {
     double newGroundFrom = 0.5;  ///< ... farther than this from all that is known [m]
 };
 
+/// When the map meets itself.
+struct LoopSettings {
+    bool on = false;             ///< until operators can see, answer and take back what closes
+    double sameAge = 20.0;       ///< over so much way scans are nearly certain to each other [m]
+    double reach = 3.0;          ///< scans this near each other may see the same [m]
+    double about = 6.0;          ///< of the way about the other scan, which is matched against [m]
+    double leastOverlap = 0.5;   ///< IcpResult::overlap of a loop
+    double mostResidual = 0.06;  ///< IcpResult::rms [m]
+    double apart = 0.8;          ///< two places that are to agree lie so far from each other [m] ...
+    double pendingWithin = 6.0;  ///< ... and no farther [m]
+    double agreeWithin = 0.08;   ///< ... and say the same [m] ...
+    double agreeWithinAngle = degrees(1.0);  ///< ... [rad]
+    double matchDeviation = 0.01;            ///< of a match, along directions that surfaces hold [m] ...
+    double arm = 3.0;        ///< ... and turns by as much as moves a point so far away likewise [m]
+    int linksAScan = 4;      ///< with what it was matched against
+    double noticed = 0.005;  ///< scans that move less are not told [m] ...
+    double noticedAngle = degrees(0.05);  ///< ... or turn less [rad]
+};
+
 /// All that decides how scans become a map while robots drive.
 struct LiveSettings {
     MatchSettings match;
     FitSettings fit;
     KeyScanRule keyScans;
+    LoopSettings loops;
     LocalMapSettings local;
     MapCrop crop;
     double kept = 0.02;                 ///< key scans are thinned to this for the map [m]

@@ -82,16 +82,18 @@ BuildingRow measured(const Set& set, std::uint64_t seed) {
     script.seed = seed;
     script.sensor = set.sensor;
     script.driftBendsTurns = set.bent;
+    LiveSettings mapping;
+    mapping.loops.on = true;
     switch (set.route) {
         case Route::Ring:
-            return driven(building, ringRoute(building.ways), script);
+            return driven(building, ringRoute(building.ways), script, mapping);
         case Route::Eight:
             script.longest = 357.0;
-            return driven(building, eightRoute(building.ways, 4), script);
+            return driven(building, eightRoute(building.ways, 4), script, mapping);
         case Route::Storeys:
             break;
     }
-    return driven(building, storeysRoute(building.ways), script);
+    return driven(building, storeysRoute(building.ways), script, mapping);
 }
 
 void tell(const char* how, const BuildingResult& result) {

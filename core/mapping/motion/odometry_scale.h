@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace leitstand {
+
+/// By how much a robot goes farther than its odometry says (worn wheels, a wrong diameter, slip), as far as
+/// surfaces that hold all directions have told: the least-squares ratio over the last metres.
+class OdometryScale {
+public:
+    /// A step of @p byOdometry [m] was one of @p found.
+    void add(double byOdometry, double found) {
+        constexpr double Forgetting = 40.0;  // [m]
+        const double kept = std::exp(-byOdometry / Forgetting);
+        m_products = kept * m_products + byOdometry * found;
+        m_squares = kept * m_squares + byOdometry * byOdometry;
+        m_way = kept * m_way + byOdometry;
+    }
+    [[nodiscard]] double factor() const {
+        constexpr double Usual = 10.0, Most = 0.15;  // as if one that is right had been driven so far [m]
+        if (m_squares <= 0.0) return 1.0;
+        const double sure = m_way / (m_way + Usual);
+        return 1.0 + std::clamp(sure * (m_products / m_squares - 1.0), -Most, Most);
+    }
+
+private:
+    double m_products = 0.0, m_squares = 0.0, m_way = 0.0;
+};
+
+}  // namespace leitstand
