@@ -41,7 +41,15 @@ double StationProcess::residentMegabytes() const {
 }
 
 int StationProcess::threads() const {
-    return entriesOf(fmt::format("/proc/{}/task", m_process.id()));
+    std::error_code ended;
+    int count = 0;
+    for (std::filesystem::directory_iterator one(fmt::format("/proc/{}/task", m_process.id()), ended), end;
+         !ended && one != end; one.increment(ended)) {
+        std::string name;
+        std::getline(std::ifstream(one->path() / "comm"), name);
+        if (!name.empty() && name != "Thread (pooled)") ++count;
+    }
+    return count;
 }
 
 int StationProcess::descriptors() const {

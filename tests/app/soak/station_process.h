@@ -17,8 +17,10 @@ public:
     [[nodiscard]] std::filesystem::path mission() const { return m_folder / "mission"; }
     [[nodiscard]] double residentMegabytes() const;  ///< 0 when it has ended
     [[nodiscard]] double processorSeconds() const;   ///< used so far; infinite when it has ended
-    [[nodiscard]] int threads() const;               ///< that it has now
-    [[nodiscard]] int descriptors() const;           ///< that it has open now
+    /// That it has now, but for those of Qt's pools, two a processor at most: scaling a picture starts them,
+    /// and they stay for half a minute.
+    [[nodiscard]] int threads() const;
+    [[nodiscard]] int descriptors() const;  ///< that it has open now
     [[nodiscard]] std::string out() const { return m_process.out(); }
     [[nodiscard]] pid_t id() const { return m_process.id(); }
     /// Asks it to end; waitForEnd() tells its exit code.

@@ -11,9 +11,9 @@
 
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/fastdds.h"
-#include "transport/dds/network/participant_qos.h"
 #include "transport/dds/detail/raw_type.h"
 #include "transport/dds/names.h"
+#include "transport/dds/network/participant_qos.h"
 #include "transport/dds/network/screened_transport.h"
 
 namespace leitstand::test {
