@@ -221,8 +221,22 @@ void SharedIntake::enterLate(Waiting one, Other& other) {
     if (decoded && wants(*decoded, other)) enter(std::move(one.event), decoded->sample);
 }
 
+void SharedIntake::releaseScans(Other& other) {
+    if (other.map != Map::Same) return;
+    for (auto one = other.waiting.begin(); one != other.waiting.end();) {
+        if (!one->scan) {
+            ++one;
+            continue;
+        }
+        one->event.received = {};  // it enters now
+        enterLate(std::move(*one), other);
+        one = other.waiting.erase(one);
+    }
+}
+
 void SharedIntake::release(SteadyTime now) {
     for (auto& [from, other] : m_others) {
+        releaseScans(other);
         while (!other.waiting.empty()) {
             Waiting& first = other.waiting.front();
             const bool late = now - first.since >= LongestWait;

@@ -97,6 +97,9 @@ private:
     static void wait(Waiting one, Other& other);
     void enterLate(Waiting one, Other& other);  ///< where it is wanted by now
     void enter(RawEvent event, Sample sample);
+    /// Scans of this map, before all else that waits: poses that overtook a scan wait for it, and are not to
+    /// hold it up.
+    void releaseScans(Other& other);
     void release(SteadyTime now);
 
     const SharedIntakeSetup m_setup;

@@ -129,13 +129,13 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
         {{"kurt3d", "--robot", "dragon"}, 1, "dragon"},
         {{"kurt3d", "--arena", "blue"},
          1,
-         "blue: cannot be opened; expected yellow, orange, red or an arena"},
+         "blue: cannot be opened; expected yellow, orange, red, building or an arena"},
         {{"kurt3d", "--arena", broken}, 1, "broken.yaml:5"},
         {{"kurt3d", "--arena", empty}, 1, "expected a start of kurt3d"},
         {{"kurt3d", "--name", "A/b"}, 1, "--name"},
         {{"kurt3d", "--interface", "none9"}, 1, "none9"},
         {{"kurt3d", "--keys", (folder / "none").string()}, 1, (folder / "none").string()},
-        {{"arena", "blue", "--out", (folder / "x.yaml").string()}, 1, "expected yellow, orange or red"},
+        {{"arena", "blue", "--out", (folder / "x.yaml").string()}, 1, "expected yellow, orange, red or building"},
         {{"arena", "yellow", "--out", (folder / "none" / "x.yaml").string()}, 1, "cannot be written"},
     };
     for (const Wrong& wrong : all) {

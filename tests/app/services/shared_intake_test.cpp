@@ -124,6 +124,19 @@ TEST_F(SharedIntakeTest, AScanThatComesBeforeAnyTellsWhoseMapItIsWaits) {
     EXPECT_THAT(entered(), IsEmpty());
 }
 
+TEST_F(SharedIntakeTest, AScanThatWaitsBehindItsOwnPosesEntersBeforeThem) {
+    begin();
+    hear(keyScan(1));
+    begin();  // after a restart: whose map it is must be told first
+    (void)entered();
+    hear(poses({1, 5}, 3.0));  // they overtook their scan
+    hear(keyScan(5));
+    EXPECT_THAT(entered(), IsEmpty());
+    hear(keyScan(1));
+    EXPECT_THAT(entered(), ElementsAre("scan 5", "poses of 2"));
+    EXPECT_EQ(placeOf(5), 3.0);
+}
+
 TEST_F(SharedIntakeTest, WhatWaitedIsNotTakenByWhoMakesTheMapByThen) {
     begin();
     hear(keyScan(1));

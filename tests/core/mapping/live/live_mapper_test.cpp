@@ -272,27 +272,52 @@ TEST(LiveMapper, ASecondRobotEntersWhereItIsPlaced) {
     EXPECT_LT(distanceBetween(placed.localisation.baseInMap, Begin.inverse() * there), 0.03);
 }
 
-TEST(LiveMapper, AnOpenCorridorLeavesADirectionOpen) {
+LiveScan corridorScan(double x, unsigned seed, bool odometry = true) {
+    RoomSettings settings;
+    settings.sensorInRoom = poseFrom({x, 0, 0.9}, 0, 0, 0);
+    settings.sweep = Sweep::Yawing;
+    settings.rows = 121;
+    settings.columns = 81;
+    settings.length = 60.0;
+    settings.seed = seed;
+    Scan made = scanCorridor(settings).scan;
+    made.robot = "kurt3d";
+    made.sensorInOdom = settings.sensorInRoom;
+    made.hasOdometry = odometry;
+    LiveScan live;
+    live.scan = std::make_shared<const Scan>(std::move(made));
+    return live;
+}
+
+TEST(LiveMapper, OdometryHoldsTheAxisOfAnOpenCorridor) {
     MappedRoom corridor;
-    const auto scan = [](double x, unsigned seed) {
-        RoomSettings settings;
-        settings.sensorInRoom = poseFrom({x, 0, 0.9}, 0, 0, 0);
-        settings.sweep = Sweep::Yawing;
-        settings.rows = 121;
-        settings.columns = 81;
-        settings.length = 60.0;
-        settings.seed = seed;
-        Scan made = scanCorridor(settings).scan;
-        made.robot = "kurt3d";
-        made.sensorInOdom = settings.sensorInRoom;
-        LiveScan live;
-        live.scan = std::make_shared<const Scan>(std::move(made));
-        return live;
-    };
-    corridor.add(scan(0.0, 1));
-    const MapUpdate update = corridor.add(scan(0.5, 2));
+    corridor.add(corridorScan(0.0, 1));
+    for (int i = 1; i <= 10; ++i) {
+        const MapUpdate update = corridor.add(corridorScan(0.5 * i, static_cast<unsigned>(i + 1)));
+        EXPECT_EQ(update.localisation.doubts, 0) << inWords(update.localisation.doubts);
+        EXPECT_GE(update.localisation.icp.open, 1);
+        EXPECT_NEAR(update.localisation.baseInMap.translation().x(), 0.5 * i, 0.02 * i) << "odometry knows";
+        EXPECT_NEAR(update.localisation.baseInMap.translation().y(), 0.0, 0.02) << "the walls know";
+    }
+}
+
+TEST(LiveMapper, AnOpenCorridorLeavesADirectionOpenWhereNoOdometryHoldsIt) {
+    MappedRoom corridor;
+    corridor.add(corridorScan(0.0, 1));
+    const MapUpdate update = corridor.add(corridorScan(0.5, 2, false));
     EXPECT_TRUE(has(update.localisation.doubts, ScanDoubt::Certainty)) << inWords(update.localisation.doubts);
-    EXPECT_NEAR(update.localisation.baseInMap.translation().x(), 0.5, 1e-6) << "odometry knows";
+}
+
+TEST(LiveMapper, OdometryThatMayHaveDriftedTooFarHoldsNothing) {
+    LiveSettings settings;
+    settings.match.drift = 0.1;  // 0.5 m in the last 5 m
+    MappedRoom corridor;
+    corridor.mapper = LiveMapper("station", settings);
+    corridor.add(corridorScan(0.0, 1));
+    std::uint8_t doubts = 0;
+    for (int i = 1; i <= 10; ++i)
+        doubts |= corridor.add(corridorScan(0.5 * i, static_cast<unsigned>(i + 1))).localisation.doubts;
+    EXPECT_TRUE(has(doubts, ScanDoubt::Certainty)) << inWords(doubts);
 }
 
 TEST(ScanCleaning, TheRobotsBodyAndWhatIsCroppedAreLeftOut) {
