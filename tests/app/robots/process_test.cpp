@@ -135,7 +135,9 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
         {{"kurt3d", "--name", "A/b"}, 1, "--name"},
         {{"kurt3d", "--interface", "none9"}, 1, "none9"},
         {{"kurt3d", "--keys", (folder / "none").string()}, 1, (folder / "none").string()},
-        {{"arena", "blue", "--out", (folder / "x.yaml").string()}, 1, "expected yellow, orange, red or building"},
+        {{"arena", "blue", "--out", (folder / "x.yaml").string()},
+         1,
+         "expected yellow, orange, red or building"},
         {{"arena", "yellow", "--out", (folder / "none" / "x.yaml").string()}, 1, "cannot be written"},
     };
     for (const Wrong& wrong : all) {
