@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/missing_tool.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -32,7 +33,8 @@ std::string tsFile(const std::string& language, const std::string& context, cons
 /// A checkout with a German and a Japanese file, which are committed.
 class TranslationsCompare : public testing::Test {
 protected:
-    TranslationsCompare() {
+    void SetUp() override {
+        if (runProcess("/usr/bin/env", {"git", "--version"}).exitCode != 0) LEITSTAND_MISSING_TOOL("git");
         std::filesystem::create_directories(m_folder / "translations");
         std::filesystem::create_directories(m_folder / "tests/compat");
         write("de", "Old", m_german);
