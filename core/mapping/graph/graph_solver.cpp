@@ -28,7 +28,7 @@ public:
     explicit Problem(PoseGraph& graph);
 
     [[nodiscard]] bool empty() const { return m_moving.empty(); }
-    [[nodiscard]] double cost(const std::vector<Pose>& poses) const;
+    [[nodiscard]] double cost() const { return cost(m_poses); }
     /// One Levenberg-Marquardt run with the links weighed as they are.
     void minimise(const GraphSettings& settings, int iterations, const Progress& progress,
                   GraphResult& result);
@@ -40,6 +40,7 @@ public:
     std::vector<double> weights;  ///< of the graph's links
 
 private:
+    [[nodiscard]] double cost(const std::vector<Pose>& poses) const;
     void holdOneOfEachPart(std::vector<bool>& held) const;
     /// Matrix and gradient at the poses; the cost.
     double linearise();
@@ -280,7 +281,7 @@ GraphResult solve(PoseGraph& graph, const GraphSettings& settings, const Progres
     }
     problem.finish();
     result.weights = problem.weights;
-    result.cost = costOf(graph);
+    result.cost = problem.cost();
     return result;
 }
 

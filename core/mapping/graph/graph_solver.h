@@ -21,7 +21,8 @@ struct GraphSettings {
 
 /// What a solver came to.
 struct GraphResult {
-    double costBefore = 0.0, cost = 0.0;  ///< 1/2 sum of e^T Omega e over active links
+    double costBefore = 0.0,
+           cost = 0.0;  ///< 1/2 sum of e^T Omega e over active links; after, each times its weight
     int iterations = 0;
     bool converged = false;
     std::vector<double> weights;  ///< 0 to 1, of each link of the graph; 1 where it was not to be weighed

@@ -62,11 +62,8 @@ void LoopCloser::add(const LiveKeyScan& entered, const LiveKeyScan* predecessor,
             Link link = linkBetween(*predecessor, entered, LinkKind::Odometry);
             link.pose = predecessor->scan->sensorInOdom.inverse() * entered.scan->sensorInOdom;
             link.pose.translation() *= odometryScale;
-            const double way = link.pose.translation().norm(),
-                         turn = Eigen::AngleAxisd(link.pose.linear()).angle();
-            Eigen::Matrix<double, 6, 1> deviation;
-            deviation.head<3>().setConstant(m_match.driftAtLeast + m_match.drift * way);
-            deviation.tail<3>().setConstant(m_match.turnDriftAtLeast + m_match.turnDrift * turn);
+            const Eigen::Matrix<double, 6, 1> deviation = odometryDeviation(
+                link.pose.translation().norm(), Eigen::AngleAxisd(link.pose.linear()).angle(), m_match);
             link.information = deviation.cwiseAbs2().cwiseInverse().asDiagonal();
             m_graph.add(std::move(link));
         }

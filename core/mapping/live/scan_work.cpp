@@ -45,16 +45,22 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     return selected(scan, kept);
 }
 
-/// How far odometry may be off after @p step.
+/// What odometry tells after @p step, for the match.
 GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     GuessPrior prior;
     prior.openBelow = settings.openBelow;
-    prior.deviation.head<3>().setConstant(settings.driftAtLeast + settings.drift * step.way);
-    prior.deviation.tail<3>().setConstant(settings.turnDriftAtLeast + settings.turnDrift * step.turn);
+    prior.deviation = odometryDeviation(step.way, step.turn, settings);
     return prior;
 }
 
 }  // namespace
+
+Eigen::Matrix<double, 6, 1> odometryDeviation(double way, double turn, const MatchSettings& settings) {
+    Eigen::Matrix<double, 6, 1> deviation;
+    deviation.head<3>().setConstant(settings.driftAtLeast + settings.drift * way);
+    deviation.tail<3>().setConstant(settings.turnDriftAtLeast + settings.turnDrift * turn);
+    return deviation;
+}
 
 Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap, const LiveSettings& settings,
              std::span<const PlacedBody> others) {
