@@ -39,6 +39,20 @@ protected:
     SampleRobot robot = sampleRobot();
 };
 
+TEST_F(LiveWords, ARobotWhoseLinkIsLostDrivesItselfAsLongAsItSaidSoAndNoStopStands) {
+    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode)) << "it is driven";
+    setMode(robot, "explore", true, "");
+    EXPECT_TRUE(drivesItself(robot.view, robot.said.mode));
+    robot.view.link.state = LinkState::Lost;
+    EXPECT_TRUE(drivesItself(robot.view, robot.said.mode)) << "nobody can ask it, and it goes on";
+    robot.view.stop.stopped = true;
+    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode));
+    robot.view.stop.stopped = false;
+    setMode(robot, "stopped", false, "");
+    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode));
+    EXPECT_FALSE(drivesItself(robot.view, std::nullopt)) << "it never said";
+}
+
 TEST_F(LiveWords, AModeHasItsKind) {
     EXPECT_EQ(labelOf(robot), (ModeLabel{ModeKind::Teleoperation, "TELEOPERATION", {}, "TELEOP"}));
     setMode(robot, "victim_approach", true, "body heat in sight");

@@ -30,8 +30,7 @@ std::vector<const RobotDescription*> ClosingQuestion::drivingThemselves() const 
     const LiveMoment& moment = m_context.source.moment();
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!moment.mission) continue;
-        const ModeLabel mode = modeLabelOf(moment.view(robot.name), moment.said(robot.name).mode);
-        if (mode.kind == ModeKind::Autonomous) found.push_back(&robot);
+        if (drivesItself(moment.view(robot.name), moment.said(robot.name).mode)) found.push_back(&robot);
     }
     return found;
 }

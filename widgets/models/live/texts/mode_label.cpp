@@ -95,4 +95,10 @@ ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSam
     return label;
 }
 
+bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& said) {
+    const ModeKind kind = modeLabelOf(robot, said).kind;
+    if (kind != ModeKind::Lost) return kind == ModeKind::Autonomous;
+    return said && labelOf(said->sample).kind == ModeKind::Autonomous && !robot.stop.stopped;
+}
+
 }  // namespace leitstand

@@ -31,6 +31,10 @@ struct ModeLabel {
 /// What @p robot does. A lost link comes before a stop, which comes before what the robot said.
 [[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
 
+/// Whether @p robot drives itself as far as anybody knows: so it said last, and no stop stands. One whose
+/// link is lost goes on by itself.
+[[nodiscard]] bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
+
 /// What a robot said about itself, in the window's language as far as the words are known (robot_says.h),
 /// else as it was said.
 [[nodiscard]] QString robotSaysText(const std::string& said);
