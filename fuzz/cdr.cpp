@@ -47,7 +47,8 @@ constexpr auto Checks =
            nav_msgs::Odometry, tf2_msgs::TFMessage, diagnostic_msgs::DiagnosticArray,
            leitstand_msgs::Sightings, leitstand_msgs::Victim, leitstand_msgs::KeyScan,
            leitstand_msgs::ScanPoses, leitstand_msgs::Checkpoint, leitstand_msgs::Grant,
-           leitstand_msgs::StopCommand, leitstand_msgs::Alarm, leitstand_msgs::MapCrop>();
+           leitstand_msgs::StopCommand, leitstand_msgs::Alarm, leitstand_msgs::MapCrop,
+           leitstand_msgs::ScanLinks>();
 
 }  // namespace
 

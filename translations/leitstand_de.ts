@@ -1594,6 +1594,14 @@ Die blaue Linie ist der Horizont.</translation>
         <source>a note of a review</source>
         <translation>eine Notiz einer Auswertung</translation>
     </message>
+    <message>
+        <source>a closed loop</source>
+        <translation>eine geschlossene Schleife</translation>
+    </message>
+    <message>
+        <source>a place told from another</source>
+        <translation>eine Stelle, die von einer anderen unterschieden wurde</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -4134,6 +4142,57 @@ Apache License 2.0</translation>
     <message>
         <source>to</source>
         <translation>bis</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LoopsFeature</name>
+    <message>
+        <source>It is the same place: c&amp;lose the loop</source>
+        <translation>Es ist dieselbe Stelle: Sch&amp;leife schließen</translation>
+    </message>
+    <message>
+        <source>It is &amp;another place</source>
+        <translation>Es ist eine &amp;andere Stelle</translation>
+    </message>
+    <message>
+        <source>Take back the cl&amp;osed loop</source>
+        <translation>Geschl&amp;ossene Schleife zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Same place</source>
+        <translation>Dieselbe Stelle</translation>
+    </message>
+    <message>
+        <source>Another place</source>
+        <translation>Andere Stelle</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>Schleife öffnen</translation>
+    </message>
+    <message>
+        <source>The scans that see it are put together, and all others follow</source>
+        <translation>Die Scans, die sie sehen, werden zusammengefügt, und alle anderen folgen</translation>
+    </message>
+    <message>
+        <source>The map stays as it is, and is not asked about there again</source>
+        <translation>Die Karte bleibt, wie sie ist, und dort wird nicht wieder gefragt</translation>
+    </message>
+    <message>
+        <source>The newest place where the map met itself comes apart again: scans go back to where they were, and it does not close there by itself</source>
+        <translation>Die jüngste Stelle, an der die Karte sich selbst traf, geht wieder auseinander: Scans kehren dorthin zurück, wo sie waren, und dort schließt sich von selbst nichts mehr</translation>
+    </message>
+    <message>
+        <source>No loop closed in the map</source>
+        <translation>In der Karte hat sich keine Schleife geschlossen</translation>
+    </message>
+    <message>
+        <source>Nothing is asked about the map</source>
+        <translation>Zur Karte ist nichts gefragt</translation>
+    </message>
+    <message>
+        <source>Is this a place that was seen before? The map is %1 off here, more than expected.</source>
+        <translation>Wurde diese Stelle schon einmal gesehen? Die Karte liegt hier um %1 daneben, mehr als erwartet.</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7495,26 @@ F1 listet alle Tasten</translation>
     <message>
         <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
         <translation>das Protokoll der Mission antwortet nicht: ob dies geschrieben wurde, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a closed loop contradicts the rest of the map: it does not count any more</source>
+        <translation>eine geschlossene Schleife widerspricht der übrigen Karte: Sie zählt nicht mehr</translation>
+    </message>
+    <message>
+        <source>the map meets itself: its parts moved by up to {} m</source>
+        <translation>die Karte trifft sich selbst: Ihre Teile rückten um bis zu {} m</translation>
+    </message>
+    <message>
+        <source>nothing to be taken back: no loop closed</source>
+        <translation>nichts zurückzunehmen: Keine Schleife hat sich geschlossen</translation>
+    </message>
+    <message>
+        <source>is this a place that was seen before? The map is farther off here than expected: say whether it is the same place</source>
+        <translation>wurde diese Stelle schon einmal gesehen? Die Karte liegt hier weiter daneben als erwartet: Sagen Sie, ob es dieselbe Stelle ist</translation>
+    </message>
+    <message>
+        <source>nothing is asked about the map</source>
+        <translation>zur Karte ist nichts gefragt</translation>
     </message>
 </context>
 <context>

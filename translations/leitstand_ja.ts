@@ -1594,6 +1594,14 @@ The blue line is the horizon.</source>
         <source>a note of a review</source>
         <translation>レビューのメモ</translation>
     </message>
+    <message>
+        <source>a closed loop</source>
+        <translation>閉じたループ</translation>
+    </message>
+    <message>
+        <source>a place told from another</source>
+        <translation>別の場所と判断した場所</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -4134,6 +4142,57 @@ Apache License 2.0</translation>
     <message>
         <source>to</source>
         <translation>～</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::LoopsFeature</name>
+    <message>
+        <source>It is the same place: c&amp;lose the loop</source>
+        <translation>同じ場所です。ループを閉じる(&amp;L)</translation>
+    </message>
+    <message>
+        <source>It is &amp;another place</source>
+        <translation>別の場所です(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take back the cl&amp;osed loop</source>
+        <translation>閉じたループを取り消す(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Same place</source>
+        <translation>同じ場所</translation>
+    </message>
+    <message>
+        <source>Another place</source>
+        <translation>別の場所</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>ループを開く</translation>
+    </message>
+    <message>
+        <source>The scans that see it are put together, and all others follow</source>
+        <translation>その場所が見えるスキャンを合わせ、他のスキャンもそれに従います</translation>
+    </message>
+    <message>
+        <source>The map stays as it is, and is not asked about there again</source>
+        <translation>地図はそのままで、そこについてはもう質問しません</translation>
+    </message>
+    <message>
+        <source>The newest place where the map met itself comes apart again: scans go back to where they were, and it does not close there by itself</source>
+        <translation>地図がつながった最新の場所をまた離します。スキャンは元の位置に戻り、そこでは自動では閉じません</translation>
+    </message>
+    <message>
+        <source>No loop closed in the map</source>
+        <translation>地図の中で閉じたループはありません</translation>
+    </message>
+    <message>
+        <source>Nothing is asked about the map</source>
+        <translation>地図についての質問はありません</translation>
+    </message>
+    <message>
+        <source>Is this a place that was seen before? The map is %1 off here, more than expected.</source>
+        <translation>ここは前に見た場所ですか。地図はここで %1 ずれており、予想より大きいです。</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7495,26 @@ F1 でキー一覧</translation>
     <message>
         <source>the mission&apos;s log does not answer: it is not known whether this was written</source>
         <translation>ミッションの記録が応答しません: 書き込まれたかどうか分かりません</translation>
+    </message>
+    <message>
+        <source>a closed loop contradicts the rest of the map: it does not count any more</source>
+        <translation>閉じたループが地図の他の部分と矛盾しています。今後は数えません</translation>
+    </message>
+    <message>
+        <source>the map meets itself: its parts moved by up to {} m</source>
+        <translation>地図がつながりました。各部が最大 {} m 動きました</translation>
+    </message>
+    <message>
+        <source>nothing to be taken back: no loop closed</source>
+        <translation>取り消すものがありません。閉じたループはありません</translation>
+    </message>
+    <message>
+        <source>is this a place that was seen before? The map is farther off here than expected: say whether it is the same place</source>
+        <translation>ここは前に見た場所ですか。地図のずれが予想より大きいので、同じ場所かどうかを答えてください</translation>
+    </message>
+    <message>
+        <source>nothing is asked about the map</source>
+        <translation>地図についての質問はありません</translation>
     </message>
 </context>
 <context>

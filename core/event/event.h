@@ -12,6 +12,7 @@
 #include "core/event/map_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
+#include "core/event/scan_links.h"
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
@@ -27,7 +28,7 @@ using Sample =
                  ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
                  KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
                  CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
-                 MapCropSample>;
+                 MapCropSample, ScanLinksSample>;
 
 /// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
 struct Event {

@@ -17,7 +17,9 @@
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
 #include "core/event/station_topics.h"
+#include "core/io/bag/bag_reader.h"
 #include "core/io/settings/comparison_file.h"
+#include "core/mission/state/checkpoint.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"
 #include "tests/compat/state_text.h"
@@ -25,6 +27,7 @@
 #include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "transport/convert/decode.h"
 
 namespace leitstand::test {
 namespace {
@@ -177,6 +180,25 @@ TEST_P(CompatMission, AnotherSessionGoesOnWithItAndLeavesItsFiles) {
     const MissionState state = stateAt(history, bag->lastSequence());
     EXPECT_EQ(state.notes->back().sample.text, "gone on");
     EXPECT_GT(state.victims->size(), 3U);
+}
+
+TEST_P(CompatMission, CheckpointsOfEarlierVersionsAreRead) {
+    const auto bag = BagReader::open(m_mission).value();
+    BagQuery query;
+    query.topics = {std::string(station_topic::Checkpoints)};
+    BagCursor cursor = bag->read(query);
+    int read = 0;
+    while (const auto raw = cursor.next()) {
+        const auto event = decodeStationEvent(*raw);
+        ASSERT_TRUE(event) << event.error().text;
+        const auto& checkpoint = std::get<CheckpointSample>(event->sample);
+        EXPECT_LE(checkpoint.version, CheckpointVersion);
+        const auto state = stateOf(checkpoint);
+        EXPECT_TRUE(state.ok()) << "version " << checkpoint.version << ": "
+                                << (state.ok() ? std::string() : state.error().text);
+        ++read;
+    }
+    EXPECT_GT(read, 0);
 }
 
 TEST_P(CompatMission, WhatStandsBesideTheLogIsRead) {

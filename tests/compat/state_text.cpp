@@ -105,6 +105,15 @@ void put(const Lines& to, const ScanPosesSample& poses) {
     to("stamp", poses.stamp), to("station", poses.station), to("cause", poses.cause),
         to("poses", poses.poses);
 }
+void put(const Lines& to, const Link& link) {
+    to("id", link.id), to("from", link.from), to("to", link.to), to("pose", link.pose), to("kind", link.kind),
+        to("station", link.station), to("active", link.active);
+    for (Eigen::Index i = 0; i < link.information.size(); ++i)
+        to(fmt::format("information.{}", i), link.information.data()[i]);
+}
+void put(const Lines& to, const ScanLinksSample& links) {
+    to("stamp", links.stamp), to("station", links.station), to("links", links.links);
+}
 void put(const Lines& to, const KeyScanEntry& scan) {
     to("id", scan.id), to("robot", scan.robot), to("stamp", scan.stamp),
         to("sensorInBase", scan.sensorInBase);

@@ -225,6 +225,20 @@ std::vector<SampleCase> robotCases() {
     };
 }
 
+Link scanLink() {
+    Link link;
+    link.id = 1001;
+    link.from = 7;
+    link.to = 90;
+    link.pose = pose(11.0);
+    link.information = Information::Constant(2.0);
+    link.information.diagonal() << 1e4, 2e4, 3e4, 9e4, 8e4, 7e4;
+    link.kind = LinkKind::Loop;
+    link.station = "station-1";
+    link.active = false;
+    return link;
+}
+
 std::vector<SampleCase> stationCases() {
     using std::nullopt;
     const Time now = at(1'700'000'020, 8);
@@ -241,6 +255,7 @@ std::vector<SampleCase> stationCases() {
                          ScanPosesSample::Cause::LoopClosure,
                          {{7, pose(7.0), 0.01, 0.9, 0.8, 0.7, true, ScanTrust::Certain, 0},
                           {8, pose(8.0), 0.02, 0.6, 0.5, 0.4, false, ScanTrust::Uncertain, 0x15}}}},
+        {"leitstand_msgs/msg/ScanLinks", nullopt, ScanLinksSample{now, "station-1", {scanLink()}}},
         {"leitstand_msgs/msg/MapCrop", nullopt,
          MapCropSample{now, "station-1", {{-1.0, -2.0}, {4.0, -2.0}, {4.0, 3.5}}, 2.1}},
         {"leitstand_msgs/msg/RobotPlace", nullopt,

@@ -71,6 +71,7 @@ const std::vector<Entry>& entries() {
         entry<leitstand_msgs::Candidate>(),
         entry<leitstand_msgs::KeyScan>(),
         entry<leitstand_msgs::ScanPoses>(),
+        entry<leitstand_msgs::ScanLinks>(),
         entry<leitstand_msgs::MapCrop>(),
         entry<leitstand_msgs::RobotPlace>(),
         entry<leitstand_msgs::MissionClock>(),

@@ -88,6 +88,7 @@ const std::vector<Entry>& entries() {
         entry<CandidateSample, leitstand_msgs::Candidate>(),
         entry<KeyScanSample, leitstand_msgs::KeyScan>(),
         entry<ScanPosesSample, leitstand_msgs::ScanPoses>(),
+        entry<ScanLinksSample, leitstand_msgs::ScanLinks>(),
         entry<MapCropSample, leitstand_msgs::MapCrop>(),
         entry<RobotPlaceSample, leitstand_msgs::RobotPlace>(),
         entry<ClockSample, leitstand_msgs::MissionClock>(),

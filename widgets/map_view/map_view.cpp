@@ -207,6 +207,7 @@ void MapView::State::paintOverlays(QPainter& painter) {
     paintRobots(painter, projection, robots, overlay);
     paintVictims(painter, projection, finds, chosenFind, overlay);
     tools.paint(painter, projection, overlay);
+    if (seam) paintMeasurement(painter, projection, seam->from, seam->to, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
     const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, overlay);

@@ -72,6 +72,8 @@ public:
     void setStale(bool stale);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
+    /// Two places of which somebody asks whether they are one, with what lies between; empty: none.
+    void setSeam(const std::optional<Measurement>& seam);
     /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].
     void setGround(double height);
     /// Says @p text over the map; empty: nothing.

@@ -56,6 +56,11 @@ void MapView::setHint(const QString& text) {
     update();
 }
 
+void MapView::setSeam(const std::optional<Measurement>& seam) {
+    m_state->seam = seam;
+    update();
+}
+
 void MapView::State::describe() {
     QStringList lines = {hint, detailsOf(robots)};
     lines.removeAll(QString());

@@ -57,6 +57,7 @@ struct MapView::State {
     std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]
     QString hint;
+    std::optional<Measurement> seam;
     std::uint64_t highlighted = 0;
 
     bool measuring = false;

@@ -12,13 +12,14 @@ struct StationType {
     std::string_view topic, type;
     bool shared = false;  ///< said by MissionSharing, and taken from others
 };
-inline constexpr std::array<StationType, 11> StationTypes = {{
+inline constexpr std::array<StationType, 12> StationTypes = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim", true},
     {station_topic::Candidates, "leitstand_msgs/msg/Candidate", true},
     {station_topic::Mission, "leitstand_msgs/msg/MissionInfo", true},
     {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan", true},
     {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses", true},
+    {station_topic::ScanLinks, "leitstand_msgs/msg/ScanLinks", true},
     {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop", true},
     {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace", true},
     {station_topic::Clock, "leitstand_msgs/msg/MissionClock", true},

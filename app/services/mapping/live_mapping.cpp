@@ -78,6 +78,8 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
     }
     for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
     if (!earlier.scans.empty()) {
+        for (const ScanLinksSample& links : earlier.links) m_mapper.restore(links);
+        m_mapper.followLoops(earlier.loops);
         m_mapper.follow(earlier.poses);
         if (earlier.shared) m_mapper.beginBlock();
         for (auto& [name, robot] : m_robots) {
@@ -88,6 +90,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
         tellMap();
     }
     tellRobots();
+    m_solver = std::jthread([this](const std::stop_token& stop) { m_solving.work(stop); });
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -96,6 +99,9 @@ LiveMapping::~LiveMapping() = default;
 void LiveMapping::end() {
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
+    m_solving.cancel();
+    m_solver.request_stop();
+    if (m_solver.joinable()) m_solver.join();
 }
 
 void LiveMapping::take(const Event& event) {
@@ -191,6 +197,25 @@ void LiveMapping::registerDone(Time now) {
     }
 }
 
+void LiveMapping::solveLoops() {
+    if (m_solves || (m_listener.makesMap && !m_listener.makesMap())) return;
+    auto problem = m_mapper.problem();
+    if (!problem) return;
+    m_solves = true;
+    m_solving.submit([this, problem = std::move(*problem)](const std::stop_token& stop) {
+        const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
+        if (stop.stop_requested()) return;
+        post([this, solution](LiveMapper&) { settle(solution); });
+    });
+}
+
+void LiveMapping::settle(const MapSolution& solution) {
+    m_solves = false;
+    const Settled settled = m_mapper.settle(solution, stationTime());
+    if (settled.poses) carryAlong();
+    if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
+}
+
 void LiveMapping::followFixes() {
     for (auto& [name, robot] : m_robots) {
         const auto fix = m_mapper.fix(name);
@@ -250,6 +275,7 @@ void LiveMapping::run(const std::stop_token& stop) {
             std::visit([this](const auto& content) { work(content); }, one);
         }
         registerDone(stationTime());
+        solveLoops();
         if (leaveOutPlaced()) tellMap();
         tellRobots();
     }

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/services/job_queue.h"
 #include "app/services/places/sensor_poses.h"
 #include "core/event/event.h"
 #include "core/mapping/live/live_mapper.h"
@@ -30,15 +31,19 @@ struct LiveMappingListener {
     std::function<void(const RobotPlaceSample&)> onPlace =
         {};                                               ///< likewise, of robots that do not make the map
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
+    std::function<void(const Settled&)> onSettled = {};   ///< likewise, after a loop closed or was taken back
+    std::function<bool()> makesMap = {};                ///< whether scans stand where we say; empty: they do
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };
 
 /// What the mission's earlier sessions have of the map.
 struct EarlierMap {
     std::vector<KeyScanSample> scans;
-    std::vector<ScanPose> poses;                     ///< where they are now
-    std::map<std::string, RobotPlaceSample> places;  ///< of robots that do not make it, by name
-    bool shared = false;                             ///< another station had a part in it
+    std::vector<ScanPose> poses;                          ///< where they are now
+    std::map<std::string, RobotPlaceSample> places = {};  ///< of robots that do not make it, by name
+    bool shared = false;                                  ///< another station had a part in it
+    std::vector<ScanLinksSample> links = {};              ///< between the scans, as they were said
+    std::vector<Link> loops = {};                         ///< of those, what closes loops, as it is now
 };
 
 /// @p settings as the files of @p robots want them.
@@ -63,6 +68,7 @@ public:
     void setCrop(const MapCrop& crop);
     /// What another station, which makes the map, added to it, and where its scans and robots are now.
     void adopt(const KeyScanSample& keyScan);
+    void adopt(const ScanLinksSample& links);
     void follow(std::vector<ScanPose> poses);
     void follow(const RobotPlaceSample& place);
     /// A 3D scan of @p robot came in, which another station lays onto the map.
@@ -91,8 +97,11 @@ private:
     void work(const Task& task);
     void registerDone(Time now);
     void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
-    void followFixes();                               ///< robots stand where the mapper says
-    void layTrails();                                 ///< where decisions moved the scans
+    void solveLoops();                                ///< where the map meets itself, on a thread beside
+    void settle(const MapSolution& solution);
+    void carryAlong();           ///< robots without scans in the map, with the scans about them
+    void followFixes();          ///< robots stand where the mapper says
+    void layTrails();            ///< where decisions moved the scans
     void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
     void placeBeside(const std::string& name, Robot& robot, Time now);
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
@@ -120,7 +129,10 @@ private:
     std::deque<Work> m_waiting;           ///< under the mutex
     RobotsInMapPtr m_places;              ///< likewise
     std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
-    std::jthread m_thread;                ///< last: joined first
+    bool m_solves = false;                ///< something is being solved; of the thread
+    JobQueue m_solving;                   ///< by the solver
+    std::jthread m_solver;
+    std::jthread m_thread;  ///< last: joined first
 };
 
 /// Whether scans of @p before, which may be null, stand elsewhere in @p after, or are set aside there or no

@@ -109,6 +109,10 @@ void LiveMapping::adopt(const KeyScanSample& keyScan) {
     });
 }
 
+void LiveMapping::adopt(const ScanLinksSample& links) {
+    post([links](LiveMapper& mapper) { mapper.restore(links); });
+}
+
 void LiveMapping::heard(const std::string& robot, Time received) {
     const std::lock_guard lock(m_mutex);
     m_heard[robot] = received;

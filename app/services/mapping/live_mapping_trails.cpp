@@ -30,4 +30,13 @@ void LiveMapping::layTrails() {
     }
 }
 
+void LiveMapping::carryAlong() {
+    if (!m_map) return;
+    const MovedPlaces places(*m_map, *m_mapper.map());
+    if (!places.any()) return;
+    for (auto& [name, robot] : m_robots) {
+        if (robot.tracker.placed() && !m_mapper.fix(name)) robot.tracker.move(places);
+    }
+}
+
 }  // namespace leitstand

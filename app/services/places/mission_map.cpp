@@ -39,6 +39,23 @@ std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
     return bag ? keyScansOf(**bag) : std::vector<KeyScanSample>();  // LiveMission says why
 }
 
+std::vector<ScanLinksSample> scanLinksOf(const std::filesystem::path& folder) {
+    std::vector<ScanLinksSample> links;
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored)) return links;
+    const auto bag = BagReader::open(folder);
+    if (!bag) return links;  // LiveMission says why
+    BagQuery query;
+    query.topics = {std::string(station_topic::ScanLinks)};
+    BagCursor cursor = (*bag)->read(query);
+    while (const auto raw = cursor.next()) {
+        auto event = decodeStationEvent(*raw);
+        if (!event) continue;
+        if (auto* sample = std::get_if<ScanLinksSample>(&event->sample)) links.push_back(std::move(*sample));
+    }
+    return links;
+}
+
 std::vector<ScanPose> posesOf(const MissionState& mission) {
     std::vector<ScanPose> poses;
     for (const auto& [id, scan] : *mission.keyScans) poses.push_back(scan.pose);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mission/state/mission_state.h"
 
@@ -16,6 +17,9 @@ class BagReader;
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);
 /// Key scans in the log of the mission @p folder; none where there is no mission yet.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder);
+
+/// What the key scans of the mission @p folder were registered against, as it was said.
+[[nodiscard]] std::vector<ScanLinksSample> scanLinksOf(const std::filesystem::path& folder);
 
 /// Where the key scans of @p mission are now.
 [[nodiscard]] std::vector<ScanPose> posesOf(const MissionState& mission);

@@ -19,6 +19,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/placement/placement_says.h"
+#include "core/mission/loops/open_loops.h"
 
 namespace leitstand {
 namespace {
@@ -36,6 +37,7 @@ struct StationMapping::State {
     const StationMappingListener listener;
     std::deque<Event> heldBack;           ///< scans; of the mission's thread
     MapPtr shown;                         ///< last; of the mapping's thread
+    bool loopClosed = false;              ///< poses that follow it are not told yet; of the mapping's thread
     std::map<std::string, bool> certain;  ///< whether a robot's place was; of the mapping's thread
     mutable std::mutex mutex;             ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
@@ -62,6 +64,7 @@ struct StationMapping::State {
         if (const auto kept = say(sample, topic); !kept) tell(kept.error().text);
     }
     void log(const MapUpdate& update);
+    void log(const Settled& settled);
     void log(const RobotPlaceSample& place);
     void hear(const Event& event);
     void hear(const KeyScanSample& scan);
@@ -110,7 +113,30 @@ void StationMapping::State::log(const MapUpdate& update) {
         if (const auto kept = mission.say(*update.keyScan, station_topic::KeyScans); !kept)
             tell(kept.error().text);
     }
+    if (update.links) sayOrTell(*update.links, station_topic::ScanLinks);
     if (update.poses) sayOrTell(*update.poses, station_topic::ScanPoses);
+    if (!update.loop) return;
+    sayOrTell(*update.loop, station_topic::ScanLinks);
+    const bool closes = update.loop->links.front().active;
+    loopClosed = loopClosed || closes;
+    if (!closes)
+        tell(translate(
+            "leitstand::Station",
+            "is this a place that was seen before? The map is farther off here than expected: say whether "
+            "it is the same place"));
+}
+
+void StationMapping::State::log(const Settled& settled) {
+    if (settled.links) {
+        sayOrTell(*settled.links, station_topic::ScanLinks);
+        tell(translate("leitstand::Station",
+                       "a closed loop contradicts the rest of the map: it does not count any more"));
+    }
+    if (settled.poses) sayOrTell(*settled.poses, station_topic::ScanPoses);
+    if (!std::exchange(loopClosed, false) || settled.links) return;
+    tell(leitstand::fill(
+        translate("leitstand::Station", "the map meets itself: its parts moved by up to {} m"),
+        fmt::format("{:.2f}", settled.largest)));
 }
 
 void StationMapping::State::log(const RobotPlaceSample& place) {
@@ -167,12 +193,24 @@ void StationMapping::State::hear(const Event& event) {
         if (place->station != station) mapping->follow(*place);
         return;
     }
+    if (const auto* links = std::get_if<ScanLinksSample>(&event.sample)) {
+        if (links->station != station) return mapping->adopt(*links);
+        const std::lock_guard lock(mutex);
+        ++heard;
+        return;
+    }
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
     const auto* undo = std::get_if<UndoSample>(&event.sample);
     const auto* area = std::get_if<MapCropSample>(&event.sample);
     if (poses == nullptr && undo == nullptr && area == nullptr) return;
     if (undo != nullptr) {
-        whenSettled([this](LiveMapper& mapper) { mapper.follow(posesOf(*mission.state())); }, true);
+        whenSettled(
+            [this](LiveMapper& mapper) {
+                const MissionStatePtr now = mission.state();
+                mapper.follow(posesOf(*now));
+                mapper.followLoops(loopsOf(*now));
+            },
+            true);
     }
     // Another station's, which makes the map.
     if (poses != nullptr && poses->station != station) mapping->follow(posesOf(*mission.state()));
@@ -254,10 +292,14 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     setup.settings.crop = state.crop = state.cropInLog();
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
+    listening.onSettled = [&state](const Settled& settled) { state.log(settled); };
+    listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
     const MissionStatePtr before = mission.state();
-    EarlierMap earlier{std::move(setup.earlier), posesOf(*before), {}};
+    EarlierMap earlier{std::move(setup.earlier), posesOf(*before)};
+    earlier.links = std::move(setup.earlierLinks);
+    earlier.loops = loopsOf(*before);
     earlier.shared =
         std::any_of(before->decisions->begin(), before->decisions->end(), [&](const Decision& one) {
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
@@ -338,6 +380,25 @@ Result<void> StationMapping::undo() {
 Result<void> StationMapping::redo() {
     return m_state->takeBack(
         &redoOnMap, translate("leitstand::Station", "nothing to be done again: nothing was taken back last"));
+}
+
+Result<void> StationMapping::answerLoop(bool same) {
+    if (auto may = m_state->granted(); !may) return may;
+    const auto open = openLoop(*m_state->mission.state());
+    if (!open) return Error{translate("leitstand::Station", "nothing is asked about the map")};
+    const ScanLinksSample said = answerTo(*open, same, m_state->station, stationTime());
+    if (auto kept = m_state->say(said, station_topic::ScanLinks); !kept) return kept;
+    m_state->mapping->adopt(said);
+    return {};
+}
+
+Result<void> StationMapping::undoLoop() {
+    return m_state->takeBack(&leitstand::undoLoop,
+                             translate("leitstand::Station", "nothing to be taken back: no loop closed"));
+}
+
+std::optional<MapDecision> StationMapping::loop() const {
+    return lastLoop(*m_state->mission.state());
 }
 
 std::optional<MapDecision> StationMapping::undoable() const {

@@ -32,7 +32,8 @@ struct StationMappingSetup {
     std::vector<RobotDescription> robots;
     std::string station;  ///< persistent identity
     LiveSettings settings;
-    std::vector<KeyScanSample> earlier;  ///< key scans of the mission's earlier sessions
+    std::vector<KeyScanSample> earlier;           ///< key scans of the mission's earlier sessions ...
+    std::vector<ScanLinksSample> earlierLinks{};  ///< ... and what they were registered against
 };
 
 /// The map of a station on live robots, and the operator's decisions on its scans. What comes of them is in
@@ -62,6 +63,13 @@ public:
     /// Says that something of ours is taken back that is no decision on the map: the log of the map counts
     /// it.
     Result<void> takeBack(const UndoSample& undo);
+    /// Answers openLoop() of the mission: the two are one place, and the map is brought together there, or
+    /// they are not, and it is not asked about again. undo() takes the answer back.
+    Result<void> answerLoop(bool same);
+    /// Takes back the newest loop that closed in the map, whoever closed it: scans go back to where the other
+    /// links want them, and it does not close there again by itself.
+    Result<void> undoLoop();
+    [[nodiscard]] std::optional<MapDecision> loop() const;  ///< that undoLoop() would take back
     /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
     [[nodiscard]] std::optional<MapDecision> undoable() const;
     [[nodiscard]] std::optional<MapDecision> redoable() const;

@@ -113,7 +113,7 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
     return {};
 }
 
-void Station::State::map(std::vector<KeyScanSample> earlier) {
+void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLinksSample> links) {
     StationMappingListener listening;
     listening.onMessage = [this](const std::string& text) { say(text); };
     listening.onMap = listener.onMap;
@@ -124,7 +124,7 @@ void Station::State::map(std::vector<KeyScanSample> earlier) {
     mapping = std::make_unique<StationMapping>(
         *mission, [this] { return grants->mayAct(MapGrant); },
         StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
-                            std::move(earlier)},
+                            std::move(earlier), std::move(links)},
         std::move(listening));
     grants->ask(MapGrant);
 }
@@ -331,6 +331,7 @@ Result<void> Station::State::start() {
         if (listener.onEvent) listener.onEvent(event);
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
+    std::vector<ScanLinksSample> links = scanLinksOf(settings.mission.folder);
     auto recorded = LiveMission::open(settings.mission, std::move(log));
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();
@@ -349,7 +350,7 @@ Result<void> Station::State::start() {
         [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
         [this](const std::string& text) { say(text); });
     cover(earlier);
-    map(std::move(earlier));
+    map(std::move(earlier), std::move(links));
     search();
     file();
     watch();

@@ -73,7 +73,7 @@ struct Station::State {
     void watchStreams();
     void watchBrakes();
     void guardRobots();
-    void map(std::vector<KeyScanSample> earlier);
+    void map(std::vector<KeyScanSample> earlier, std::vector<ScanLinksSample> links);
     void search();
     void cover(std::vector<KeyScanSample> earlier);
     void watch();

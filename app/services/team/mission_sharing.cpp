@@ -13,6 +13,7 @@
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/state/mission_clock.h"
+#include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_sender.h"
 
@@ -188,7 +189,7 @@ std::shared_ptr<MissionSharing::Telling> MissionSharing::scansToTell() {
     }
     telling->bag = std::move(bag).value();
     BagQuery query;
-    query.topics = {std::string(station_topic::KeyScans)};
+    query.topics = {std::string(station_topic::KeyScans), std::string(station_topic::ScanLinks)};
     telling->cursor.emplace(telling->bag->read(query));
     return telling;
 }
@@ -221,6 +222,15 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
     for (int i = 0; i < ScansAtOnce;) {
         const auto scan = telling->cursor->next();
         if (!scan) return tellMap(*m_mission.state());
+        if (scan->topic == station_topic::ScanLinks) {
+            const auto event = decodeStationEvent(*scan);
+            const auto* said = event ? std::get_if<ScanLinksSample>(&event->sample) : nullptr;
+            if (said == nullptr) continue;
+            // Who reads it has to tell it from what it says itself.
+            write(ScanLinksSample{said->stamp, m_setup.station, said->links}, station_topic::ScanLinks);
+            telling->bytes += scan->cdr->size();
+            continue;
+        }
         if (!telling->sequences.contains(scan->sequence)) continue;  // another of its number counts
         write(scan->cdr, station_topic::KeyScans);
         telling->bytes += scan->cdr->size();
@@ -234,6 +244,8 @@ void MissionSharing::tellMap(const MissionState& mission) {
     if (!mission.keyScans->empty())
         write(ScanPosesSample{now, m_setup.station, ScanPosesSample::Cause::Registration, posesOf(mission)},
               station_topic::ScanPoses);
+    if (std::vector<Link> loops = loopsOf(mission); !loops.empty())
+        write(ScanLinksSample{now, m_setup.station, std::move(loops)}, station_topic::ScanLinks);
     if (mission.crop) {
         MapCropSample crop = mission.crop->sample;
         crop.station = m_setup.station;
@@ -284,6 +296,14 @@ void MissionSharing::tellUndone(const UndoSample& undo) {
             if (scan != mission->keyScans->end()) now.poses.push_back(scan->second.pose);
         }
         write(now, station_topic::ScanPoses);
+    } else if (const auto* loop = std::get_if<ScanLinksSample>(&meant->content)) {
+        ScanLinksSample now{undo.stamp, m_setup.station, {}};
+        for (const Link& link : loopsOf(*mission)) {
+            const bool said = std::any_of(loop->links.begin(), loop->links.end(),
+                                          [&](const Link& one) { return one.id == link.id; });
+            if (said) now.links.push_back(link);
+        }
+        write(now, station_topic::ScanLinks);
     } else if (std::holds_alternative<MapCropSample>(meant->content)) {
         MapCropSample now;
         if (mission->crop) now = mission->crop->sample;

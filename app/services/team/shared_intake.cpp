@@ -19,7 +19,8 @@ constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whate
 /// Whether it lies in the map of whom it is from.
 bool isOfMap(const Sample& sample) {
     return std::holds_alternative<KeyScanSample>(sample) || std::holds_alternative<ScanPosesSample>(sample) ||
-           std::holds_alternative<MapCropSample>(sample) || std::holds_alternative<RobotPlaceSample>(sample);
+           std::holds_alternative<ScanLinksSample>(sample) || std::holds_alternative<MapCropSample>(sample) ||
+           std::holds_alternative<RobotPlaceSample>(sample);
 }
 
 bool isPlacedInMap(const Sample& sample) {
@@ -53,6 +54,8 @@ std::vector<std::uint64_t> scansOf(const Sample& sample) {
     std::vector<std::uint64_t> scans;
     if (const auto* poses = std::get_if<ScanPosesSample>(&sample)) {
         for (const ScanPose& pose : poses->poses) scans.push_back(pose.scan);
+    } else if (const auto* links = std::get_if<ScanLinksSample>(&sample)) {
+        for (const Link& link : links->links) scans.insert(scans.end(), {link.from, link.to});
     }
     return scans;
 }
@@ -65,6 +68,10 @@ SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)),
 }
 
 void SharedIntake::know(const Event& event) {
+    if (const auto* links = std::get_if<ScanLinksSample>(&event.sample)) {
+        const std::lock_guard lock(m_mutex);
+        for (const Link& link : links->links) m_links[link.id] = link.active;
+    }
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
     if (scan == nullptr || !scan->scan) return;
     const std::lock_guard lock(m_mutex);
@@ -113,10 +120,18 @@ bool SharedIntake::wants(const Event& event, Other& other) {
     if (isOfMap(sample) && m_setup.holdsMap()) return false;
     if (other.map == Map::Other && isPlacedInMap(sample)) return false;
     if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
+    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return wants(*links);
     if (const auto* find = std::get_if<VictimSample>(&sample)) return wants(*find);
     if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
     const auto known = knownStamp(*m_setup.mission(), sample);
     return !known || *known < stampOf(sample);
+}
+
+bool SharedIntake::wants(const ScanLinksSample& sample) const {
+    return std::any_of(sample.links.begin(), sample.links.end(), [this](const Link& link) {
+        const auto known = m_links.find(link.id);
+        return known == m_links.end() || known->second != link.active;
+    });
 }
 
 bool SharedIntake::wants(const VictimSample& find) {
@@ -203,6 +218,9 @@ void SharedIntake::wait(Waiting one, Other& other) {
 }
 
 void SharedIntake::enter(RawEvent event, Sample sample) {
+    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) {
+        for (const Link& link : links->links) m_links[link.id] = link.active;
+    }
     if (takeOurSequences(sample, *m_setup.mission())) {
         if (auto cdr = encode(sample, event.type)) event.cdr = std::move(cdr).value();
     }

@@ -57,7 +57,7 @@ public:
     void rejoined(const Sender& me);
     /// Takes what @p from said, on one of station_topic.
     void take(RawEvent event, const Sender& from, SteadyTime now);
-    /// An event of our log: key scans are known from then on.
+    /// An event of our log: key scans and their links are known from then on.
     void know(const Event& event);
     /// Whether this station's finds lie in the map that others know: it makes it, has none, or shares theirs.
     [[nodiscard]] bool sharesMap() const;
@@ -88,6 +88,7 @@ private:
     };
     [[nodiscard]] bool wants(const Event& event, Other& other);
     [[nodiscard]] bool wants(const KeyScanSample& scan, Other& other);
+    [[nodiscard]] bool wants(const ScanLinksSample& sample) const;
     [[nodiscard]] bool wants(const VictimSample& find);
     [[nodiscard]] bool wants(const ClockSample& clock) const;
     [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;
@@ -107,6 +108,7 @@ private:
     Sender m_me;                             ///< under the mutex
     std::map<std::uint64_t, Known> m_scans;  ///< by id; under the mutex, as all that follows
     std::set<std::uint64_t> m_adopted;
+    std::map<std::uint64_t, bool> m_links;  ///< of scans, by id: whether they are active
     std::map<Sender, Other> m_others;
     std::optional<Sender> m_maker;  ///< of the map, as it says itself
 };

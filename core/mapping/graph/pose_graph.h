@@ -1,42 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/base/pose.h"
+#include "core/event/scan_links.h"
 
 namespace leitstand {
-
-using Information = Eigen::Matrix<double, 6, 6>;
-
-/// What tells how two key scans lie to each other.
-enum class LinkKind : std::uint8_t {
-    Odometry,  ///< the robot's odometry and gyro between two scans that followed each other
-    Match,     ///< one scan was registered against another near it
-    Loop,      ///< two scans that are far from each other along the way were found to see the same place
-    Operator,  ///< the operator put them together
-    Gravity,   ///< which way is up in a scan
-    Session,   ///< two runs or missions were joined
-    Geo,       ///< a place that was surveyed
-};
-inline constexpr int LinkKindCount = 7;
-[[nodiscard]] std::string toString(LinkKind kind);
-
-/// What is known of how two nodes of a graph lie to each other.
-struct Link {
-    std::uint64_t id = 0;
-    std::uint64_t from = 0, to = 0;  ///< ids of nodes
-    Pose pose = Pose::Identity();    ///< of `to` in `from`
-    /// Inverse covariance of linkError(): translation first [1/m^2], then rotation [1/rad^2], in the frame of
-    /// `to`.
-    Information information = Information::Identity();
-    LinkKind kind = LinkKind::Match;
-    std::string station;  ///< that found it
-    bool active = true;   ///< whether poses follow it
-};
 
 /// A pose that links hold.
 struct GraphNode {

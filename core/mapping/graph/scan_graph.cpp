@@ -1,50 +1,115 @@
 #include "core/mapping/graph/scan_graph.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace leitstand {
+namespace {
 
-void ScanGraph::connect(std::uint64_t id, std::uint64_t other, double distance) {
-    if (id == other) return;
-    m_edges[id].push_back({other, distance});
-    m_edges[other].push_back({id, distance});
+std::vector<Link>::iterator placeOf(std::vector<Link>& links, std::uint64_t id) {
+    return std::lower_bound(links.begin(), links.end(), id,
+                            [](const Link& link, std::uint64_t wanted) { return link.id < wanted; });
 }
 
-void ScanGraph::add(Link link) {
-    link.id = m_links.empty() ? 1 : m_links.back().id + 1;
-    m_links.push_back(std::move(link));
+}  // namespace
+
+void ScanGraph::connect(const Link& link) {
+    if (!link.active || link.from == link.to) return;
+    const double distance = link.pose.translation().norm();
+    m_edges[link.from].push_back({link.to, distance, link.id});
+    m_edges[link.to].push_back({link.from, distance, link.id});
+}
+
+void ScanGraph::disconnect(const Link& link) {
+    for (const std::uint64_t scan : {link.from, link.to}) {
+        const auto edges = m_edges.find(scan);
+        if (edges == m_edges.end()) continue;
+        std::erase_if(edges->second, [&](const Edge& edge) { return edge.link == link.id; });
+        if (edges->second.empty()) m_edges.erase(edges);
+    }
+}
+
+const Link& ScanGraph::add(Link link) {
+    if (link.id == 0) link.id = m_next;
+    m_next = std::max(m_next, link.id + 1);
+    auto place = placeOf(m_links, link.id);
+    if (place != m_links.end() && place->id == link.id) {
+        disconnect(*place);
+        *place = std::move(link);
+    } else {
+        place = m_links.insert(place, std::move(link));
+    }
+    connect(*place);
+    return *place;
+}
+
+void ScanGraph::setActive(std::uint64_t id, bool active) {
+    const auto place = placeOf(m_links, id);
+    if (place == m_links.end() || place->id != id || place->active == active) return;
+    disconnect(*place);
+    place->active = active;
+    connect(*place);
 }
 
 void ScanGraph::forget(std::uint64_t id) {
-    const auto edges = m_edges.find(id);
-    if (edges != m_edges.end()) {
-        for (const Edge& edge : edges->second) {
-            std::erase_if(m_edges[edge.to], [id](const Edge& back) { return back.to == id; });
-        }
-        m_edges.erase(edges);
+    for (const Link& link : m_links) {
+        if (link.from == id || link.to == id) disconnect(link);
     }
     std::erase_if(m_links, [id](const Link& link) { return link.from == id || link.to == id; });
 }
 
+void ScanGraph::beginBlock(std::uint64_t block) {
+    m_next = (m_next - 1 + block) / block * block + 1;
+}
+
 std::map<std::uint64_t, double> ScanGraph::within(std::uint64_t id, double most) const {
-    using Reached = std::pair<double, std::uint64_t>;
     std::map<std::uint64_t, double> found;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-    open.emplace(0.0, id);
+    walk(
+        id, most, [](const Edge& edge) { return edge.distance; },
+        [&](std::uint64_t at, double way) {
+            found.emplace(at, way);
+            return true;
+        });
+    return found;
+}
+
+std::optional<double> ScanGraph::cheapest(std::uint64_t from, std::uint64_t to,
+                                          const std::function<double(const Link&)>& cost) const {
+    std::optional<double> found;
+    const auto of = [&](const Edge& edge) {
+        return cost(
+            *std::lower_bound(m_links.begin(), m_links.end(), edge.link,
+                              [](const Link& link, std::uint64_t wanted) { return link.id < wanted; }));
+    };
+    walk(from, std::numeric_limits<double>::infinity(), of, [&](std::uint64_t at, double sum) {
+        if (at == to) found = sum;
+        return !found;
+    });
+    return found;
+}
+
+template <class Cost, class Reached>
+void ScanGraph::walk(std::uint64_t from, double most, const Cost& cost, const Reached& reached) const {
+    using Place = std::pair<double, std::uint64_t>;
+    std::set<std::uint64_t> seen;
+    std::priority_queue<Place, std::vector<Place>, std::greater<>> open;
+    open.emplace(0.0, from);
     while (!open.empty()) {
-        const auto [way, at] = open.top();
+        const auto [sum, at] = open.top();
         open.pop();
-        if (!found.emplace(at, way).second) continue;
+        if (!seen.insert(at).second) continue;
+        if (!reached(at, sum)) return;
         const auto edges = m_edges.find(at);
         if (edges == m_edges.end()) continue;
         for (const Edge& edge : edges->second) {
-            const double then = way + edge.distance;
-            if (then <= most && !found.contains(edge.to)) open.emplace(then, edge.to);
+            const double then = sum + cost(edge);
+            if (then <= most && !seen.contains(edge.to)) open.emplace(then, edge.to);
         }
     }
-    return found;
 }
 
 }  // namespace leitstand

@@ -33,7 +33,7 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
 
 const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& robot) {
     if (!localStale && localKey == robot.key && distanceBetween(place, localPlace) <= SamePlace) return local;
-    if (robot.key == 0 || robot.placedInMap || !settings.loops.on) {
+    if (robot.key == 0 || robot.placedInMap || robot.lost || !settings.loops.on) {
         local = localMap(map.scans, place, settings.local);
     } else {
         const std::map<std::uint64_t, double> together = loops.sameAge(robot.key);
@@ -47,38 +47,6 @@ const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& 
     localKey = robot.key;
     localStale = false;
     return local;
-}
-
-void LiveMapper::State::closeLoops(MapUpdate& update, RobotTrack& robot, Time now) {
-    const LiveKeyScan key = map.scans.back();
-    std::vector<ScanPose> moved = loops.close(key, map);
-    if (moved.empty()) return;
-    const auto own =
-        std::find_if(moved.begin(), moved.end(), [&](const ScanPose& pose) { return pose.scan == key.id; });
-    const Pose correction =
-        own == moved.end() ? Pose::Identity() : own->scanInMap * key.pose.scanInMap.inverse();
-    for (const ScanPose& pose : moved) {
-        LiveKeyScan* const scan = find(pose.scan);
-        scan->pose = pose;
-        cropped.fit(*scan, clouds);
-    }
-    for (auto& [name, track] : robots) {
-        if (track.key == 0 || &track == &robot) continue;
-        const LiveKeyScan* const newest = find(track.key);
-        if (newest != nullptr) {
-            const Pose moving = newest->pose.scanInMap * track.keyInMap.inverse();
-            track.sensorInMap = moving * track.sensorInMap;
-            track.keyInMap = newest->pose.scanInMap;
-        }
-    }
-    localStale = true;
-    Localisation& here = update.localisation;
-    here.baseInMap = correction * here.baseInMap;
-    here.guessInMap = correction * here.guessInMap;
-    here.odomInMap = correction * here.odomInMap;
-    update.scanInMap = correction * update.scanInMap;
-    robot.keyInMap = correction * robot.keyInMap;
-    update.closure = ScanPosesSample{now, station, ScanPosesSample::Cause::LoopClosure, std::move(moved)};
 }
 
 Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
@@ -248,12 +216,10 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
-        if (state.settings.loops.on)
-            state.loops.add(key, state.find(robot.key), state.map, against, match, robot.scale.factor());
         state.map.scans.push_back(std::move(key));
+        if (state.settings.loops.on) state.link(update, robot, against, match, now);
         robot.keyInMap = match.scanInMap;
         robot.key = here.keyScan;
-        if (match.doubts == 0 && state.settings.loops.on) state.closeLoops(update, robot, now);
     }
     if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0) {
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;

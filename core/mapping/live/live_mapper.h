@@ -9,7 +9,9 @@
 
 #include "core/base/result.h"
 #include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
 #include "core/mapping/live/live_settings.h"
+#include "core/mapping/live/loops/map_problem.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/registration/icp.h"
@@ -33,8 +35,11 @@ struct Localisation {
 /// What came of a scan: what the log keeps, in this order, and where the robot is.
 struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
+    std::optional<ScanLinksSample> links;  ///< what it was registered against
     std::optional<ScanPosesSample> poses;
-    std::optional<ScanPosesSample> closure;  ///< after that: a loop closed
+    /// That closed with it: poses follow by LiveMapper::problem(). Links that are not active are a question
+    /// to the operator.
+    std::optional<ScanLinksSample> loop;
     Localisation localisation;
     ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null where it was not looked at ...
     Pose scanInMap = Pose::Identity();  ///< ... and where it was taken
@@ -46,6 +51,13 @@ struct RobotFix {
     Pose baseInMap = Pose::Identity();  ///< then
     double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
     std::uint8_t doubts = 0;            ///< bits of ScanDoubt
+};
+
+/// What came of solving.
+struct Settled {
+    std::optional<ScanLinksSample> links;  ///< loops that the others speak against: poses do not follow them
+    std::optional<ScanPosesSample> poses;  ///< of scans that moved noticeably
+    double largest = 0.0;                  ///< shift of one [m]
 };
 
 /// How a scan is registered again.
@@ -103,6 +115,18 @@ public:
     /// Takes over where the mission has its key scans and how far they count, after an undo or from another
     /// station: all of them; those that are missing are set aside.
     void follow(std::span<const ScanPose> poses);
+
+    /// The same for links of the log, or of another station.
+    void restore(const ScanLinksSample& links);
+    /// Links of loops, as they are now: what was taken back is not active.
+    void followLoops(std::span<const Link> loops);
+
+    /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
+    /// settle(). Empty: nothing, or somebody is at it.
+    [[nodiscard]] std::optional<MapProblem> problem();
+    /// Puts the scans to where @p solution has them. What entered meanwhile goes along with what it was
+    /// registered against. Where decisions came in between it changes nothing, and problem() begins anew.
+    [[nodiscard]] Settled settle(const MapSolution& solution, Time now);
 
     /// Empty: nobody knows.
     [[nodiscard]] std::optional<RobotFix> fix(const std::string& robot) const;

@@ -45,6 +45,7 @@ void LiveMapper::State::goOn(const std::string& name) {
     const Pose moved =
         together ? newest->scan->sensorInOdom.inverse() * robot.sensorInOdom : Pose::Identity();
     robot.known = true;
+    robot.key = newest->id;
     robot.sensorInMap = inMap * moved;
     robot.keyInMap = inMap;
     robot.lost = !newest->counts();
@@ -58,6 +59,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
     std::map<std::string, std::uint64_t> newest;  // key scan of each robot, whatever its trust
     for (const LiveKeyScan& scan : map.scans) newest[scan.scan->robot] = scan.id;
     std::vector<std::string> moved;
+    ++revision;
     for (const ScanPose& pose : poses) {
         LiveKeyScan* scan = find(pose.scan);
         if (scan == nullptr || same(scan->pose, pose)) continue;
@@ -170,6 +172,7 @@ void LiveMapper::adopt(const KeyScanSample& sample) {
     if (known != nullptr) {
         std::erase_if(m_state->map.scans, [&](const LiveKeyScan& scan) { return scan.id == sample.id; });
         m_state->cropped.forget(sample.id);
+        m_state->loops.forget(sample.id);
     }
     restore(sample);
     beginBlock();
@@ -179,6 +182,7 @@ void LiveMapper::beginBlock() {
     if (m_state->map.scans.empty()) return;
     const std::uint64_t newest = m_state->map.scans.back().id;
     m_state->nextId = std::max(m_state->nextId, (newest / IdBlock + 1) * IdBlock + 1);
+    m_state->loops.beginBlock();
 }
 
 void LiveMapper::follow(std::span<const ScanPose> poses) {

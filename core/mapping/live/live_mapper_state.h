@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/mapping/live/live_mapper.h"
-#include "core/mapping/live/loop_closer.h"
+#include "core/mapping/live/loops/loop_closer.h"
 #include "core/mapping/live/map/cropped_scans.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
@@ -50,8 +50,9 @@ struct LiveMapper::State {
     [[nodiscard]] Pose guessOf(const LiveScan& live, const RobotTrack& robot, Step& step) const;
     /// The scans about @p place that @p robot's newest scans hang together with.
     [[nodiscard]] const LocalMap& localAt(const Pose& place, const RobotTrack& robot);
-    /// What closes at the newest key scan, and poses that follow.
-    void closeLoops(MapUpdate& update, RobotTrack& robot, Time now);
+    /// Links of the newest key scan, which was matched with @p against, and what closes at it.
+    void link(MapUpdate& update, const RobotTrack& robot, std::span<const std::uint64_t> against,
+              const Match& match, Time now);
     [[nodiscard]] Match matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                 const Pose& guess, const Step& step);
     /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
@@ -78,6 +79,9 @@ struct LiveMapper::State {
     MatchedClouds clouds;  ///< of the map's scans
     CroppedScans cropped;  ///< what of its scans is in the map
     LoopCloser loops;
+    std::uint64_t revision =
+        0;                  ///< of what solutions are for: decisions, and what other stations say, change it
+    bool unsolved = false;  ///< since a loop closed or was taken back
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan
     LocalMap local;

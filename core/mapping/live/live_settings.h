@@ -56,7 +56,7 @@ struct KeyScanRule {
 
 /// When the map meets itself.
 struct LoopSettings {
-    bool on = false;             ///< until operators can see, answer and take back what closes
+    bool on = true;
     double sameAge = 20.0;       ///< over so much way scans are nearly certain to each other [m]
     double reach = 3.0;          ///< scans this near each other may see the same [m]
     double about = 6.0;          ///< of the way about the other scan, which is matched against [m]
@@ -66,10 +66,15 @@ struct LoopSettings {
     double pendingWithin = 6.0;  ///< ... and no farther [m]
     double agreeWithin = 0.08;   ///< ... and say the same [m] ...
     double agreeWithinAngle = degrees(1.0);  ///< ... [rad]
-    double matchDeviation = 0.01;            ///< of a match, along directions that surfaces hold [m] ...
-    double arm = 3.0;        ///< ... and turns by as much as moves a point so far away likewise [m]
-    int linksAScan = 4;      ///< with what it was matched against
-    double noticed = 0.005;  ///< scans that move less are not told [m] ...
+    double drift =
+        0.005;  ///< of a map, by what lies on the way between two places, as a share of it [m / m] ...
+    double openDrift = 0.03;       ///< ... where odometry alone holds a scan ...
+    double driftAtLeast = 0.02;    ///< ... whatever the way [m]
+    double askBeyond = 3.0;        ///< so many times that, the operator is asked
+    double matchDeviation = 0.01;  ///< of a match, along directions that surfaces hold [m] ...
+    double arm = 3.0;              ///< ... and turns by as much as moves a point so far away likewise [m]
+    int linksAScan = 4;            ///< with what it was matched against
+    double noticed = 0.005;        ///< scans that move less are not told [m] ...
     double noticedAngle = degrees(0.05);  ///< ... or turn less [rad]
 };
 

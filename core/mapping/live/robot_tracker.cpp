@@ -126,6 +126,18 @@ void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
     if (!m_trail.empty()) tellTrail();
 }
 
+void RobotTracker::move(const MovedPlaces& places) {
+    const Pose correction = places.at(m_now.baseInMap.translation());
+    for (Footstep& step : m_trail) {
+        const Eigen::Vector3d was = step.inMap.cast<double>();
+        step.inMap = (places.at(was) * was).cast<float>();
+    }
+    m_now.baseInMap = correction * m_now.baseInMap;
+    if (m_now.odomInMap) m_now.odomInMap = correction * *m_now.odomInMap;
+    if (m_waiting) m_waiting = correction * *m_waiting;
+    if (!m_trail.empty()) tellTrail();
+}
+
 void RobotTracker::tellTrail() {
     auto trail = std::make_shared<Trail>();
     trail->reserve(m_trail.size());

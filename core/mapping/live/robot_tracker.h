@@ -12,6 +12,7 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/event/motion_samples.h"
+#include "core/mapping/live/map/moved_places.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/motion/motion_buffer.h"
 
@@ -47,6 +48,8 @@ public:
     /// Scans moved in the map: each place of the trail moves with the newest of @p anchors before it; what
     /// none tells stays.
     void layTrail(std::span<const TrailAnchor> anchors);
+    /// Places of the map moved: the robot and its trail go with them.
+    void move(const MovedPlaces& places);
     /// Nobody knows where the robot is any more.
     void lose();
 

@@ -117,9 +117,9 @@ private:
         raw(value.data(), size);
     }
 
-    template <int Rows>
-    void one(Eigen::Matrix<double, Rows, 1>& value) {
-        for (int i = 0; i < Rows; ++i) raw(&value[i], sizeof(double));
+    template <int Rows, int Columns>
+    void one(Eigen::Matrix<double, Rows, Columns>& value) {
+        for (double& number : value.reshaped()) raw(&number, sizeof number);
     }
     void one(Eigen::Quaterniond& value) { one(value.coeffs()); }
     void one(Eigen::Isometry3d& value) {

@@ -31,6 +31,10 @@ bool rising(const std::vector<Decision>& decisions, std::uint64_t last) {
            (decisions.empty() || decisions.back().sequence <= last);
 }
 
+bool isRead(std::uint32_t version) {
+    return version >= OldestCheckpointVersion && version <= CheckpointVersion;
+}
+
 }  // namespace
 
 std::vector<std::byte> serialised(const MissionState& state) {
@@ -56,9 +60,9 @@ Result<MissionState> deserialised(std::span<const std::byte> bytes) {
     std::uint32_t magic = 0, version = 0;
     Archive</*Writing=*/false> archive(bytes.first(bytes.size() - Tail));
     archive(magic, version);
-    if (magic != Magic || version != CheckpointVersion) {
-        return Error{fmt::format("checkpoint: expected version {} of a mission's state, found {}",
-                                 CheckpointVersion, magic == Magic ? version : 0)};
+    if (magic != Magic || !isRead(version)) {
+        return Error{fmt::format("checkpoint: expected version {} to {} of a mission's state, found {}",
+                                 OldestCheckpointVersion, CheckpointVersion, magic == Magic ? version : 0)};
     }
     std::uint64_t sum = 0;
     Archive</*Writing=*/false>(bytes.last(Tail))(sum);
@@ -92,9 +96,10 @@ CheckpointSample checkpointOf(const MissionState& state, Time stamp) {
 }
 
 Result<MissionState> stateOf(const CheckpointSample& checkpoint) {
-    if (checkpoint.version != CheckpointVersion) {
-        return Error{fmt::format("checkpoint after event {}: expected version {}, found {}",
-                                 checkpoint.sequence, CheckpointVersion, checkpoint.version)};
+    if (!isRead(checkpoint.version)) {
+        return Error{fmt::format("checkpoint after event {}: expected version {} to {}, found {}",
+                                 checkpoint.sequence, OldestCheckpointVersion, CheckpointVersion,
+                                 checkpoint.version)};
     }
     auto state = deserialised(checkpoint.state.bytes);
     if (state && state->sequence != checkpoint.sequence) {

@@ -12,8 +12,10 @@
 
 namespace leitstand {
 
-/// CheckpointSample::version of the bytes that this program writes and reads.
-inline constexpr std::uint32_t CheckpointVersion = 6;
+/// CheckpointSample::version of the bytes that this program writes ...
+inline constexpr std::uint32_t CheckpointVersion = 7;
+/// ... and of the oldest that it reads: what was added since stands behind what they have.
+inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 
 /// @p state as bytes; equal states make equal bytes.
 [[nodiscard]] std::vector<std::byte> serialised(const MissionState& state);

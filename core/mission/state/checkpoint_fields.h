@@ -40,6 +40,9 @@ inline ScanTrust lastOf(ScanTrust) {
 inline ScanPosesSample::Cause lastOf(ScanPosesSample::Cause) {
     return ScanPosesSample::Cause::Operator;
 }
+inline LinkKind lastOf(LinkKind) {
+    return LinkKind::Geo;
+}
 inline RobotPlaceSample::Cause lastOf(RobotPlaceSample::Cause) {
     return RobotPlaceSample::Cause::Seen;
 }
@@ -175,6 +178,14 @@ void describe(A& a, ScanPose& v) {
     a(v.scan, v.scanInMap, v.rms, v.inlierRatio, v.overlap, v.certainty, v.converged, v.trust, v.doubts);
 }
 template <class A>
+void describe(A& a, Link& v) {
+    a(v.id, v.from, v.to, v.pose, v.information, v.kind, v.station, v.active);
+}
+template <class A>
+void describe(A& a, ScanLinksSample& v) {
+    a(v.stamp, v.station, v.links);
+}
+template <class A>
 void describe(A& a, ScanPosesSample& v) {
     a(v.stamp, v.station, v.cause, v.poses);
 }
@@ -232,7 +243,7 @@ void describe(A& a, SharedValue<T>& v) {
 }
 template <class A>
 void describe(A& a, MissionState& v) {
-    // Victims, key scans, notes and the area of the map follow from the decisions.
+    // Victims, key scans, loops, notes and the area of the map follow from the decisions.
     a(v.sequence, v.events, v.first, v.last, v.robots, v.ownTopics, v.decisions, v.grants, v.alarms,
       v.sessions, v.remarks, v.clock, v.candidates, v.info);
 }

@@ -51,6 +51,11 @@ private:
         m_state.crop = {decision.sequence, decision.received, crop};
     }
 
+    void effect(const Decision& decision, const ScanLinksSample& sample) {
+        auto& loops = m_state.loops.edit();
+        for (const Link& link : sample.links) loops[link.id] = {decision.sequence, link};
+    }
+
     void effect(const Decision&, const UndoSample&) {}
 
     MissionState& m_state;
@@ -114,6 +119,7 @@ void reconsider(MissionState& state) {
     }
     state.victims.edit().clear();
     state.keyScans.edit().clear();
+    state.loops.edit().clear();
     state.notes.edit().clear();
     state.crop.reset();
     Effects effects(state);

@@ -178,6 +178,12 @@ private:
     void handle(const NoteSample& sample) { decided(sample); }
     void handle(const ScanPosesSample& sample) { decided(sample); }
     void handle(const MapCropSample& sample) { decided(sample); }
+    void handle(const ScanLinksSample& sample) {
+        // What a scan was registered against goes with it; only loops are taken back.
+        ScanLinksSample loops = sample;
+        std::erase_if(loops.links, [](const Link& link) { return !closesLoop(link.kind); });
+        if (!loops.links.empty()) decided(std::move(loops));
+    }
     void handle(const UndoSample& sample) { decided(sample); }
     void handle(const KeyScanSample& sample) {
         KeyScanEntry entry;

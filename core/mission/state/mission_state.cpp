@@ -24,6 +24,23 @@ Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& 
     return placeOf(state, candidate);
 }
 
+std::vector<Link> loopsOf(const MissionState& state) {
+    std::map<std::uint64_t, Link> links;
+    for (const Decision& decision : *state.decisions) {
+        const auto* sample = std::get_if<ScanLinksSample>(&decision.content);
+        if (sample == nullptr) continue;
+        for (const Link& link : sample->links) {
+            const auto stands = state.loops->find(link.id);
+            Link& now = links[link.id];
+            now = stands != state.loops->end() ? stands->second.link : link;
+            now.active = now.active && stands != state.loops->end();
+        }
+    }
+    std::vector<Link> all;
+    for (auto& [id, link] : links) all.push_back(std::move(link));
+    return all;
+}
+
 const Decision* decisionAt(const MissionState& state, std::uint64_t sequence) {
     const std::vector<Decision>& all = *state.decisions;
     const auto found = std::lower_bound(

@@ -16,6 +16,7 @@
 #include "core/base/time.h"
 #include "core/event/candidate_sample.h"
 #include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
 #include "core/event/station_samples.h"
 #include "core/event/victim_sample.h"
 #include "core/mission/state/robot_state.h"
@@ -41,7 +42,10 @@ struct Decision {
     std::uint64_t sequence = 0;
     Time received{};      ///< station's clock
     bool undone = false;  ///< an undo that is not undone itself names it
-    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample> content;
+    /// ScanLinksSample: of its links, those that close loops.
+    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
+                 ScanLinksSample>
+        content;
 };
 
 /// What names a victim or another find.
@@ -76,6 +80,12 @@ struct KeyScanState {
     KeyScanEntry entry;
     ScanPose pose;                   ///< newest that is not undone
     std::uint64_t poseSequence = 0;  ///< of the event that said so; the scan's own when nothing moved it
+};
+
+/// A link that closes a loop, as the newest decision that is not undone has it.
+struct LoopState {
+    std::uint64_t sequence = 0;  ///< of that decision
+    Link link;
 };
 
 /// Who holds a grant.
@@ -123,6 +133,7 @@ struct MissionState {
     SharedValue<std::map<FindKey, VictimState>> victims;              ///< and other finds
     SharedValue<std::map<std::uint32_t, CandidateState>> candidates;  ///< by id
     SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;      ///< by id
+    SharedValue<std::map<std::uint64_t, LoopState>> loops;            ///< by id of the link
     SharedValue<std::vector<Latest<NoteSample>>> notes;               ///< that are not undone
     std::optional<Latest<MapCropSample>> crop;                        ///< newest that is not undone
     SharedValue<std::map<GrantKey, GrantState>> grants;
@@ -139,6 +150,8 @@ using MissionStatePtr = std::shared_ptr<const MissionState>;
 /// Where @p victim is in the map now: with the scan it hangs on, else where it was filed [m].
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
+/// All links that ever closed loops, as they are now: those that are taken back are not active.
+[[nodiscard]] std::vector<Link> loopsOf(const MissionState& state);
 /// The decision of @p sequence; null when there is none.
 [[nodiscard]] const Decision* decisionAt(const MissionState& state, std::uint64_t sequence);
 

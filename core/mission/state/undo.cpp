@@ -26,9 +26,25 @@ std::optional<MapDecision> onMap(const Decision& decision, const std::string& st
         if (ours && !poses->poses.empty()) told = scansOf(*poses);
     } else if (const auto* crop = std::get_if<MapCropSample>(&decision.content)) {
         if (crop->station == station) told = MapDecision{Kind::Crop, {}, 0};
+    } else if (const auto* links = std::get_if<ScanLinksSample>(&decision.content)) {
+        const bool ours = links->station == station &&
+                          std::all_of(links->links.begin(), links->links.end(),
+                                      [](const Link& link) { return link.kind == LinkKind::Operator; });
+        const bool closes = std::any_of(links->links.begin(), links->links.end(),
+                                        [](const Link& link) { return link.active; });
+        if (ours) told = MapDecision{closes ? Kind::Loop : Kind::Refused, {}, 0};
     }
     if (told) told->event = decision.sequence;
     return told;
+}
+
+/// The loop that @p decision closed; empty: another kind.
+std::optional<MapDecision> loopOf(const Decision& decision) {
+    const auto* sample = std::get_if<ScanLinksSample>(&decision.content);
+    const bool closes = sample != nullptr && std::any_of(sample->links.begin(), sample->links.end(),
+                                                         [](const Link& link) { return link.active; });
+    if (!closes) return std::nullopt;
+    return MapDecision{Kind::Loop, {}, decision.sequence};
 }
 
 }  // namespace
@@ -50,6 +66,12 @@ UndoneThing undoneThing(const MapDecision& decision) {
         case Kind::Crop:
             thing.kind = UndoneThing::Kind::Crop;
             break;
+        case Kind::Loop:
+            thing.kind = UndoneThing::Kind::Loop;
+            break;
+        case Kind::Refused:
+            thing.kind = UndoneThing::Kind::RefusedLoop;
+            break;
     }
     return thing;
 }
@@ -59,6 +81,15 @@ std::optional<MapDecision> undoable(const MissionState& state, const std::string
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
         if (decision->undone) continue;
         if (auto told = onMap(*decision, station)) return told;
+    }
+    return std::nullopt;
+}
+
+std::optional<MapDecision> lastLoop(const MissionState& state) {
+    const auto& all = *state.decisions;
+    for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
+        if (decision->undone) continue;
+        if (auto loop = loopOf(*decision)) return loop;
     }
     return std::nullopt;
 }
@@ -73,6 +104,7 @@ std::optional<MapDecision> redoable(const MissionState& state, const std::string
         const Decision* target = decisionAt(state, undo->event);
         if (target == nullptr || !target->undone) continue;
         auto told = onMap(*target, station);
+        if (!told) told = loopOf(*target);
         if (!told) continue;
         told->event = decision->sequence;
         return told;
@@ -84,6 +116,12 @@ std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string
     const auto decision = undoable(state, station);
     if (!decision) return std::nullopt;
     return UndoSample{now, station, decision->event, undoText(undoneThing(*decision))};
+}
+
+std::optional<UndoSample> undoLoop(const MissionState& state, const std::string& station, Time now) {
+    const auto loop = lastLoop(state);
+    if (!loop) return std::nullopt;
+    return UndoSample{now, station, loop->event, undoText(undoneThing(*loop))};
 }
 
 std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station, Time now) {

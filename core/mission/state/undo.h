@@ -19,6 +19,8 @@ struct MapDecision {
         SetAside,  ///< scans do not
         Tried,     ///< scans were registered again, and are still doubted
         Crop,      ///< what of the world belongs into the map
+        Loop,      ///< the map was brought together where it meets itself
+        Refused,   ///< ... or was not: it is another place
     };
     Kind kind = Kind::Taken;
     std::vector<std::uint64_t> scans;  ///< by id
@@ -32,6 +34,12 @@ struct MapDecision {
 [[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
 /// The one that was taken back last; empty: none was, or the operator decided something since.
 [[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
+
+/// The newest loop that closed in the map, by itself or by hand, and is not taken back; empty: none did.
+[[nodiscard]] std::optional<MapDecision> lastLoop(const MissionState& state);
+/// Takes lastLoop() back.
+[[nodiscard]] std::optional<UndoSample> undoLoop(const MissionState& state, const std::string& station,
+                                                 Time now);
 
 /// Takes undoable() back.
 [[nodiscard]] std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station,

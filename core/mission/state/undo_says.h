@@ -13,6 +13,8 @@ struct UndoneThing {
         SetAside,      ///< scans do not
         Tried,         ///< scans were registered again
         Crop,          ///< what of the world belongs into the map
+        Loop,          ///< the map was brought together where it meets itself
+        RefusedLoop,   ///< ... or was not: it is another place
         Find,          ///< the newest entry on a find
         ReviewedFind,  ///< likewise, of a review
         ReviewNote,    ///< a note that was written in a review

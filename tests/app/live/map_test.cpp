@@ -1,19 +1,23 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include <QAction>
 #include <QComboBox>
+#include <QFrame>
 #include <QLabel>
 #include <QTableView>
 
 #include <gtest/gtest.h>
 
+#include "app/services/log/live_mission.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/input/selection.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "core/base/pose.h"
+#include "core/event/station_topics.h"
 #include "core/mapping/placement/placement.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
@@ -328,6 +332,59 @@ TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsUndoneAndRestoredAfterARestart) {
         return corners() == 0;
     }));
     EXPECT_TRUE(soon([&] { return !everything->isEnabled(); }));
+}
+
+TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTakenBack) {
+    ASSERT_NO_FATAL_FAILURE(mapTwoScans());
+    // What the station itself says where the map erred more than it should have.
+    const auto scans = station().mapping().scans()->scans;
+    ScanLinksSample question{Time(std::chrono::seconds(1'800'000'000)), "us", {Link{}}};
+    Link& link = question.links.front();
+    link.id = 90'000;
+    link.from = scans.front().id;
+    link.to = scans.back().id;
+    link.kind = LinkKind::Loop;
+    link.active = false;
+    link.information *= 1e4;
+    link.pose = scans.front().pose.scanInMap.inverse() * scans.back().pose.scanInMap;
+    link.pose.translation() += Eigen::Vector3d(0.3, 0.4, 0.0);
+    restart([&] {
+        LiveMissionSettings settings;
+        settings.folder = m_folder.path().toStdString() + "/mission";
+        settings.robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
+        auto mission = LiveMission::open(settings).value();
+        ASSERT_TRUE(mission->say(question, station_topic::ScanLinks).ok());
+        ASSERT_TRUE(mission->close());
+    });
+    m_window->layouts().use("explore");
+    auto* const asked = m_window->findChild<QFrame*>("loopQuestion");
+    ASSERT_NE(asked, nullptr);
+    ASSERT_TRUE(soon([&] { return asked->isVisible(); }));
+    EXPECT_TRUE(asked->accessibleName().contains("0.50 m")) << asked->accessibleName().toStdString();
+    EXPECT_TRUE(asked->parentWidget()->rect().contains(asked->geometry())) << "nothing of it is cut";
+    lookAt("map_question");
+    trigger("loop.refuse");
+    EXPECT_TRUE(soon([&] { return !asked->isVisible(); }));
+    QAction* const undo = m_window->commands().find("scan.undo");
+    EXPECT_TRUE(soon([&] { return undo->text().contains("told from another"); }))
+        << undo->text().toStdString();
+    trigger("scan.undo");
+    EXPECT_TRUE(soon([&] { return asked->isVisible(); })) << "it is asked again";
+    const auto seam = [&] {
+        const auto now = station().mapping().scans()->scans;
+        const auto at = [&](std::uint64_t id) {
+            return std::find_if(now.begin(), now.end(), [id](const auto& one) { return one.id == id; })
+                ->pose.scanInMap;
+        };
+        return distanceBetween(at(link.from) * link.pose, at(link.to));
+    };
+    const double before = seam();
+    EXPECT_NEAR(before, 0.5, 0.05);
+    trigger("loop.close");
+    EXPECT_TRUE(soon([&] { return !asked->isVisible() && seam() < before - 0.05; })) << seam();
+    trigger("loop.undo");
+    EXPECT_TRUE(soon([&] { return std::abs(seam() - before) < 0.02; })) << seam() << ", before " << before;
+    EXPECT_TRUE(soon([&] { return asked->isVisible(); })) << "the answer is taken back: it is asked again";
 }
 
 }  // namespace

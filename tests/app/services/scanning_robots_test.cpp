@@ -128,7 +128,7 @@ TEST_F(ScanningRobots, TheSecondOneEntersFromItsSlotAlsoWhenTheStationStartsAgai
     begin();
     scan("kurt3d", KurtBegins);
     ASSERT_TRUE(enters("kurt3d"));
-    const EarlierMap earlier{m_scans, m_poses, {}};
+    const EarlierMap earlier{m_scans, m_poses};
     scan("crawler", Slot);
     EXPECT_TRUE(enters("crawler"));
     EXPECT_TRUE(stands("crawler", Slot));
@@ -144,7 +144,7 @@ TEST_F(ScanningRobots, OneThatDroveOnWhileTheStationWasAwayIsFoundWhereItsOdomet
     begin();
     scan("kurt3d", KurtBegins);
     ASSERT_TRUE(enters("kurt3d"));
-    EarlierMap earlier{m_scans, m_poses, {}};
+    EarlierMap earlier{m_scans, m_poses};
     RobotPlaceSample place;  // as the log has it; none of its scans came in
     place.robot = "crawler";
     place.cause = RobotPlaceSample::Cause::Operator;

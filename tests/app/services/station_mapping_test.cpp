@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,6 +13,7 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
+#include "core/mission/loops/open_loops.h"
 #include "tests/support/rooms.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -47,6 +49,7 @@ protected:
             if (StationMapping* const mapping = m_hears) mapping->take(event);
         };
         auto earlier = keyScansOf(settings.folder);
+        auto links = scanLinksOf(settings.folder);
         auto mission = LiveMission::open(settings, std::move(listener));
         ASSERT_TRUE(mission.ok()) << mission.error().text;
         m_mission = std::move(mission).value();
@@ -58,7 +61,9 @@ protected:
         told.onScans = [this](const LiveMapPtr& map) { m_shown = map->scans.size(); };
         m_mapping = std::make_unique<StationMapping>(
             *m_mission, [this] { return m_granted.load(); },
-            StationMappingSetup{settings.robots, settings.station, {}, std::move(earlier)}, std::move(told));
+            StationMappingSetup{settings.robots, settings.station, m_settings, std::move(earlier),
+                                std::move(links)},
+            std::move(told));
         m_hears = m_mapping.get();
     }
     void end() {
@@ -110,7 +115,46 @@ protected:
         }
         say(std::move(cloud), StreamRole::Points);
     }
-    [[nodiscard]] static Pose basePose(double way) { return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0); }
+    [[nodiscard]] Pose basePose(double way) const {
+        if (!m_circles) return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0);
+        return poseFrom({-std::cos(way), -std::sin(way), 0}, 0, 0, way - M_PI / 2);  // of 1 m
+    }
+    /// The map meets itself where the robot drives in a circle of 6 m.
+    void closeLoops() {
+        m_circles = true;
+        LoopSettings& loops = m_settings.loops;
+        loops.on = true;
+        loops.sameAge = 2.0;
+        loops.about = loops.reach = 1.5;
+        loops.apart = 0.3;
+        loops.noticed = loops.noticedAngle = 1e-5;
+    }
+    /// Drives until a loop closed, and what moved is in the log.
+    [[nodiscard]] bool closesOne() {
+        for (std::size_t i = m_mapping->scans()->scans.size() + 1; i <= 20; ++i) {
+            scan();
+            if (!scans(i)) return false;
+            if (waitUntil([&] { return m_mapping->loop().has_value(); }, 300ms)) break;
+        }
+        return waitUntil([&] { return words().find("meets itself") != std::string::npos; }, 60s);
+    }
+    [[nodiscard]] std::vector<Pose> posesInLog() const {
+        std::vector<Pose> poses;
+        const MissionStatePtr mission = m_mission->state();
+        for (const auto& [id, scan] : *mission->keyScans) poses.push_back(scan.pose.scanInMap);
+        return poses;
+    }
+    [[nodiscard]] bool mapIsAsLogged() const {
+        return waitUntil([&] {
+            const LiveMapPtr map = m_mapping->scans();
+            const auto logged = posesInLog();
+            return map->scans.size() == logged.size() &&
+                   std::equal(logged.begin(), logged.end(), map->scans.begin(),
+                              [](const Pose& a, const LiveKeyScan& b) {
+                                  return distanceBetween(a, b.pose.scanInMap) < 1e-9;
+                              });
+        });
+    }
 
     [[nodiscard]] bool scans(std::size_t count) {
         return waitUntil([&] { return m_mapping->scans()->scans.size() >= count && logged() >= count; }, 60s);
@@ -131,6 +175,8 @@ protected:
     }
 
     const TemporaryFolder m_folder;
+    LiveSettings m_settings;
+    bool m_circles = false;
     std::atomic<bool> m_granted = true;
     std::atomic<std::size_t> m_shown = 0;
     std::mutex m_mutex;
@@ -323,6 +369,70 @@ TEST_F(StationMappingTest, AStationThatStartsAgainHasTheMapTheRobotsAndWhatWasTa
     EXPECT_TRUE(m_mapping->robots()->front().placed) << "where it was seen last";
     ASSERT_TRUE(m_mapping->undo().ok()) << "also what was decided before";
     EXPECT_TRUE(becomes(3, ScanTrust::Certain));
+}
+
+TEST_F(StationMappingTest, WhereTheMapMeetsItselfIsToldLoggedTakenBackAndClosedAgain) {
+    closeLoops();
+    begin();
+    ASSERT_TRUE(closesOne()) << words();
+    EXPECT_TRUE(mapIsAsLogged());
+    const auto closed = posesInLog();
+    EXPECT_GE(m_mission->state()->loops->size(), 2U);
+    EXPECT_FALSE(m_mapping->undoable().has_value()) << "it is no decision of the operator's";
+    ASSERT_TRUE(m_mapping->undoLoop().ok());
+    ASSERT_TRUE(waitUntil([&] { return m_mission->state()->loops->empty(); })) << words();
+    ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), closed.back()) > 1e-6; }, 60s))
+        << "scans are where they were before";
+    EXPECT_TRUE(mapIsAsLogged());
+    EXPECT_FALSE(m_mapping->undoLoop().ok()) << "nothing is left";
+    ASSERT_TRUE(m_mapping->redo().ok());
+    ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), closed.back()) < 1e-9; }, 60s))
+        << words();
+    EXPECT_TRUE(mapIsAsLogged());
+}
+
+TEST_F(StationMappingTest, AStationThatStartsAgainKnowsWhatClosedAndTakesItBack) {
+    closeLoops();
+    begin();
+    ASSERT_TRUE(closesOne()) << words();
+    ASSERT_TRUE(mapIsAsLogged());
+    const auto closed = posesInLog();
+    end();
+    begin();
+    ASSERT_TRUE(m_mapping->loop().has_value());
+    EXPECT_TRUE(mapIsAsLogged());
+    ASSERT_TRUE(m_mapping->undoLoop().ok());
+    ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), closed.back()) > 1e-6; }, 60s))
+        << words();
+    EXPECT_TRUE(mapIsAsLogged());
+}
+
+TEST_F(StationMappingTest, WhereTheMapErredTooMuchItIsAskedAndTheAnswerTakenBack) {
+    closeLoops();
+    m_settings.loops.drift = m_settings.loops.driftAtLeast = 1e-7;  // nothing is expected to err
+    begin();
+    EXPECT_FALSE(m_mapping->answerLoop(true).ok()) << "nothing is asked";
+    const auto asked = [&] { return openLoop(*m_mission->state()).has_value(); };
+    for (std::size_t i = 1; i <= 20 && !asked(); ++i) {
+        scan();
+        ASSERT_TRUE(scans(i)) << words();
+        (void)waitUntil(asked, 300ms);
+    }
+    ASSERT_TRUE(asked());
+    EXPECT_THAT(words(), HasSubstr("is this a place that was seen before?"));
+    EXPECT_FALSE(m_mapping->loop().has_value()) << "unanswered, nothing moves";
+    const auto before = posesInLog();
+    ASSERT_TRUE(m_mapping->answerLoop(false).ok());
+    ASSERT_TRUE(waitUntil([&] { return !asked(); }));
+    EXPECT_EQ(posesInLog().size(), before.size());
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Refused);
+    ASSERT_TRUE(m_mapping->undo().ok());
+    ASSERT_TRUE(waitUntil(asked)) << "the question is open again";
+    ASSERT_TRUE(m_mapping->answerLoop(true).ok());
+    ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), before.back()) > 1e-6; }, 60s))
+        << words();
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Loop) << "it was the operator's act";
+    EXPECT_TRUE(mapIsAsLogged());
 }
 
 }  // namespace

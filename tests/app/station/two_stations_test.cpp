@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,18 @@ protected:
             if (scan.id == id) return scan.pose.trust;
         }
         return std::nullopt;
+    }
+    /// Whether the log of the station @p name has links to all of @p scans.
+    [[nodiscard]] bool linksCome(const std::string& name, const std::set<std::uint64_t>& scans) const {
+        return waitUntil(
+            [&] {
+                std::set<std::uint64_t> linked;
+                for (const ScanLinksSample& sample : scanLinksOf(m_folder / (name + "-mission"))) {
+                    for (const Link& link : sample.links) linked.insert(link.to);
+                }
+                return std::includes(linked.begin(), linked.end(), scans.begin(), scans.end());
+            },
+            60s);
     }
     [[nodiscard]] static bool becomes(Station& station, std::uint64_t id, ScanTrust wanted) {
         return waitUntil([&] { return trust(station, id) == wanted; }, 60s);
@@ -129,6 +142,8 @@ TEST_F(TwoStations, TheSecondGoesOnWithTheMapWhereTheFirstEndsAndTheFirstFollows
     openFirst();
     EXPECT_TRUE(waitUntil([&] { return ids(*m_first) == ids(*m_second); }, 60s)) << words();
     EXPECT_THAT(m_first->mapping().reject(1).error().text, HasSubstr("another station"));
+    EXPECT_TRUE(linksCome("second", {2, 3, 1001})) << "what each scan was registered against";
+    EXPECT_TRUE(linksCome("first", {2, 3, 1001}));
 }
 
 TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {

@@ -120,7 +120,23 @@ TEST(Checkpoint, DamageIsToldByTheChecksumAndOtherVersionsByTheirNumber) {
     EXPECT_THAT(deserialised(bytes).error().text, HasSubstr("checksum"));
     bytes[4] = std::byte{9};
     EXPECT_THAT(deserialised(bytes).error().text,
-                HasSubstr("expected version " + std::to_string(CheckpointVersion)));
+                HasSubstr("expected version " + std::to_string(OldestCheckpointVersion)));
+}
+
+TEST(Checkpoint, LinksOfLoopsAreInIt) {
+    Fold fold;
+    fold.add(event(1, test::keyScan(1, 0.0)));
+    fold.add(event(2, test::keyScan(2, 1.0)));
+    fold.add(event(3, test::linked(5, LinkKind::Match)));
+    fold.add(event(4, test::linked(6, LinkKind::Loop)));
+    const auto read = deserialised(serialised(fold.state()));
+    ASSERT_TRUE(read.ok()) << read.error().text;
+    ASSERT_EQ(read->loops->size(), 1U) << "matches go with their scans";
+    const Link& link = read->loops->at(6).link;
+    const Link said = test::linked(6, LinkKind::Loop).links.front();
+    EXPECT_EQ(link.pose.matrix(), said.pose.matrix());
+    EXPECT_EQ(link.information, said.information);
+    EXPECT_EQ(link.station, said.station);
 }
 
 TEST(Checkpoint, IsDueWhenSomethingHappenedAndTimeHasPassed) {

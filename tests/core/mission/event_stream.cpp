@@ -44,6 +44,18 @@ ScanPosesSample moved(std::uint64_t scan, double x) {
     return made;
 }
 
+ScanLinksSample linked(std::uint64_t id, LinkKind kind, bool active) {
+    Link link;
+    link.id = id;
+    link.from = 1;
+    link.to = 2;
+    link.pose = shifted(0.5);
+    link.kind = kind;
+    link.station = "us";
+    link.active = active;
+    return {.stamp = at(1), .station = "us", .links = {link}};
+}
+
 KeyScanSample keyScan(std::uint64_t id, double x) {
     auto scan = std::make_shared<Scan>();
     scan->robot = "kurt3d";
@@ -73,7 +85,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
         const double x = below(1'000) * 0.01;
         const auto text = std::to_string(below(100));
         Sample sample;
-        switch (below(23)) {
+        switch (below(24)) {
             case 0:
                 sample = victim(1 + below(5), text);
                 break;
@@ -177,6 +189,9 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                                        .station = "s",
                                        .polygon = {{x, 0.0}, {4.0, x}, {0.0, 3.0}},
                                        .ceiling = 0.1 * x};
+                break;
+            case 22:
+                sample = linked(1 + below(20), static_cast<LinkKind>(below(LinkKindCount)), below(3) != 0);
                 break;
             case 20:
                 sample = MissionInfoSample{.stamp = at(1), .team = text};

@@ -18,6 +18,8 @@ namespace leitstand::test {
 /// A victim as filed, a pose of a key scan, an undo.
 [[nodiscard]] VictimSample victim(std::uint32_t number, const std::string& text);
 [[nodiscard]] ScanPosesSample moved(std::uint64_t scan, double x);
+/// Of the scans 1 and 2, which @p kind tells; the link's id is @p id.
+[[nodiscard]] ScanLinksSample linked(std::uint64_t id, LinkKind kind, bool active = true);
 [[nodiscard]] KeyScanSample keyScan(std::uint64_t id, double x);
 [[nodiscard]] UndoSample undo(std::uint64_t sequence);
 

@@ -88,5 +88,55 @@ TEST_F(UndoOnMap, LeavesOtherStationsAndRegistrationsAlone) {
     EXPECT_TRUE(undoable(state(), "them").has_value());
 }
 
+TEST_F(UndoOnMap, AClosedLoopIsTakenBackApartFromDecisionsAndClosedAgain) {
+    EXPECT_FALSE(lastLoop(state()).has_value());
+    add(test::linked(7, LinkKind::Match));
+    EXPECT_FALSE(lastLoop(state()).has_value())
+        << "scans that were registered against each other are no loop";
+    add(test::linked(8, LinkKind::Loop));
+    decide({1}, ScanTrust::Uncertain);
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Tried) << "the operator's own act";
+    EXPECT_TRUE(loopsOf(state()).front().active);
+    const auto undo = undoLoop(state(), "us", at(0));
+    ASSERT_TRUE(undo.has_value());
+    EXPECT_EQ(undo->text, "undo: a closed loop");
+    add(*undo);
+    EXPECT_TRUE(state().loops->empty());
+    ASSERT_EQ(loopsOf(state()).size(), 1U);
+    EXPECT_FALSE(loopsOf(state()).front().active);
+    EXPECT_FALSE(undoLoop(state(), "us", at(0)).has_value()) << "no other closed";
+    EXPECT_EQ(redoable(state(), "us")->kind, Kind::Loop);
+    ASSERT_TRUE(doAgain());
+    EXPECT_TRUE(loopsOf(state()).front().active);
+}
+
+TEST_F(UndoOnMap, ALoopThatWasTakenOutIsNoneToTakeBack) {
+    add(test::linked(8, LinkKind::Loop));
+    add(test::linked(8, LinkKind::Loop, false));
+    EXPECT_FALSE(loopsOf(state()).front().active);
+    const auto loop = lastLoop(state());
+    ASSERT_TRUE(loop.has_value()) << "its closing stands in the log";
+    add(*undoLoop(state(), "us", at(0)));
+    EXPECT_FALSE(loopsOf(state()).front().active);
+}
+
+TEST_F(UndoOnMap, AnAnswerOfTheOperatorIsTakenBackAsADecision) {
+    ScanLinksSample answer = test::linked(8, LinkKind::Loop, false);
+    add(answer);
+    EXPECT_FALSE(undoable(state(), "us").has_value()) << "a question is nobody's act";
+    answer.links.front().kind = LinkKind::Operator;
+    add(answer);
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Refused);
+    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo: a place told from another");
+    ASSERT_TRUE(takeBack());
+    answer.links.front().active = true;
+    add(answer);
+    EXPECT_EQ(undoable(state(), "us")->kind, Kind::Loop);
+    ASSERT_TRUE(takeBack());
+    ASSERT_EQ(loopsOf(state()).size(), 1U);
+    EXPECT_FALSE(loopsOf(state()).front().active);
+    EXPECT_EQ(loopsOf(state()).front().kind, LinkKind::Loop) << "the question is open again";
+}
+
 }  // namespace
 }  // namespace leitstand

@@ -148,6 +148,12 @@ BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>&
         row.uncertain += one.trust != ScanTrust::Certain ? 1 : 0;
     row.median = quantile(result.busy, 0.5);
     row.longest = quantile(result.busy, 1.0);
+    row.solves = result.solving.size();
+    row.contradicted = result.contradicted;
+    if (row.solves > 0) {
+        row.solving = quantile(result.solving, 1.0);
+        row.settling = quantile(result.settling, 1.0);
+    }
     const NearSurfaces surfaces(building.arena);
     const TrajectoryError entry = errorOf(result.live);
     row.entry = {entry.distance, entry.height, entry.angle, worstSeam(result.live),

@@ -35,6 +35,10 @@ struct BuildingRow {
     BuildingResult final;                ///< key scans where the map has them at the end
     double median = 0.0, longest = 0.0;  ///< processor time of a scan [s]
     double casting = 0.0;                ///< time that making the scans took [s]
+    std::size_t solves = 0;              ///< times that the map met itself
+    int contradicted = 0;                ///< links of loops that others spoke against
+    double solving = 0.0,
+           settling = 0.0;  ///< processor time of the longest, apart and on the mapper's thread [s]
 };
 
 /// Where the way meets itself: of all pairs of scans that are truly within 1.5 m of each other and more than

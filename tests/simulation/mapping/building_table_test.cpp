@@ -118,9 +118,14 @@ TEST_P(BuildingTableLong, Row) {
     const BuildingRow row = measured(set, seed);
     std::printf(
         "%s %llu: %zu scans, %zu key scans, %.0f m, odometry %.2f m, %d uncertain, %.0f ms a scan, longest "
-        "%.0f, made in %.1f s\n           ATE    seam   surfaces [m]  z   [degrees]\n",
+        "%.0f, made in %.1f s\n",
         set.name, static_cast<unsigned long long>(seed), row.scans, row.keyScans, row.way, row.odometry,
         row.uncertain, 1e3 * row.median, 1e3 * row.longest, row.casting);
+    std::printf(
+        "    solved %zu times, %.0f ms at most, settled within %.0f ms, %d links contradicted\n           "
+        "ATE    seam   surfaces [m]  z   "
+        "[degrees]\n",
+        row.solves, 1e3 * row.solving, 1e3 * row.settling, row.contradicted);
     tell("entry", row.entry);
     tell("final", row.final);
     std::printf("    %-6s %7.3f %7.3f %7.3f, uncertain %.2f of all\n", "wanted", set.wanted.ate,

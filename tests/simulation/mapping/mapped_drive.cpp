@@ -92,6 +92,22 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
         const double before = processorTime();
         const MapUpdate update = mapper.add(live, live.scan->end);
         result.busy.push_back(processorTime() - before);
+        for (const auto* said : {&update.links, &update.loop}) {
+            if (!*said) continue;
+            for (const Link& link : (*said)->links) result.graph.add(link);
+        }
+        if (const auto problem = mapper.problem()) {
+            const double began = processorTime();
+            const MapSolution solution = solve(*problem);
+            result.solving.push_back(processorTime() - began);
+            const Settled settled = mapper.settle(solution, live.scan->end);
+            result.settling.push_back(processorTime() - began - result.solving.back());
+            result.contradicted += static_cast<int>(solution.contradicted.size());
+            if (settled.poses) ++result.moves;
+            if (settled.links) {
+                for (const Link& link : settled.links->links) result.graph.add(link);
+            }
+        }
         const Localisation& here = update.localisation;
         const Pose truth = drive.baseInArena(here.stamp);
         result.live.found.push_back(here.baseInMap);

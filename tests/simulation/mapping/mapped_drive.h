@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mapping/graph/scan_graph.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/motion/scan_cutter.h"
 #include "tests/simulation/mapping/recorded_drive.h"
@@ -35,6 +36,11 @@ struct MappedDrive {
     Trajectory odometry;       ///< the same scans by odometry alone
     double longest = 0.0;      ///< time for a scan [s]
     std::vector<double> busy;  ///< processor time of each scan, whatever else the computer does [s]
+    std::vector<double> solving,
+        settling;          ///< of each time that the map met itself: apart, and on its thread [s]
+    int moves = 0;         ///< how often scans moved then
+    int contradicted = 0;  ///< links of loops that others spoke against
+    ScanGraph graph;       ///< what the key scans were registered against, as it was said last
 };
 
 /// Processor time that this thread took [s].

@@ -61,6 +61,23 @@ TEST(ScanPoses, AreRigidAndOfScans) {
     EXPECT_THAT(error([](auto& m) { m.cause = 3; }), HasSubstr("cause"));
 }
 
+TEST(ScanLinks, AreRigidAndAsSureAsTheySay) {
+    const auto error = [](auto change) { return errorAfter<lm::ScanLinks>(change); };
+    EXPECT_EQ(error([](auto&) {}), "none");
+    EXPECT_EQ(error([](auto& m) { m.links[0].information.fill(0.0); }), "none") << "it says nothing";
+    EXPECT_THAT(error([](auto& m) { m.links[0].id = 0; }), HasSubstr("links.id"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].to_scan = 0; }), HasSubstr("links"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].kind = 7; }), HasSubstr("links.kind"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].to_in_from.orientation.w = 5; }), HasSubstr("quaternion"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].to_in_from.position.x = NaN; }), HasSubstr("to_in_from"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].information[3] = NaN; }), HasSubstr("links.information"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].information[0] = -1.0; }), HasSubstr("links.information"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].information[0] = 1e200; }), HasSubstr("links.information"));
+    EXPECT_THAT(error([](auto& m) { m.links[0].information[1] = 1e6; }), HasSubstr("links.information"))
+        << "more between two directions than each of them has";
+    EXPECT_THAT(error([](auto& m) { m.links.resize(10'001, m.links[0]); }), HasSubstr("at most 10000"));
+}
+
 TEST(MapCrops, AreAnAreaUnderACeilingOrEverything) {
     const auto error = [](auto change) { return errorAfter<lm::MapCrop>(change); };
     EXPECT_EQ(error([](auto&) {}), "none");

@@ -13,6 +13,8 @@ TEST(DecisionText, TellsOneScanByItsNumberAndManyByTheirCount) {
     EXPECT_EQ(decisionText({Kind::Taken, {4}, 1}), "scan 4 accepted");
     EXPECT_EQ(decisionText({Kind::Tried, {4}, 1}), "scan 4 tried again");
     EXPECT_EQ(decisionText({Kind::Crop, {}, 1}), "what belongs into the map");
+    EXPECT_EQ(decisionText({Kind::Loop, {}, 1}), "a closed loop");
+    EXPECT_EQ(decisionText({Kind::Refused, {}, 1}), "a place told from another");
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 
 #include "transport/convert/detail/from_wire.h"
 #include "transport/convert/detail/to_wire.h"
@@ -117,6 +121,80 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
         to.poses.push_back({one.scan, checks.wirePose("poses.scan_in_map", one.scanInMap), one.rms,
                             one.inlierRatio, one.overlap, one.certainty, one.converged,
                             static_cast<std::uint8_t>(one.trust), one.doubts});
+    }
+}
+
+namespace {
+
+constexpr std::size_t MostLinks = 10'000;  // told at once
+constexpr double MostInformation = 1e12;   // a micrometre
+
+/// Whether @p information is one: symmetric already, and no direction is known less than not at all.
+bool isInformation(const Information& information) {
+    if (!information.allFinite() || information.cwiseAbs().maxCoeff() > MostInformation) return false;
+    const double most = std::max(1.0, information.diagonal().maxCoeff());
+    const Eigen::SelfAdjointEigenSolver<Information> solver(information, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().minCoeff() >= -1e-9 * most;
+}
+
+void checkLinks(std::size_t links, Checks& checks) {
+    checks.require(links <= MostLinks, "links", "expected at most {}, found {}", MostLinks, links);
+}
+
+}  // namespace
+
+ScanLinksSample fromWire(const wire::leitstand_msgs::ScanLinks& from, const Source&, Checks& checks) {
+    checkLinks(from.links.size(), checks);
+    ScanLinksSample to;
+    to.stamp = checks.time("stamp", from.stamp);
+    to.station = from.station;
+    if (!checks.ok()) return to;
+    to.links.reserve(from.links.size());
+    for (const auto& one : from.links) {
+        checks.require(one.id > 0, "links.id", "expected a number from 1");
+        checks.require(one.from_scan > 0 && one.to_scan > 0, "links", "expected scans of a number from 1");
+        Link link;
+        link.id = one.id;
+        link.from = one.from_scan;
+        link.to = one.to_scan;
+        link.pose = checks.pose("links.to_in_from", one.to_in_from);
+        link.kind = checks.enumerator<LinkKind>("links.kind", one.kind, LinkKindCount);
+        link.station = from.station;
+        link.active = one.active;
+        std::size_t next = 0;
+        for (Eigen::Index row = 0; row < 6; ++row) {
+            for (Eigen::Index column = row; column < 6; ++column)
+                link.information(row, column) = link.information(column, row) = one.information[next++];
+        }
+        checks.require(isInformation(link.information), "links.information",
+                       "expected an inverse covariance: numbers up to {}, no direction below 0",
+                       MostInformation);
+        if (!checks.ok()) return to;
+        to.links.push_back(std::move(link));
+    }
+    return to;
+}
+
+void toWire(const ScanLinksSample& from, wire::leitstand_msgs::ScanLinks& to, Buffer&, Checks& checks) {
+    checkLinks(from.links.size(), checks);
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.station = from.station;
+    for (const Link& link : from.links) {
+        checks.require(isInformation(link.information), "links.information",
+                       "expected an inverse covariance");
+        wire::leitstand_msgs::ScanLink one;
+        one.id = link.id;
+        one.from_scan = link.from;
+        one.to_scan = link.to;
+        one.to_in_from = checks.wirePose("links.to_in_from", link.pose);
+        one.kind = static_cast<std::uint8_t>(link.kind);
+        one.active = link.active;
+        std::size_t next = 0;
+        for (Eigen::Index row = 0; row < 6; ++row) {
+            for (Eigen::Index column = row; column < 6; ++column)
+                one.information[next++] = link.information(row, column);
+        }
+        to.links.push_back(one);
     }
 }
 

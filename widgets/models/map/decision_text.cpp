@@ -30,6 +30,10 @@ QString undoneText(const UndoneThing& thing) {
             return (one ? Say::tr("scan %1 tried again") : Say::tr("%1 scans tried again")).arg(number);
         case Kind::Crop:
             return Say::tr("what belongs into the map");
+        case Kind::Loop:
+            return Say::tr("a closed loop");
+        case Kind::RefusedLoop:
+            return Say::tr("a place told from another");
         case Kind::ReviewedFind:
             return Say::tr("%1 as corrected in a review", "V1").arg(QString::fromStdString(thing.find));
         case Kind::ReviewNote:

@@ -1,6 +1,7 @@
 #include "core/mapping/live/map/local_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/cloud/filters/voxel_grid.h"
 
@@ -15,6 +16,12 @@ void append(PointCloud& cloud, const PointCloud& more, const Pose& moreInCloud) 
 
 }  // namespace
 
+double mapDistance(const Pose& a, const Pose& b) {
+    constexpr double Storeys = 4.0;
+    const Eigen::Vector3d between = a.translation() - b.translation();
+    return std::hypot(between.head<2>().norm(), Storeys * between.z());
+}
+
 LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const LocalMapSettings& settings) {
     struct Candidate {
         double distance;
@@ -22,7 +29,7 @@ LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const L
     };
     std::vector<Candidate> candidates;
     for (const LiveKeyScan& scan : scans) {
-        if (scan.counts()) candidates.push_back({distanceBetween(scan.pose.scanInMap, place), &scan});
+        if (scan.counts()) candidates.push_back({mapDistance(scan.pose.scanInMap, place), &scan});
     }
     const auto most = std::min(candidates.size(), static_cast<std::size_t>(std::max(1, settings.scans)));
     std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(most),

@@ -22,9 +22,12 @@ struct LocalMap {
 /// How much of the map is taken.
 struct LocalMapSettings {
     int scans = 12;       ///< the nearest, of those that count
-    double turned = 1.5;  ///< a key scan that looks the other way is so much farther [m / rad]
     double voxel = 0.05;  ///< the cloud is thinned to this [m]
 };
+
+/// How far two poses are from each other for the map: heights count four times, since nobody sees through a
+/// floor what is a storey below [m].
+[[nodiscard]] double mapDistance(const Pose& a, const Pose& b);
 
 /// The local map about @p place.
 [[nodiscard]] LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place,

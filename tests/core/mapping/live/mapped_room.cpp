@@ -25,6 +25,7 @@ LiveScan scanAt(const Pose& sensorInRoom, unsigned seed, const Pose& drift) {
 
 std::uint64_t MapLog::say(Sample sample, std::string topic) {
     if (const auto* keyScan = std::get_if<KeyScanSample>(&sample)) m_keyScans.push_back(*keyScan);
+    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) m_links.push_back(*links);
     Event event;
     event.sequence = ++m_sequence;
     event.topic = std::move(topic);
@@ -35,7 +36,9 @@ std::uint64_t MapLog::say(Sample sample, std::string topic) {
 
 void MapLog::say(const MapUpdate& update) {
     if (update.keyScan) say(*update.keyScan, "/leitstand/key_scans");
+    if (update.links) say(*update.links, "/leitstand/scan_links");
     if (update.poses) say(*update.poses);
+    if (update.loop) say(*update.loop, "/leitstand/scan_links");
 }
 
 std::uint64_t MapLog::undo(std::uint64_t sequence, LiveMapper& mapper) {
@@ -43,6 +46,7 @@ std::uint64_t MapLog::undo(std::uint64_t sequence, LiveMapper& mapper) {
     undo.event = sequence;
     const std::uint64_t said = say(undo, "/leitstand/undo");
     mapper.follow(poses());
+    mapper.followLoops(loopsOf(m_fold.state()));
     return said;
 }
 
@@ -55,6 +59,8 @@ std::vector<ScanPose> MapLog::poses() const {
 LiveMapper MapLog::readAgain(const LiveSettings& settings) const {
     LiveMapper mapper("station", settings);
     for (const KeyScanSample& keyScan : m_keyScans) mapper.restore(keyScan);
+    for (const ScanLinksSample& links : m_links) mapper.restore(links);
+    mapper.followLoops(loopsOf(m_fold.state()));
     mapper.follow(poses());
     return mapper;
 }
@@ -73,6 +79,15 @@ MapUpdate MappedRoom::add(const LiveScan& scan) {
 
 void MappedRoom::drive(int scans) {
     for (int i = 0; i < scans; ++i) add(poseFrom({-1.4 + 0.4 * i, 0.05 * i, 0.9}, 0, 0, degrees(3) * i));
+}
+
+std::optional<ScanPosesSample> MappedRoom::solveAll() {
+    const auto problem = mapper.problem();
+    if (!problem) return std::nullopt;
+    const Settled settled = mapper.settle(solve(*problem), now);
+    if (settled.links) log.say(*settled.links, "/leitstand/scan_links");
+    if (settled.poses) log.say(*settled.poses);
+    return settled.poses;
 }
 
 std::vector<ScanPose> MappedRoom::poses() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +30,15 @@ public:
 private:
     Fold m_fold;
     std::vector<KeyScanSample> m_keyScans;
+    std::vector<ScanLinksSample> m_links;
     std::uint64_t m_sequence = 0;
 };
 
 /// A station that maps a room: scans get into the map and the log.
 struct MappedRoom {
-    LiveMapper mapper{"station", {}};
+    explicit MappedRoom(LiveSettings settings = {}) : mapper("station", std::move(settings)) {}
+
+    LiveMapper mapper;
     MapLog log;
     Time now = Time(std::chrono::seconds(5000));
     unsigned seed = 1;
@@ -44,6 +48,8 @@ struct MappedRoom {
     MapUpdate add(const LiveScan& scan);
     /// Steps of 0.4 m along the room.
     void drive(int scans);
+    /// Solves what is to be solved; what came of it is in the log.
+    std::optional<ScanPosesSample> solveAll();
     /// Where the map has its key scans and how far they count.
     [[nodiscard]] std::vector<ScanPose> poses() const;
 };

@@ -190,5 +190,44 @@ TEST(RobotTracker, ATrailThatIsThinnedOrTornHasItsGaps) {
     EXPECT_EQ(gapsOf(drive.tracker).size(), 2U);
 }
 
+/// Two scans 10 m apart along x.
+LiveMap twoScans(const Pose& secondMoved) {
+    LiveMap map;
+    for (const std::uint64_t id : {1U, 2U}) {
+        LiveKeyScan scan;
+        scan.id = id;
+        scan.pose.scan = id;
+        scan.pose.scanInMap = poseFrom({10.0 * static_cast<double>(id - 1), 0, 0}, 0, 0, 0);
+        if (id == 2) scan.pose.scanInMap = secondMoved * scan.pose.scanInMap;
+        map.scans.push_back(scan);
+    }
+    return map;
+}
+
+TEST(RobotTracker, GoesWithTheScansAboutItWhenTheMapMovesAndSoDoesEachPlaceOfItsTrail) {
+    Drive drive;
+    drive.pass(1.0);
+    drive.tracker.correct({drive.now, poseFrom({2, 1, 0}, 0, 0, 0), 0.8, true, "fits"});
+    drive.pass(14.0);  // 7 m on: nearer to the second scan
+    const RobotInMap before = drive.tracker.now();
+    const Pose moved = poseFrom({0.3, -0.2, 0.1}, 0, 0, degrees(5));
+    const LiveMap was = twoScans(Pose::Identity()), is = twoScans(moved);
+    EXPECT_FALSE(MovedPlaces(was, was).any());
+    drive.tracker.move(MovedPlaces(was, is));
+    const RobotInMap after = drive.tracker.now();
+    EXPECT_TRUE(after.baseInMap.isApprox(moved * before.baseInMap, 1e-9));
+    ASSERT_TRUE(after.odomInMap);
+    EXPECT_TRUE(after.odomInMap->isApprox(moved * *before.odomInMap, 1e-9)) << "of the same moment";
+    ASSERT_EQ(after.trail->size(), before.trail->size());
+    EXPECT_EQ(after.trail->front().inMap, before.trail->front().inMap) << "the first scan did not move";
+    const Eigen::Vector3d end = before.trail->back().inMap.cast<double>();
+    EXPECT_LT((after.trail->back().inMap.cast<double>() - moved * end).norm(), 1e-5);
+    drive.pass(1.0);
+    EXPECT_LT(distanceBetween(drive.tracker.now().baseInMap,
+                              moved * before.baseInMap * poseFrom({0.5, 0, 0}, 0, 0, 0)),
+              1e-6)
+        << "it goes on from there";
+}
+
 }  // namespace
 }  // namespace leitstand::test

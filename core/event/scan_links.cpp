@@ -1,4 +1,4 @@
-#include "core/mapping/graph/pose_graph.h"
+#include "core/event/scan_links.h"
 
 namespace leitstand {
 

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/live_mapper_state.h"
+
+namespace leitstand {
+void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
+                             std::span<const std::uint64_t> against, const Match& match, Time now) {
+    const LiveKeyScan& key = map.scans.back();
+    std::vector<LiveKeyScan> others;
+    for (const std::uint64_t id : against) {
+        if (const LiveKeyScan* const other = find(id)) others.push_back(*other);
+    }
+    std::vector<Link> links =
+        loops.add({key, robot.key == 0 ? nullptr : find(robot.key), others, match, robot.scale.factor()});
+    if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
+    if (!key.counts()) return;
+    std::vector<Link> loop = loops.close(key, map);
+    if (loop.empty()) return;
+    unsolved = unsolved || loop.front().active;
+    update.loop = ScanLinksSample{now, station, std::move(loop)};
+}
+
+void LiveMapper::restore(const ScanLinksSample& sample) {
+    State& state = *m_state;
+    state.loops.restore(sample.links);
+    ++state.revision;
+    state.unsolved = state.unsolved || std::any_of(sample.links.begin(), sample.links.end(),
+                                                   [](const Link& link) { return closesLoop(link.kind); });
+}
+
+void LiveMapper::followLoops(std::span<const Link> loops) {
+    if (!m_state->loops.follow(loops)) return;
+    ++m_state->revision;
+    m_state->unsolved = true;
+}
+
+std::optional<MapProblem> LiveMapper::problem() {
+    State& state = *m_state;
+    if (!std::exchange(state.unsolved, false)) return std::nullopt;
+    MapProblem problem;
+    problem.revision = state.revision;
+    problem.graph.links = state.loops.graph().links();
+    for (const LiveKeyScan& scan : state.map.scans) {
+        if (scan.pose.trust != ScanTrust::SetAside)
+            problem.graph.nodes.push_back({scan.id, scan.pose.scanInMap, false});
+    }
+    return problem;
+}
+
+Settled LiveMapper::settle(const MapSolution& solution, Time now) {
+    State& state = *m_state;
+    Settled settled;
+    if (solution.revision != state.revision) {
+        state.unsolved = true;
+        return settled;
+    }
+    const std::vector<Link> contradicted = state.loops.contradict(solution.contradicted);
+    if (!contradicted.empty()) settled.links = ScanLinksSample{now, state.station, contradicted};
+    std::map<std::uint64_t, Pose> solved;
+    for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);
+    std::map<std::uint64_t, Pose> corrections;  // of scans, before their poses
+    std::map<std::string, Pose> newest;         // of those, by robot
+    std::vector<ScanPose> moved;
+    for (LiveKeyScan& scan : state.map.scans) {
+        const Pose before = scan.pose.scanInMap;
+        Pose& robots = newest.try_emplace(scan.scan->robot, Pose::Identity()).first->second;
+        const auto known = solved.find(scan.id);
+        const auto beside = corrections.find(scan.matched);
+        const Pose correction = known != solved.end()         ? known->second * before.inverse()
+                                : beside != corrections.end() ? beside->second
+                                                              : robots;
+        corrections[scan.id] = robots = correction;
+        const Pose after = known != solved.end() ? known->second : correction * before;
+        if (distanceBetween(before, after) <= state.settings.loops.noticed &&
+            angleBetween(before, after) <= state.settings.loops.noticedAngle)
+            continue;
+        settled.largest = std::max(settled.largest, distanceBetween(before, after));
+        scan.pose.scanInMap = after;
+        state.cropped.fit(scan, state.clouds);
+        moved.push_back(scan.pose);
+    }
+    if (moved.empty()) return settled;
+    state.loops.moved();
+    for (auto& [name, track] : state.robots) {
+        const LiveKeyScan* const key = track.key == 0 ? nullptr : state.find(track.key);
+        if (key == nullptr) continue;
+        track.sensorInMap = key->pose.scanInMap * track.keyInMap.inverse() * track.sensorInMap;
+        track.keyInMap = key->pose.scanInMap;
+    }
+    state.localStale = true;
+    settled.poses =
+        ScanPosesSample{now, state.station, ScanPosesSample::Cause::LoopClosure, std::move(moved)};
+    return settled;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/mapping/graph/scan_graph.h"
+#include "core/mapping/live/live_settings.h"
+#include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/map/live_map.h"
+
+namespace leitstand {
+
+/// Finds where the way of robots meets itself: what lies side by side in the map and is far from each other
+/// over the graph is registered against each other; two such places that agree are a loop.
+class LoopCloser {
+public:
+    LoopCloser(const LoopSettings& settings, const MatchSettings& match, const FitSettings& fit);
+
+    /// The links of a scan that entered the map, which are taken into the graph.
+    std::vector<Link> add(const Entry& entry);
+    /// Links of the log, or another station's.
+    void restore(std::span<const Link> links);
+    /// Links of loops as they are now. Where one is not active, none closes by itself again. Whether
+    /// something changed that poses follow.
+    bool follow(std::span<const Link> loops);
+    /// Loops that others speak against, likewise; as they are now.
+    std::vector<Link> contradict(std::span<const std::uint64_t> links);
+    void moved() { m_pending.clear(); }  ///< scans stand elsewhere now
+    void forget(std::uint64_t scan);
+    void beginBlock();
+
+    /// Scans that are nearly certain to lie right to @p id, with the way to them over the graph [m].
+    [[nodiscard]] std::map<std::uint64_t, double> sameAge(std::uint64_t id) const;
+    /// Looks for a loop at the scan @p entered, which counts; its links where there is one, which are taken
+    /// into the graph: not active where the map would have erred so much that the operator is to be asked.
+    [[nodiscard]] std::vector<Link> close(const LiveKeyScan& entered, const LiveMap& map);
+
+    [[nodiscard]] const ScanGraph& graph() const { return m_graph; }
+
+private:
+    /// Two scans that see the same place, and by what the map's part about the later one would move.
+    struct Found {
+        Link link;
+        Pose correction = Pose::Identity();  ///< to put before poses, in the map
+        Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    };
+    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveMap& map) const;
+    [[nodiscard]] bool agree(const Found& a, const Found& b) const;
+    /// How far the map is expected to err from the one scan to the other [m].
+    [[nodiscard]] double deviation(std::uint64_t from, std::uint64_t to) const;
+    [[nodiscard]] bool wasRefused(std::uint64_t from, std::uint64_t to) const;
+
+    LoopSettings m_settings;
+    MatchSettings m_match;
+    FitSettings m_fit;
+    ScanGraph m_graph;
+    std::vector<Found> m_pending;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,28 @@
+#include "core/mapping/live/loops/map_problem.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "core/mapping/graph/graph_solver.h"
+#include "core/mapping/graph/graph_start.h"
+
+namespace leitstand {
+
+MapSolution solve(const MapProblem& problem, const Progress& progress) {
+    constexpr double Outweighed = 0.5;
+    PoseGraph graph = problem.graph;
+    startFromLinks(graph);
+    GraphSettings settings;
+    settings.robust = true;
+    const GraphResult result = leitstand::solve(graph, settings, progress);
+    MapSolution solution;
+    solution.revision = problem.revision;
+    for (std::size_t i = 0; i < graph.links.size(); ++i) {
+        if (graph.links[i].active && result.weights[i] < Outweighed)
+            solution.contradicted.push_back(graph.links[i].id);
+    }
+    solution.nodes = std::move(graph.nodes);
+    return solution;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,70 @@
+#include "core/mission/loops/open_loops.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mission/state/fold.h"
+#include "tests/core/mission/event_stream.h"
+
+namespace leitstand {
+namespace {
+
+using test::at;
+using test::event;
+using test::keyScan;
+using test::linked;
+
+/// A mission of two scans.
+class OpenLoops : public testing::Test {
+protected:
+    OpenLoops() {
+        add(keyScan(1, 0.0));
+        add(keyScan(2, 1.0));
+    }
+    void add(Sample sample) { m_fold.add(event(++m_sequence, std::move(sample))); }
+    [[nodiscard]] std::optional<OpenLoop> open() const { return openLoop(m_fold.state()); }
+
+    Fold m_fold;
+    std::uint64_t m_sequence = 0;
+};
+
+TEST_F(OpenLoops, OnlyWhatNobodyAnsweredIsAskedAndTellsTheSeam) {
+    EXPECT_FALSE(open());
+    add(linked(3, LinkKind::Match, false));
+    add(linked(4, LinkKind::Loop));
+    EXPECT_FALSE(open()) << "it closed by itself";
+    add(linked(5, LinkKind::Loop, false));
+    ASSERT_TRUE(open());
+    EXPECT_EQ(open()->event, m_sequence);
+    ASSERT_EQ(open()->links.size(), 1U);
+    EXPECT_EQ(open()->links.front().id, 5U);
+    EXPECT_NEAR(open()->seam(), 0.5, 1e-9) << "the scan is at 1 m, the link wants it at 0.5 m";
+}
+
+TEST_F(OpenLoops, AnAnswerEndsTheQuestionAndTakenBackItIsAskedAgain) {
+    add(linked(5, LinkKind::Loop, false));
+    for (const bool same : {true, false}) {
+        ASSERT_TRUE(open());
+        const ScanLinksSample answer = answerTo(*open(), same, "us", at(9));
+        EXPECT_EQ(answer.station, "us");
+        EXPECT_EQ(answer.links.front().kind, LinkKind::Operator);
+        EXPECT_EQ(answer.links.front().active, same);
+        add(answer);
+        EXPECT_FALSE(open()) << same;
+        add(test::undo(m_sequence));
+    }
+    EXPECT_TRUE(open());
+}
+
+TEST_F(OpenLoops, TheNewestQuestionComesFirstAndScansThatAreNotThereAskNothing) {
+    add(linked(5, LinkKind::Loop, false));
+    add(linked(6, LinkKind::Loop, false));
+    ASSERT_TRUE(open());
+    EXPECT_EQ(open()->links.front().id, 6U);
+    ScanLinksSample far = linked(7, LinkKind::Loop, false);
+    far.links.front().to = 99;
+    add(far);
+    EXPECT_EQ(open()->links.front().id, 6U);
+}
+
+}  // namespace
+}  // namespace leitstand

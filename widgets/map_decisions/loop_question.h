@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QFrame>
+
+class QAction;
+class QLabel;
+
+namespace leitstand {
+
+/// Asks over the map whether two places are one. It lies at the lower edge of what it is over, in the middle,
+/// and takes no focus: driving goes on.
+class LoopQuestion final : public QFrame {
+    Q_OBJECT
+public:
+    /// @p yes, @p no: commands of its buttons.
+    LoopQuestion(QAction& yes, QAction& no, QWidget& over);
+
+    /// Empty: nothing is asked.
+    void ask(const QString& question);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void place();
+
+    QLabel* m_text;
+};
+
+}  // namespace leitstand
