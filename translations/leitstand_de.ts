@@ -3289,6 +3289,10 @@ Funk: %4 %5</translation>
         <source>%1 takes no goals</source>
         <translation>%1 nimmt keine Ziele an</translation>
     </message>
+    <message>
+        <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
+        <translation>%1: Die Karte rückte unter dem Ziel, das zurückgenommen ist; senden Sie es neu</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::HandInFeature</name>

@@ -17,4 +17,12 @@ Pose goalInOdom(const Pose& baseInMap, const Pose& baseInOdom, const Pose& goalI
     return levelled(baseInOdom) * levelled(baseInMap).inverse() * levelled(goalInMap);
 }
 
+GoalMove goalMove(const Pose& goalInMap, const Pose& correction, bool underWay) {
+    constexpr double Noticed = 0.01, Most = 1.0;  // [m]
+    const Pose moved = correction * goalInMap;
+    const double shift = distanceBetween(goalInMap, moved);
+    if (shift < Noticed && angleBetween(goalInMap, moved) < degrees(1)) return GoalMove::Stays;
+    return underWay && shift < Most ? GoalMove::Moves : GoalMove::Withdrawn;
+}
+
 }  // namespace leitstand

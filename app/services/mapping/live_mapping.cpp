@@ -175,6 +175,7 @@ void LiveMapping::work(const Task& task) {
     task(m_mapper);
     followFixes();
     const LiveMapPtr before = m_map;
+    tellRobots();  // before the map: who hears that it moved asks where they are in it
     tellMap();
     if (scansMoved(before, *m_map)) layTrails();
 }

@@ -20,5 +20,16 @@ TEST(Goal, ATiltedRobotSeesItNoFartherAway) {
     EXPECT_NEAR(goal.translation().z(), 0.0, 1e-9);
 }
 
+TEST(Goal, MovesWithTheMapALittleWhileTheRobotIsUnderWayAndIsWithdrawnElse) {
+    const Pose goal = poseFrom({3, 2, 0}, 0, 0, 0);
+    const auto by = [](double x) { return poseFrom({x, 0, 0}, 0, 0, 0); };
+    EXPECT_EQ(goalMove(goal, by(0.005), false), GoalMove::Stays);
+    EXPECT_EQ(goalMove(goal, by(0.3), true), GoalMove::Moves);
+    EXPECT_EQ(goalMove(goal, by(0.3), false), GoalMove::Withdrawn) << "nobody goes there";
+    EXPECT_EQ(goalMove(goal, by(1.2), true), GoalMove::Withdrawn) << "it may be in another room now";
+    EXPECT_EQ(goalMove(goal, poseFrom({0, 0, 0}, 0, 0, degrees(90)), true), GoalMove::Withdrawn)
+        << "turned about the map's origin it lies elsewhere";
+}
+
 }  // namespace
 }  // namespace leitstand::test

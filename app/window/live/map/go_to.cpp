@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <QAction>
 
@@ -12,6 +13,7 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "core/mapping/live/map/moved_places.h"
 #include "core/robot/goal.h"
 
 namespace leitstand {
@@ -52,6 +54,7 @@ GoTo::GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robot
     connect(m_action, &QAction::triggered, this, &GoTo::arm);
     connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
     connect(&context.bridge, &LiveBridge::ticked, this, &GoTo::follow);
+    connect(&context.bridge, &LiveBridge::scansChanged, this, &GoTo::followMap);
     showSelected();
 }
 
@@ -173,6 +176,46 @@ void GoTo::follow(const LiveMoment& moment) {
         }
         m_robots.setGoal(way->first, std::nullopt);
         way = m_ways.erase(way);
+    }
+}
+
+bool GoTo::underWay(const std::string& robot, const Way& way) const {
+    const LiveMoment& moment = m_context.bridge.moment();
+    const StopStatus& stop = moment.view(robot).stop;
+    if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
+    const RobotState& said = moment.said(robot);
+    return !offers(said, DrivesByItself) || (said.mode && said.mode->sample.mode == DrivesByItself);
+}
+
+void GoTo::withdraw(const std::string& robot, const Way& way) {
+    if (underWay(robot, way)) {
+        // It has come to where it is: a robot knows goals, not that one is none any more.
+        if (const auto place = placeOf(robot))
+            (void)send(robot, {.goalInMap = place->baseInMap}, m_context.bridge.moment());
+    }
+    m_robots.setGoal(robot, std::nullopt);
+    emit told(tr("%1: the map moved under its goal, which is withdrawn; send it again").arg(titleOf(robot)));
+}
+
+void GoTo::followMap(const LiveMapPtr& map) {
+    const LiveMapPtr before = std::exchange(m_map, map);
+    if (!before || m_ways.empty()) return;
+    const MovedPlaces places(*before, *map);
+    for (auto one = m_ways.begin(); places.any() && one != m_ways.end();) {
+        auto& [robot, way] = *one;
+        const Pose correction = places.at(way.goalInMap.translation());
+        const GoalMove move = goalMove(way.goalInMap, correction, underWay(robot, way));
+        if (move == GoalMove::Withdrawn) {
+            withdraw(robot, way);
+            one = m_ways.erase(one);
+            continue;
+        }
+        if (move == GoalMove::Moves) {
+            way.goalInMap = correction * way.goalInMap;
+            m_robots.setGoal(robot, way.goalInMap);
+            (void)send(robot, way, m_context.bridge.moment());
+        }
+        ++one;
     }
 }
 

@@ -9,6 +9,7 @@
 #include "app/window/live/live_context.h"
 #include "core/base/pose.h"
 #include "core/base/time.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "widgets/map_view/gestures/ground_pose.h"
 
@@ -45,6 +46,10 @@ private:
     };
     void arm(bool on);
     void follow(const LiveMoment& moment);
+    /// Scans moved: goals move with those about them, or are withdrawn.
+    void followMap(const LiveMapPtr& map);
+    [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
+    void withdraw(const std::string& robot, const Way& way);
     /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody
     /// knows.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
@@ -59,6 +64,7 @@ private:
     RobotsOnMap& m_robots;
     QAction* m_action;
     std::map<std::string, Way> m_ways;
+    LiveMapPtr m_map;  ///< newest
 };
 
 }  // namespace leitstand
