@@ -258,6 +258,7 @@ void StationMapping::State::decide(std::function<Result<ScanPosesSample>(LiveMap
     mapping->post([this, what = std::move(what)](LiveMapper& mapper) {
         const auto decision = what(mapper, stationTime());
         if (!decision) return tell(decision.error().text);
+        if (const auto links = mapper.takeLinks()) sayOrTell(*links, station_topic::ScanLinks);
         sayOrTell(*decision, station_topic::ScanPoses);
     });
 }

@@ -121,6 +121,9 @@ public:
     /// Links of loops, as they are now: what was taken back is not active.
     void followLoops(std::span<const Link> loops);
 
+    /// Links that the newest decision made, once: for the log, before its poses. Empty: none.
+    [[nodiscard]] std::optional<ScanLinksSample> takeLinks();
+
     /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
     /// settle(). Empty: nothing, or somebody is at it.
     [[nodiscard]] std::optional<MapProblem> problem();

@@ -103,8 +103,9 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
     const PointCloud cloud = settings.match.reduce == state.settings.match.reduce
                                  ? scan->reduced->unpacked()
                                  : reducedAgain(*scan->scan, settings.match);
-    const Match found = match(cloud, localMap(others, guess, state.settings.local), guess, {}, scan->up,
-                              settings.match, state.settings.fit, settings.match.wide);
+    const LocalMap local = localMap(others, guess, state.settings.local);
+    const Match found =
+        match(cloud, local, guess, {}, scan->up, settings.match, state.settings.fit, settings.match.wide);
     ScanPose pose{id,
                   found.scanInMap,
                   found.icp.rms,
@@ -117,7 +118,9 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
     if (found.doubts != 0) pose.scanInMap = scan->pose.scanInMap;
     if (has(scan->pose.doubts, ScanDoubt::Guessed))
         pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
-    return state.decided({pose}, now);
+    ScanPosesSample decision = state.decided({pose}, now);
+    if (found.doubts == 0 && state.settings.loops.on) state.linkAgain(id, local.scans, found, now);
+    return decision;
 }
 
 Result<ScanPosesSample> LiveMapper::rewind(Time moment, Time now) {

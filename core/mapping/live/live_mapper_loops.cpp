@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,20 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     update.loop = ScanLinksSample{now, station, std::move(loop)};
 }
 
+void LiveMapper::State::linkAgain(std::uint64_t id, std::span<const std::uint64_t> against,
+                                  const Match& match, Time now) {
+    std::vector<LiveKeyScan> others;
+    for (const std::uint64_t other : against) {
+        if (const LiveKeyScan* const scan = find(other)) others.push_back(*scan);
+    }
+    std::vector<Link> links = loops.replace({*find(id), nullptr, others, match});
+    if (!links.empty()) madeLinks = ScanLinksSample{now, station, std::move(links)};
+}
+
+std::optional<ScanLinksSample> LiveMapper::takeLinks() {
+    return std::exchange(m_state->madeLinks, std::nullopt);
+}
+
 void LiveMapper::restore(const ScanLinksSample& sample) {
     State& state = *m_state;
     state.loops.restore(sample.links);
@@ -43,10 +58,19 @@ std::optional<MapProblem> LiveMapper::problem() {
     if (!std::exchange(state.unsolved, false)) return std::nullopt;
     MapProblem problem;
     problem.revision = state.revision;
-    problem.graph.links = state.loops.graph().links();
+    std::set<std::uint64_t> counting;
     for (const LiveKeyScan& scan : state.map.scans) {
         if (scan.pose.trust != ScanTrust::SetAside)
             problem.graph.nodes.push_back({scan.id, scan.pose.scanInMap, false});
+        if (scan.counts()) counting.insert(scan.id);
+    }
+    problem.graph.links = state.loops.graph().links();
+    for (Link& link : problem.graph.links) {
+        // A decision may have taken away what a scan was matched with; then odometry tells where it is, as
+        // before.
+        const bool counts = counting.contains(link.to);
+        if (link.kind == LinkKind::Match) link.active = link.active && counts && counting.contains(link.from);
+        if (link.kind == LinkKind::Odometry) link.active = link.active || !counts;
     }
     return problem;
 }

@@ -67,6 +67,8 @@ struct LiveMapper::State {
     [[nodiscard]] LiveKeyScan* find(std::uint64_t id);
     /// Puts scans to where and how @p poses say, and robots along with them.
     void apply(std::span<const ScanPose> poses);
+    /// The scan @p id was registered again, against @p against: what was known of it before is no more.
+    void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
     void goOn(const std::string& robot);
     /// What is matched of @p scan, of the points @p reduced.
@@ -80,8 +82,9 @@ struct LiveMapper::State {
     CroppedScans cropped;  ///< what of its scans is in the map
     LoopCloser loops;
     std::uint64_t revision =
-        0;                  ///< of what solutions are for: decisions, and what other stations say, change it
-    bool unsolved = false;  ///< since a loop closed or was taken back
+        0;  ///< of what solutions are for: decisions, and what other stations say, change it
+    std::optional<ScanLinksSample> madeLinks;  ///< by the newest decision
+    bool unsolved = false;                     ///< since a loop closed or was taken back
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan
     LocalMap local;

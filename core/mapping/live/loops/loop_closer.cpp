@@ -23,6 +23,21 @@ std::vector<Link> LoopCloser::add(const Entry& entry) {
     return links;
 }
 
+std::vector<Link> LoopCloser::replace(const Entry& entry) {
+    std::vector<Link> changed;
+    for (const Link& link : m_graph.links()) {
+        const bool old = link.kind == LinkKind::Match || link.kind == LinkKind::Odometry;
+        if (old && link.active && (link.from == entry.scan.id || link.to == entry.scan.id)) {
+            changed.push_back(link);
+            changed.back().active = false;
+        }
+    }
+    for (const Link& link : changed) m_graph.setActive(link.id, false);
+    std::vector<Link> made = add(entry);
+    changed.insert(changed.end(), made.begin(), made.end());
+    return changed;
+}
+
 void LoopCloser::restore(std::span<const Link> links) {
     for (const Link& link : links) m_graph.add(link);
 }

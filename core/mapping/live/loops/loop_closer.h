@@ -22,6 +22,9 @@ public:
 
     /// The links of a scan that entered the map, which are taken into the graph.
     std::vector<Link> add(const Entry& entry);
+    /// The same for a scan that was registered again: its older links are not active any more. All that
+    /// changed.
+    std::vector<Link> replace(const Entry& entry);
     /// Links of the log, or another station's.
     void restore(std::span<const Link> links);
     /// Links of loops as they are now. Where one is not active, none closes by itself again. Whether

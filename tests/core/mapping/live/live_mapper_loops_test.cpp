@@ -236,5 +236,41 @@ TEST(LiveMapperLoops, WhereTheMapErredMoreThanExpectedNothingMovesAndItIsAskedOn
     EXPECT_TRUE(room.solveAll()) << "the operator's answer";
 }
 
+TEST(LiveMapperLoops, WhereTheOperatorHadAScanRegisteredAgainItStaysWhenTheMapIsSolved) {
+    MappedRoom room(closing());
+    room.drive(3);
+    const Pose slipped = poseFrom({0.9, -0.7, 0}, 0, 0, degrees(25));
+    const Pose there = room.last * poseFrom({0.4, 0, 0}, 0, 0, 0);
+    const MapUpdate doubted = room.add(there, slipped);
+    ASSERT_TRUE(doubted.keyScan);
+    ASSERT_EQ(doubted.localisation.trust, ScanTrust::Uncertain);
+    const std::uint64_t id = doubted.keyScan->id;
+    RetrySettings settings;
+    settings.guessInMap = poseFrom({-1.4, 0, 0.9}, 0, 0, 0).inverse() * there;
+    const auto decision = room.mapper.retry(id, settings, room.now);
+    ASSERT_TRUE(decision.ok());
+    ASSERT_EQ(decision->poses.front().trust, ScanTrust::Certain);
+    const auto links = room.mapper.takeLinks();
+    ASSERT_TRUE(links);
+    EXPECT_FALSE(room.mapper.takeLinks()) << "once";
+    Link loop = links->links.back();  // one that agrees: for solving
+    loop.id = 500;
+    loop.kind = LinkKind::Operator;
+    loop.from = 1;
+    loop.to = 2;
+    loop.pose = room.poses()[0].scanInMap.inverse() * room.poses()[1].scanInMap;
+    room.mapper.restore(ScanLinksSample{room.now, "station", {loop}});
+    const auto problem = room.mapper.problem();
+    ASSERT_TRUE(problem);
+    EXPECT_LT(distanceBetween(solve(*problem).nodes.back().pose, decision->poses.front().scanInMap), 0.02);
+    // Taken back it is where odometry had it.
+    room.mapper.follow(std::vector<ScanPose>{room.poses()[0], room.poses()[1], room.poses()[2],
+                                             doubted.poses->poses.front()});
+    room.mapper.restore(ScanLinksSample{room.now, "station", {loop}});
+    const auto back = room.mapper.problem();
+    ASSERT_TRUE(back);
+    EXPECT_LT(distanceBetween(solve(*back).nodes.back().pose, doubted.poses->poses.front().scanInMap), 0.02);
+}
+
 }  // namespace
 }  // namespace leitstand::test
