@@ -42,7 +42,12 @@ private:
         for (const ScanPose& pose : sample.poses) {
             const auto scan = scans.find(pose.scan);
             if (scan == scans.end()) continue;
-            scan->second.pose = pose;
+            // Whether a scan counts was decided before a loop moved it, and that may be taken back.
+            if (sample.cause == ScanPosesSample::Cause::LoopClosure) {
+                scan->second.pose.scanInMap = pose.scanInMap;
+            } else {
+                scan->second.pose = pose;
+            }
             scan->second.poseSequence = decision.sequence;
         }
     }

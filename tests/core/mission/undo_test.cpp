@@ -138,5 +138,17 @@ TEST_F(UndoOnMap, AnAnswerOfTheOperatorIsTakenBackAsADecision) {
     EXPECT_EQ(loopsOf(state()).front().kind, LinkKind::Loop) << "the question is open again";
 }
 
+TEST_F(UndoOnMap, ADecisionFromBeforeALoopMovedTheScanIsTakenBackAndTheScanStaysThere) {
+    decide({2}, ScanTrust::SetAside);
+    ScanPosesSample closure = test::moved(2, 5.0);
+    closure.cause = ScanPosesSample::Cause::LoopClosure;
+    closure.poses.front().trust = ScanTrust::SetAside;  // as it was when the loop closed
+    add(closure);
+    ASSERT_TRUE(takeBack());
+    const ScanPose& pose = state().keyScans->at(2).pose;
+    EXPECT_EQ(pose.trust, ScanTrust::Certain);
+    EXPECT_NEAR(pose.scanInMap.translation().x(), 5.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace leitstand
