@@ -212,6 +212,7 @@ void LiveMapping::solveLoops() {
 
 void LiveMapping::settle(const MapSolution& solution) {
     m_solves = false;
+    if (m_listener.makesMap && !m_listener.makesMap()) return m_mapper.leaveUnsettled();
     const Settled settled = m_mapper.settle(solution, stationTime());
     if (settled.poses) carryAlong();
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);

@@ -130,6 +130,7 @@ public:
     /// Puts the scans to where @p solution has them. What entered meanwhile goes along with what it was
     /// registered against. Where decisions came in between it changes nothing, and problem() begins anew.
     [[nodiscard]] Settled settle(const MapSolution& solution, Time now);
+    void leaveUnsettled();  ///< instead, where the map is another station's now: problem() begins anew
 
     /// Empty: nobody knows.
     [[nodiscard]] std::optional<RobotFix> fix(const std::string& robot) const;

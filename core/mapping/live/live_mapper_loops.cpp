@@ -75,6 +75,10 @@ std::optional<MapProblem> LiveMapper::problem() {
     return problem;
 }
 
+void LiveMapper::leaveUnsettled() {
+    m_state->unsolved = true;
+}
+
 Settled LiveMapper::settle(const MapSolution& solution, Time now) {
     State& state = *m_state;
     Settled settled;

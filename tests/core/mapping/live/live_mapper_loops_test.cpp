@@ -162,6 +162,8 @@ TEST(LiveMapperLoops, WhatEntersWhileItIsSolvedGoesAlong) {
     const MapUpdate late = room.addAt(room.scans);
     ASSERT_TRUE(late.keyScan);
     EXPECT_FALSE(room.mapper.problem()) << "somebody is at it";
+    room.mapper.leaveUnsettled();
+    EXPECT_TRUE(room.mapper.problem()) << "who was at it has given up";
     const auto before = room.poses();
     MapSolution far = solve(*problem);
     for (GraphNode& node : far.nodes) {
