@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <mutex>
 
@@ -56,12 +59,37 @@ char heard() {
     return byte;
 }
 
-void onSignal(int /*signal*/) {
-    const int error = errno;
-    giveBack();
+// When the first signal came, since the system started; 0: none did.
+std::atomic<std::int64_t> firstAt = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+/// Within that all signals are one wish: `timeout` tells the process, and then its group.
+constexpr std::chrono::nanoseconds OneWish = std::chrono::milliseconds(500);
+
+/// Allowed in a signal handler, unlike the clocks of std.
+std::int64_t sinceStart() {
+    timespec now = {};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
+}
+
+void ignoreHangUps() {
     const Action ignored = handledBy(SIG_IGN);
     sigaction(SIGHUP, &ignored, nullptr);
-    say(Came);
+}
+
+void onSignal(int signal) {
+    const int error = errno;
+    std::int64_t first = 0;
+    const std::int64_t now = sinceStart();
+    if (firstAt.compare_exchange_strong(first, now)) {
+        ignoreHangUps();
+        say(Came);
+    } else if (now - first >= OneWish.count()) {
+        giveBack();
+        ignoreHangUps();
+        raise(signal);  // it comes when this handler is left
+    }
     errno = error;
 }
 
@@ -128,6 +156,7 @@ WhenLate::~WhenLate() {
 
 InterruptGuard::InterruptGuard(End end) {
     if (!openPipe()) return;  // Ctrl-C then ends the process at once
+    firstAt = 0;
     // A copy: the guard does not go where a library ends the process by exit().
     m_waiter = std::thread([source = m_source, end]() mutable {
         if (heard() != Came) return;

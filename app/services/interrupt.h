@@ -19,8 +19,9 @@ public:
 };
 
 /// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP asks the work to stop instead of ending the
-/// process; a second one ends it, but for SIGHUP, which comes twice when a terminal closes. One that was
-/// ignored before, as nohup wants SIGHUP, stays so. At most one guard at a time.
+/// process; one that comes half a second later or more ends it, but for SIGHUP, which comes twice when a
+/// terminal closes. What comes sooner is the same wish. One that was ignored before, as nohup wants SIGHUP,
+/// stays so. At most one guard at a time.
 class InterruptGuard {
 public:
     enum class End : std::uint8_t {

@@ -35,9 +35,30 @@ TEST_F(InterruptGuardTest, ASecondSignalEndsTheProgram) {
         {
             const InterruptGuard guard;
             std::raise(SIGINT);
+            usleep(600'000);
             std::raise(SIGINT);
         },
         testing::KilledBySignal(SIGINT), "");
+}
+
+// `timeout` tells the process and then its group, a moment later: that is one wish, and the log has to be
+// closed.
+TEST_F(InterruptGuardTest, OneWishMayBeToldTwice) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        EXPECT_EXIT(
+            {
+                {
+                    const InterruptGuard guard;
+                    std::raise(signal);
+                    std::raise(signal);
+                    if (!waitUntil([&] { return guard.token().stop_requested(); })) std::_Exit(2);
+                    std::raise(signal);
+                }
+                std::_Exit(0);
+            },
+            testing::ExitedWithCode(0), "")
+            << signal;
+    }
 }
 
 // The shell tells it, and then the system.
