@@ -42,11 +42,12 @@ private:
         for (const ScanPose& pose : sample.poses) {
             const auto scan = scans.find(pose.scan);
             if (scan == scans.end()) continue;
-            // Whether a scan counts was decided before a loop moved it, and that may be taken back.
+            const ScanPose before = scan->second.pose;
+            scan->second.pose = pose;
             if (sample.cause == ScanPosesSample::Cause::LoopClosure) {
-                scan->second.pose.scanInMap = pose.scanInMap;
-            } else {
-                scan->second.pose = pose;
+                // Whether it counts was decided before the loop moved it, and that may be taken back.
+                scan->second.pose.trust = before.trust;
+                scan->second.pose.doubts = before.doubts;
             }
             scan->second.poseSequence = decision.sequence;
         }
