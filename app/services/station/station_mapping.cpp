@@ -193,16 +193,11 @@ void StationMapping::State::hear(const Event& event) {
         if (place->station != station) mapping->follow(*place);
         return;
     }
-    if (const auto* links = std::get_if<ScanLinksSample>(&event.sample)) {
-        if (links->station != station) return mapping->adopt(*links);
-        const std::lock_guard lock(mutex);
-        ++heard;
-        return;
-    }
+    const auto* links = std::get_if<ScanLinksSample>(&event.sample);
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
     const auto* undo = std::get_if<UndoSample>(&event.sample);
     const auto* area = std::get_if<MapCropSample>(&event.sample);
-    if (poses == nullptr && undo == nullptr && area == nullptr) return;
+    if (links == nullptr && poses == nullptr && undo == nullptr && area == nullptr) return;
     if (undo != nullptr) {
         whenSettled(
             [this](LiveMapper& mapper) {
@@ -213,18 +208,20 @@ void StationMapping::State::hear(const Event& event) {
             true);
     }
     // Another station's, which makes the map.
+    if (links != nullptr && links->station != station) mapping->adopt(*links);
     if (poses != nullptr && poses->station != station) mapping->follow(posesOf(*mission.state()));
     bool waits = undo != nullptr;
-    const std::string& who = poses != nullptr  ? poses->station
-                             : undo != nullptr ? undo->station
-                                               : area->station;
+    const std::string& who = links != nullptr   ? links->station
+                             : poses != nullptr ? poses->station
+                             : undo != nullptr  ? undo->station
+                                                : area->station;
     std::optional<MapCrop> changed;
     {
         const std::lock_guard lock(mutex);
         if (who == station) ++heard;
         waits = waits || !settled.empty();
         // What was wished since is on its way.
-        cropMoved = cropMoved || poses == nullptr;
+        cropMoved = cropMoved || undo != nullptr || area != nullptr;
         if (cropMoved && heard == said) {
             changed = crop = cropInLog();
             cropMoved = false;

@@ -88,8 +88,14 @@ std::optional<MapDecision> undoable(const MissionState& state, const std::string
 std::optional<MapDecision> lastLoop(const MissionState& state) {
     const auto& all = *state.decisions;
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
-        if (decision->undone) continue;
-        if (auto loop = loopOf(*decision)) return loop;
+        const auto* sample = std::get_if<ScanLinksSample>(&decision->content);
+        if (sample == nullptr || decision->undone) continue;
+        // What was taken out since, because it contradicts the rest, is none.
+        const bool stands = std::any_of(sample->links.begin(), sample->links.end(), [&](const Link& link) {
+            const auto now = state.loops->find(link.id);
+            return link.active && now != state.loops->end() && now->second.link.active;
+        });
+        if (stands) return loopOf(*decision);
     }
     return std::nullopt;
 }
