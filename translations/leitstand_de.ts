@@ -3335,6 +3335,18 @@ Funk: %4 %5</translation>
         <source>announced, but nothing comes: {}</source>
         <translation>angekündigt, aber nichts kommt: {}</translation>
     </message>
+    <message>
+        <source>{}: {}; is the sensor switched on?</source>
+        <translation>{}: {}; ist der Sensor eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>{}: {}; joining again did not help: look at the robot&apos;s program, at firewalls, and at which networks both are in</source>
+        <translation>{}: {}; neu betreten half nicht: das Programm des Roboters prüfen, Firewalls, und in welchen Netzen beide sind</translation>
+    </message>
+    <message>
+        <source>announced, but never came: {}</source>
+        <translation>angekündigt, aber nie gekommen: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::HelpCommands</name>

@@ -3335,6 +3335,18 @@ Link: %4 %5</source>
         <source>announced, but nothing comes: {}</source>
         <translation>告知されていますが、何も届きません: {}</translation>
     </message>
+    <message>
+        <source>{}: {}; is the sensor switched on?</source>
+        <translation>{}: {}。センサーの電源は入っていますか？</translation>
+    </message>
+    <message>
+        <source>{}: {}; joining again did not help: look at the robot&apos;s program, at firewalls, and at which networks both are in</source>
+        <translation>{}: {}。再接続しても変わりません。ロボットのプログラム、ファイアウォール、両者のネットワークを確認してください</translation>
+    </message>
+    <message>
+        <source>announced, but never came: {}</source>
+        <translation>通知されているが一度も届いていません: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::HelpCommands</name>

@@ -38,7 +38,7 @@ struct CameraView {
 /// One robot as the station has it now.
 struct RobotView {
     LinkStatus link;
-    std::optional<HearingFault> hearing;  ///< it is announced, and nothing of it comes
+    std::optional<HearingFault> hearing;  ///< it is announced, and not heard as it should
     GrantView grant;
     StopStatus stop;
     DriveView drive;

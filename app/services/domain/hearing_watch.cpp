@@ -29,6 +29,15 @@ Announced announcedIn(const DomainHearing& domain) {
     return announced;
 }
 
+/// What to do where joining again does not help.
+std::string adviceOn(HearingFault::Kind kind) {
+    if (kind == HearingFault::Kind::Partial)
+        return translate("leitstand::Hearing", "{}: {}; is the sensor switched on?");
+    return translate("leitstand::Hearing",
+                     "{}: {}; joining again did not help: look at the robot's program, at firewalls, and at "
+                     "which networks both are in");
+}
+
 }  // namespace
 
 HearingWatch::HearingWatch(Node& node, HearingWatchSetup setup)
@@ -42,25 +51,30 @@ std::optional<HearingFault> HearingWatch::fault(const std::string& robot) const 
     return found == m_faults.end() ? std::nullopt : std::optional(found->second.fault);
 }
 
+void HearingWatch::tell(const std::string& words, const RobotDescription& robot, const HearingFault& fault) {
+    m_setup.tell(leitstand::fill(words, robot.title, worded(fault)));
+}
+
 void HearingWatch::look() {
     const Announced announced = announcedIn(m_node.hearing());
     const SteadyTime now = std::chrono::steady_clock::now();
     bool due = false;
     for (const RobotDescription& robot : m_setup.robots) {
         const LinkState link = m_setup.link(robot.name);
-        const bool heard = link == LinkState::Connected || link == LinkState::Degraded;
-        if (heard) m_plans[robot.name].heard();
+        RejoinPlan& plan = m_plans[robot.name];
+        if (isHeard(robot, announced)) plan.heard();
         const auto fault = hearingFaultOf(robot, link, announced);
-        const bool tries = m_plans[robot.name].isDue(fault.has_value(), m_setup.mayRejoin(), now);
-        if (tries) {
-            m_setup.tell(leitstand::fill(translate("leitstand::Hearing", "{}: {}; joining the network again"),
-                                         robot.title, worded(*fault)));
+        if (plan.isDue(fault, m_setup.mayRejoin(), now)) {
+            due = true;
+            tell(translate("leitstand::Hearing", "{}: {}; joining the network again"), robot, *fault);
+        } else if (plan.hasFailed(fault, now)) {
+            tell(adviceOn(fault->kind), robot, *fault);
         }
-        due = due || tries;
         const std::lock_guard lock(m_mutex);
         if (fault) m_faults[robot.name] = {*fault, now};
         const auto standing = m_faults.find(robot.name);
-        if (standing != m_faults.end() && (heard || now - standing->second.newest > Gone))
+        if (standing != m_faults.end() && !fault &&
+            (isOver(standing->second.fault, link, announced) || now - standing->second.newest > Gone))
             m_faults.erase(standing);
     }
     if (!due) return;

@@ -33,12 +33,13 @@ public:
     HearingWatch(const HearingWatch&) = delete;
     HearingWatch& operator=(const HearingWatch&) = delete;
 
-    /// Why nothing is heard of @p robot although it is announced; empty where that is not so.
+    /// What is not heard of @p robot although it is announced; empty where that is not so.
     [[nodiscard]] std::optional<HearingFault> fault(const std::string& robot) const;
 
 private:
     void run(const std::stop_token& stop);
     void look();
+    void tell(const std::string& words, const RobotDescription& robot, const HearingFault& fault);
 
     Node& m_node;
     const HearingWatchSetup m_setup;

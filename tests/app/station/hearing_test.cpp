@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "app/services/station/safety/station_alarms.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/transport/link/control_robot.h"
 
@@ -33,6 +34,33 @@ private:
     std::set<Guid> m_seen;
 };
 
+/// A robot that tells its mode, and of its streams only odometry, once it is told to.
+class HalfHeardRobot {
+public:
+    HalfHeardRobot(const TestDomain& domain, const RobotDescription& robot)
+        : m_quiet(domain, robot), m_node(nodeIn(domain, {.name = robot.name})) {
+        const StreamDescription& mode = *robot.stream(StreamRole::Mode);
+        const StreamDescription& points = *robot.stream(StreamRole::Points);
+        m_mode = must(m_node->publisher({mode.topic, mode.type, mode.qos}));
+        m_points = must(m_node->publisher({points.topic, points.type, points.qos}));
+    }
+    void speak() { static_cast<void>(m_mode->write(testPayload(60, 1))); }
+    void tellOdometry() { m_quiet.speak(); }
+    std::size_t seen() { return m_quiet.seen(); }
+
+private:
+    QuietRobot m_quiet;
+    std::unique_ptr<Node> m_node;
+    std::unique_ptr<Publisher> m_mode, m_points;
+};
+
+RobotDescription robotWithMode() {
+    RobotDescription robot = drivenRobot();
+    for (const StreamRole role : {StreamRole::Mode, StreamRole::Points})
+        robot.streams.push_back(defaultStream(role, robot.name, {}));
+    return robot;
+}
+
 class StationHearing : public StationScene {};
 
 TEST_F(StationHearing, ARobotThatIsAnnouncedAndSaysNothingIsToldAndTheStationJoinsAnew) {
@@ -58,6 +86,34 @@ TEST_F(StationHearing, ARobotThatIsAnnouncedAndSaysNothingIsToldAndTheStationJoi
     }));
     EXPECT_TRUE(waitUntil([&] { return !station->robot("kurt3d").hearing.has_value(); }));
     EXPECT_TRUE(station->robot("kurt3d").grant.mine);
+}
+
+TEST_F(StationHearing, ARobotThatTellsItsModeOnlyIsNotHeardAndAStreamThatNeverComesIsNamed) {
+    const RobotDescription description = robotWithMode();
+    HalfHeardRobot robot(m_domain, description);
+    auto station = stationFor({description});
+    ASSERT_TRUE(waitUntil([&] {
+        robot.speak();
+        return station->robot("kurt3d").link.state == LinkState::Connected;
+    })) << words();
+    ASSERT_TRUE(waitUntil([&] {
+        robot.speak();
+        return robot.seen() == 3U;
+    })) << "the station, the robot's other node, and the station once more: "
+        << words();
+    EXPECT_THAT(words(), HasSubstr("announced, but nothing comes: /kurt3d/odom, /kurt3d/points"));
+    ASSERT_TRUE(waitUntil([&] {
+        robot.tellOdometry();
+        return words().find("announced, but never came: /kurt3d/points; joining the network again") !=
+               std::string::npos;
+    })) << words();
+    ASSERT_TRUE(waitUntil([&] {
+        robot.tellOdometry();
+        return words().find("never came: /kurt3d/points; is the sensor switched on?") != std::string::npos;
+    })) << words();
+    const auto hearing = station->robot("kurt3d").hearing;
+    ASSERT_TRUE(hearing);
+    EXPECT_EQ(hearing->names, std::vector<std::string>{"/kurt3d/points"});
 }
 
 TEST_F(StationHearing, NobodyJoinsAnewWhileARobotMoves) {

@@ -1,5 +1,7 @@
 #include "core/robot/link/hearing.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 namespace leitstand::test {
@@ -40,11 +42,41 @@ TEST(Hearing, TopicsThatAreAnnouncedAndDoNotComeAreAFaultAfterTwoSeconds) {
     EXPECT_EQ(toString(*fault), "announced, but nothing comes: /kurt3d/odom, /kurt3d/points");
 }
 
-TEST(Hearing, ARobotOfWhichAnythingIsHeardHasNone) {
+TEST(Hearing, ARobotOfWhichAllIsHeardHasNone) {
     Announced announced;
-    announced.writers = {writer("/kurt3d/odom", 9.0), writer("/kurt3d/points", 9.0, true)};
+    announced.writers = {writer("/kurt3d/odom", 9.0, true), writer("/kurt3d/points", 9.0, true)};
+    for (const LinkState link : {LinkState::Connected, LinkState::Degraded})
+        EXPECT_FALSE(hearingFaultOf(kurt3d(), link, announced));
+    EXPECT_TRUE(isHeard(kurt3d(), announced));
+}
+
+TEST(Hearing, ARobotThatOnlyAnswersPingsIsNotHeard) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/odom", 1.9), writer("/kurt3d/points", 1.9),
+                         writer("/kurt3d/mode", 9.0, true), writer("/kurt3d/battery_state", 9.0, true)};
     EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced));
-    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Degraded, announced));
+    for (AnnouncedWriter& one : announced.writers) one.seconds = std::max(one.seconds, 2.0);
+    const auto fault = hearingFaultOf(kurt3d(), LinkState::Connected, announced);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->kind, HearingFault::Kind::Silent);
+    EXPECT_THAT(fault->names, ElementsAre("/kurt3d/odom", "/kurt3d/points"));
+    EXPECT_FALSE(isHeard(kurt3d(), announced));
+}
+
+TEST(Hearing, ATopicThatNeverCameWhileOthersDoIsAFaultAfterFiveSeconds) {
+    Announced announced;
+    announced.writers = {writer("/kurt3d/odom", 4.9), writer("/kurt3d/points", 9.0, true)};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced))
+        << "sensors take a while to start";
+    announced.writers[0].seconds = 5.0;
+    const auto fault = hearingFaultOf(kurt3d(), LinkState::Degraded, announced);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->kind, HearingFault::Kind::Partial);
+    EXPECT_EQ(toString(*fault), "announced, but never came: /kurt3d/odom");
+    EXPECT_FALSE(isOver(*fault, LinkState::Connected, announced));
+    announced.writers.push_back(writer("/kurt3d/odom", 1.0, true, "another node"));
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Degraded, announced)) << "one of its writers is enough";
+    EXPECT_TRUE(isOver(*fault, LinkState::Connected, announced));
 }
 
 TEST(Hearing, StreamsOnEventsSlowOnesAndThoseOfAllRobotsSayNothing) {
@@ -79,27 +111,51 @@ TEST(Hearing, ListsOfManyTopicsAreCut) {
     EXPECT_EQ(toString(fault), "announced, but nothing comes: /a, /b, /c, /d, ...");
 }
 
+const HearingFault Silent{HearingFault::Kind::Silent, {"/kurt3d/odom"}, 2.0};
+
+HearingFault partial(const char* topic, double announced) {
+    return {HearingFault::Kind::Partial, {topic}, announced};
+}
+
 TEST(RejoinPlan, ThreeTimesThenNotUntilTheRobotWasHeard) {
     RejoinPlan plan;
     const SteadyTime begin{};
-    EXPECT_FALSE(plan.isDue(false, true, begin));
-    EXPECT_TRUE(plan.isDue(true, true, begin));
-    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(4)));
-    EXPECT_FALSE(plan.isDue(false, true, begin + seconds(4))) << "all is new for two seconds after joining";
-    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(5)));
-    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(19)));
-    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(20)));
-    EXPECT_FALSE(plan.isDue(true, true, begin + seconds(1000)));
+    EXPECT_FALSE(plan.isDue({}, true, begin));
+    EXPECT_TRUE(plan.isDue(Silent, true, begin));
+    EXPECT_FALSE(plan.isDue(Silent, true, begin + seconds(4)));
+    EXPECT_FALSE(plan.isDue({}, true, begin + seconds(4))) << "all is new for two seconds after joining";
+    EXPECT_TRUE(plan.isDue(Silent, true, begin + seconds(5)));
+    EXPECT_FALSE(plan.isDue(Silent, true, begin + seconds(19)));
+    EXPECT_FALSE(plan.hasFailed(Silent, begin + seconds(19)));
+    EXPECT_TRUE(plan.isDue(Silent, true, begin + seconds(20)));
+    EXPECT_FALSE(plan.hasFailed(Silent, begin + seconds(24))) << "the third time may have helped";
+    EXPECT_TRUE(plan.hasFailed(Silent, begin + seconds(25)));
+    EXPECT_FALSE(plan.hasFailed(Silent, begin + seconds(26))) << "said once";
+    EXPECT_FALSE(plan.isDue(Silent, true, begin + seconds(1000)));
     plan.heard();
-    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(1001)));
+    EXPECT_TRUE(plan.isDue(Silent, true, begin + seconds(1001)));
 }
 
 TEST(RejoinPlan, NotWhileARobotMovesOrIsBeingStopped) {
     RejoinPlan plan;
     const SteadyTime begin{};
-    EXPECT_FALSE(plan.isDue(true, false, begin));
-    EXPECT_FALSE(plan.isDue(true, false, begin + seconds(100)));
-    EXPECT_TRUE(plan.isDue(true, true, begin + seconds(101)));
+    EXPECT_FALSE(plan.isDue(Silent, false, begin));
+    EXPECT_FALSE(plan.isDue(Silent, false, begin + seconds(100)));
+    EXPECT_TRUE(plan.isDue(Silent, true, begin + seconds(101)));
+}
+
+TEST(RejoinPlan, OnceForATopicAndOnlySoonAfterItWasDiscovered) {
+    RejoinPlan plan;
+    const SteadyTime now{};
+    EXPECT_FALSE(plan.isDue(partial("/kurt3d/scan", 5.0), false, now)) << "a robot moves";
+    EXPECT_TRUE(plan.isDue(partial("/kurt3d/scan", 6.0), true, now));
+    plan.heard();
+    EXPECT_FALSE(plan.isDue(partial("/kurt3d/scan", 5.0), true, now + seconds(10)));
+    EXPECT_TRUE(plan.hasFailed(partial("/kurt3d/scan", 5.0), now + seconds(10)));
+    EXPECT_FALSE(plan.hasFailed(partial("/kurt3d/scan", 6.0), now + seconds(11))) << "said once";
+    EXPECT_FALSE(plan.isDue(partial("/kurt3d/imu", 25.0), true, now)) << "it may well be switched off";
+    EXPECT_TRUE(plan.hasFailed(partial("/kurt3d/imu", 25.0), now));
+    EXPECT_TRUE(plan.isDue(partial("/kurt3d/odom", 5.0), true, now + seconds(100)));
 }
 
 }  // namespace
