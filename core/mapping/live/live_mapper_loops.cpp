@@ -15,8 +15,7 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     for (const std::uint64_t id : against) {
         if (const LiveKeyScan* const other = find(id)) others.push_back(*other);
     }
-    std::vector<Link> links =
-        loops.add({key, robot.key == 0 ? nullptr : find(robot.key), others, match, robot.scale.factor()});
+    std::vector<Link> links = loops.add({key, robot.key == 0 ? nullptr : find(robot.key), others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);

@@ -48,7 +48,6 @@ Link odometryLink(const Entry& entry, const MatchSettings& match) {
         return link;
     }
     link.pose = before.scan->sensorInOdom.inverse() * scan.scan->sensorInOdom;
-    link.pose.translation() *= entry.odometryScale;
     const Vector6 deviation = odometryDeviation(link.pose.translation().norm(),
                                                 Eigen::AngleAxisd(link.pose.linear()).angle(), match);
     link.information = deviation.cwiseAbs2().cwiseInverse().asDiagonal();

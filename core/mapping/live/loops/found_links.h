@@ -26,7 +26,6 @@ struct Entry {
     const LiveKeyScan* predecessor = nullptr;  ///< the robot's key scan before; null: none
     std::span<const LiveKeyScan> against;      ///< what it was matched with, nearest first
     const Match& match;
-    double odometryScale = 1.0;  ///< the way of the robot's odometry counts so many times
 };
 
 /// The link to its predecessor, and to what it was matched with where that fitted. Odometry says only what

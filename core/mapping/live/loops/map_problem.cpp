@@ -5,12 +5,15 @@
 
 #include "core/mapping/graph/graph_solver.h"
 #include "core/mapping/graph/graph_start.h"
+#include "core/mapping/graph/link_scale.h"
 
 namespace leitstand {
 
 MapSolution solve(const MapProblem& problem, const Progress& progress) {
     constexpr double Outweighed = 0.5;
     PoseGraph graph = problem.graph;
+    startFromLinks(graph);
+    scaleOdometry(graph);
     startFromLinks(graph);
     GraphSettings settings;
     settings.robust = true;
