@@ -51,8 +51,12 @@ constexpr std::uint32_t LargestSample = 32U << 20;  // [B]
 constexpr Budget::Size UnfinishedSamples = {64 << 20, 64 << 20,
                                             8 << 20};  // [B] a participant's, in fragments
 
-constexpr std::size_t ParticipantsOfHost = 64, Participants = 512;
-constexpr std::size_t EndpointsOfHost = 4096, Endpoints = 16'384;
+/// Of a host, those that were heard lately ...
+constexpr std::size_t ParticipantsOfHost = 64, EndpointsOfHost = 4096;
+constexpr auto Present = std::chrono::seconds(15);
+/// ... and with those that are silent and whose lease is not over: processes that were killed.
+constexpr std::size_t LeasedOfHost = 192, LeasedEndpointsOfHost = 8192;
+constexpr std::size_t Participants = 512, Endpoints = 16'384;
 constexpr std::size_t AnnouncedBytesOfHost = 16U << 20;  // [B] of endpoints
 constexpr std::size_t UnannouncedWindows = 64;           // of a participant's writers or readers
 constexpr std::size_t PlacesOfParticipant = 8;           // addresses and ports that it sends from

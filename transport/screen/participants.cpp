@@ -32,9 +32,11 @@ Remote* Participants::find(const Prefix& prefix) {
 
 Remote* Participants::admit(const Announcement& said, const Address& host, Moment now) {
     const auto full = [&] {
+        if (m_remotes.size() >= limits::Participants) return true;
         const auto use = m_hosts.find(host);
-        return m_remotes.size() >= limits::Participants ||
-               (use != m_hosts.end() && use->second.participants >= limits::ParticipantsOfHost);
+        if (use == m_hosts.end() || use->second.participants < limits::ParticipantsOfHost) return false;
+        return use->second.participants >= limits::LeasedOfHost ||
+               presentUse(host, now).participants >= limits::ParticipantsOfHost;
     };
     if (full()) forgetSilent(now);
     if (full()) return nullptr;
@@ -43,6 +45,16 @@ Remote* Participants::admit(const Announcement& said, const Address& host, Momen
     remote.first = remote.heard = now;
     ++m_hosts[host].participants;
     return &remote;
+}
+
+Participants::Use Participants::presentUse(const Address& host, Moment now) const {
+    Use use;
+    for (const auto& [prefix, remote] : m_remotes) {
+        if (remote.host != host || now - remote.heard > limits::Present) continue;
+        ++use.participants;
+        use.endpoints += remote.endpoints.size();
+    }
+    return use;
 }
 
 void Participants::forget(Remotes::iterator one) {
@@ -111,7 +123,7 @@ bool Participants::hearDiscoveryOnly(std::uint16_t port) const {
            !one([&](const auto& remote) { return contains(remote.second.samplePorts, port); });
 }
 
-bool Participants::addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes) {
+bool Participants::addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes, Moment now) {
     Use& use = m_hosts[remote.host];
     const auto [place, isNew] = remote.endpoints.try_emplace(endpoint, 0);
     if (bytes > place->second) {
@@ -120,8 +132,10 @@ bool Participants::addEndpoint(Remote& remote, EntityId endpoint, std::size_t by
     }
     use.endpoints += isNew ? 1 : 0;
     m_endpoints += isNew ? 1 : 0;
-    const bool fits = use.endpoints <= limits::EndpointsOfHost && m_endpoints <= limits::Endpoints &&
-                      use.bytes <= limits::AnnouncedBytesOfHost;
+    const bool few = use.endpoints <= limits::EndpointsOfHost ||
+                     (use.endpoints <= limits::LeasedEndpointsOfHost &&
+                      presentUse(remote.host, now).endpoints <= limits::EndpointsOfHost);
+    const bool fits = few && m_endpoints <= limits::Endpoints && use.bytes <= limits::AnnouncedBytesOfHost;
     if (!fits) {
         removeEndpoint(remote, endpoint);
         remote.refused = true;

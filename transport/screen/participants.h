@@ -39,7 +39,8 @@ struct Remote {
     [[nodiscard]] ReaderWindows* windowsOf(EntityId reader, EntityId ours);
 };
 
-/// Who is in the domain, as far as the screen let them in: bounded for each host and in total.
+/// Who is in the domain, as far as the screen let them in: bounded for each host and in total. Processes that
+/// were killed keep their memory until their lease is over, but take no place of those that speak.
 class Participants {
 public:
     [[nodiscard]] Remote* find(const Prefix& prefix);
@@ -59,7 +60,7 @@ public:
     [[nodiscard]] bool hearDiscoveryOnly(std::uint16_t port) const;
 
     /// Notes an endpoint; false when its host has too many: then the participant is refused.
-    [[nodiscard]] bool addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes);
+    [[nodiscard]] bool addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes, Moment now);
     void removeEndpoint(Remote& remote, EntityId endpoint);
 
     [[nodiscard]] std::size_t size() const { return m_remotes.size(); }
@@ -70,6 +71,8 @@ private:
         std::size_t participants = 0, endpoints = 0, bytes = 0;
     };
     void forget(Remotes::iterator one);
+    /// What those of @p host have that were heard lately.
+    [[nodiscard]] Use presentUse(const Address& host, Moment now) const;
     void bind(Remote& remote, const Place& place, bool speaks, Moment now);
 
     Remotes m_remotes;

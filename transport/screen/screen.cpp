@@ -105,7 +105,7 @@ Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& p
     return {};
 }
 
-Screen::Verdict Screen::judgeEndpoint(const Submessage& next) {
+Screen::Verdict Screen::judgeEndpoint(const Submessage& next, Moment now) {
     EndpointAnnouncement said;
     if (const Fault fault = read(next, said); !fault.empty()) return {false, Why::NoRtps, fault};
     const Prefix owner = participantOf(said.endpoint);
@@ -117,7 +117,7 @@ Screen::Verdict Screen::judgeEndpoint(const Submessage& next) {
         m_participants.removeEndpoint(*remote, entityOf(said.endpoint));
         return {};
     }
-    if (m_participants.addEndpoint(*remote, entityOf(said.endpoint), next.payload.size())) return {};
+    if (m_participants.addEndpoint(*remote, entityOf(said.endpoint), next.payload.size(), now)) return {};
     return {false, Why::TooMany, "more endpoints than a host may have"};
 }
 
@@ -138,7 +138,7 @@ Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, Momen
                 return {false, Why::Numbers, "a count of ACKNACK that jumps"};
         }
     }
-    return announcesEndpoint(next) ? judgeEndpoint(next) : Verdict{};
+    return announcesEndpoint(next) ? judgeEndpoint(next, now) : Verdict{};
 }
 
 Screen::Verdict Screen::judgeSpeaker(const Prefix& speaker, const Place& place, Moment now) {

@@ -48,7 +48,7 @@ private:
     [[nodiscard]] Verdict judgeOne(const Submessage& next, const Place& place, Moment now);
     [[nodiscard]] Verdict judgeAnnouncement(const Submessage& next, const Place& place, Moment now);
     [[nodiscard]] Verdict judgeKnown(const Submessage& next, Remote& remote, Moment now);
-    [[nodiscard]] Verdict judgeEndpoint(const Submessage& next);
+    [[nodiscard]] Verdict judgeEndpoint(const Submessage& next, Moment now);
     [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
 
     /// Counts what was judged; whether somebody has to be told of drops now.

@@ -70,8 +70,17 @@ protected:
         EXPECT_EQ(one->end(SIGKILL), -1);
         one = station();
         const auto began = Clock::now();
-        EXPECT_TRUE(hearAll(*one)) << one->out();
-        return std::chrono::duration<double>(Clock::now() - began).count();
+        const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+        if (!hearAll(*one, 5s)) {
+            std::string missing;
+            for (const std::string& topic : Topics) {
+                if (!one->hears({topic})) missing += " " + topic;
+            }
+            EXPECT_TRUE(hearAll(*one)) << one->out();
+            ADD_FAILURE() << "after 5 s were not heard:" << missing << "; they were after " << passed()
+                          << " s; it said " << one->out();
+        }
+        return passed();
     }
     /// A recorder is killed, and another one started: when that has of all streams [s after its start].
     [[nodiscard]] double recorderAnew() {

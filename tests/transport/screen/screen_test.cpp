@@ -216,6 +216,27 @@ TEST_F(ScreenTest, WhatAHostMayHaveIsEnoughAndBounded) {
     EXPECT_TRUE(takes(Packet(165).announce(), placeOf(20, 165)));  // the others' leases are over
 }
 
+TEST_F(ScreenTest, KilledProcessesTakeNoPlaceOfThoseThatSpeak) {
+    for (int i = 0; i < 100; ++i) {  // one that is started again and again
+        ASSERT_TRUE(takes(Packet(100 + i).announce(), placeOf(20, 100 + i))) << i;
+        for (unsigned endpoint = 0; endpoint < 60; ++endpoint) {
+            const auto packet = Packet(100 + i).announceEndpoint(endpoint << 8 | 3, true, endpoint + 1);
+            ASSERT_TRUE(takes(packet, placeOf(20, 100 + i))) << i << " " << endpoint;
+        }
+        m_now += 800ms;
+    }
+    EXPECT_EQ(dropped(Why::TooMany), 0U);
+}
+
+TEST_F(ScreenTest, SilentParticipantsAreBoundedToo) {
+    int taken = 0;
+    for (int i = 0; i < 400; ++i) {
+        taken += takes(Packet(100 + i).announce(), placeOf(20, 100 + i)) ? 1 : 0;
+        m_now += 240ms;
+    }
+    EXPECT_EQ(taken, 192);
+}
+
 TEST_F(ScreenTest, AParticipantWithTooManyEndpointsIsRefusedWhole) {
     for (int one = 0; one < 5; ++one) {
         ASSERT_TRUE(takes(Packet(200 + one).announce(), placeOf(20, 200 + one)));
