@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/mapping/live/loops/free_space.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
 
@@ -124,6 +125,8 @@ std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, co
     if (match.doubts != 0 || match.icp.overlap < m_settings.leastOverlap ||
         match.icp.rms > m_settings.mostResidual)
         return std::nullopt;
+    const Pose inNearest = nearest->pose.scanInMap.inverse() * match.scanInMap;
+    if (filledShare(*nearest->scan, *entered.scan, inNearest) > m_settings.mostFilled) return std::nullopt;
     Found found;
     LiveKeyScan there = entered;
     there.pose.scanInMap = match.scanInMap;

@@ -1,0 +1,88 @@
+#include "core/mapping/live/loops/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace leitstand {
+namespace {
+
+constexpr int Columns = 180, Rows = 90;  ///< of two degrees: azimuth, elevation
+/// So far before what was seen there a point is in free space: noise, a robot that moved within the turn.
+constexpr float Margin = 0.3F;  ///< [m] ...
+constexpr float Share = 0.05F;  ///< ... and of the range
+constexpr float Nearest =
+    1.0F;  ///< nearer to the scanner, a cell is smaller than what it moved in a turn [m]
+
+int columnOf(const Eigen::Vector3f& direction) {
+    const float turn = std::atan2(direction.y(), direction.x()) / (2.0F * std::numbers::pi_v<float>)+0.5F;
+    return std::clamp(static_cast<int>(turn * Columns), 0, Columns - 1);
+}
+
+int rowOf(const Eigen::Vector3f& direction) {
+    const float up = std::asin(std::clamp(direction.z() / direction.norm(), -1.0F, 1.0F));
+    return std::clamp(static_cast<int>((up / std::numbers::pi_v<float> + 0.5F) * Rows), 0, Rows - 1);
+}
+
+}  // namespace
+
+double FreeSpaceFit::filledShare() const {
+    const std::size_t judged = agreed + filled;
+    return judged == 0 ? 0.0 : static_cast<double>(filled) / static_cast<double>(judged);
+}
+
+std::size_t FreeSpace::cellOf(const Eigen::Vector3f& direction) {
+    return static_cast<std::size_t>(rowOf(direction) * Columns + columnOf(direction));
+}
+
+FreeSpace::FreeSpace(std::span<const Eigen::Vector3f> points)
+    : m_cells(static_cast<std::size_t>(Columns) * Rows) {
+    std::vector<Cell> seen(m_cells.size());
+    for (const Eigen::Vector3f& point : points) {
+        const float range = point.norm();
+        if (!(range > 0.0F)) continue;
+        Cell& cell = seen[cellOf(point)];
+        cell.nearest = cell.nearest == 0.0F ? range : std::min(cell.nearest, range);
+        cell.farthest = std::max(cell.farthest, range);
+    }
+    for (int row = 0; row < Rows; ++row) {
+        for (int column = 0; column < Columns; ++column) {
+            Cell& cell = m_cells[static_cast<std::size_t>(row * Columns + column)];
+            for (int i = std::max(0, row - 1); i <= std::min(Rows - 1, row + 1); ++i) {
+                for (int j = column - 1; j <= column + 1; ++j) {
+                    const int around = (j + Columns) % Columns;
+                    const Cell& other = seen[static_cast<std::size_t>(i * Columns + around)];
+                    if (other.nearest == 0.0F) continue;
+                    cell.nearest =
+                        cell.nearest == 0.0F ? other.nearest : std::min(cell.nearest, other.nearest);
+                    cell.farthest = std::max(cell.farthest, other.farthest);
+                }
+            }
+        }
+    }
+}
+
+FreeSpaceFit FreeSpace::fit(std::span<const Eigen::Vector3f> points, const Pose& pose) const {
+    const Eigen::Isometry3f placed = pose.cast<float>();
+    FreeSpaceFit fit;
+    for (const Eigen::Vector3f& point : points) {
+        const Eigen::Vector3f there = placed * point;
+        const float range = there.norm();
+        if (!(range > Nearest)) continue;
+        const Cell& cell = m_cells[cellOf(there)];
+        if (cell.nearest == 0.0F) continue;
+        const float margin = Margin + Share * range;
+        if (range < cell.nearest - margin)
+            ++fit.filled;
+        else if (range < cell.farthest + margin)
+            ++fit.agreed;
+    }
+    return fit;
+}
+
+double filledShare(const Scan& first, const Scan& second, const Pose& secondInFirst) {
+    return std::max(FreeSpace(first.points).fit(second.points, secondInFirst).filledShare(),
+                    FreeSpace(second.points).fit(first.points, secondInFirst.inverse()).filledShare());
+}
+
+}  // namespace leitstand
