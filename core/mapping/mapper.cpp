@@ -1,9 +1,11 @@
 #include "core/mapping/mapper.h"
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "core/mapping/metascan.h"
+#include "core/mapping/motion/odometry_drift.h"
 #include "core/mapping/scan_preparation.h"
 
 namespace leitstand {
@@ -46,6 +48,19 @@ struct Mapper::State {
             return previous.poseInMap * previous.scan->sensorInOdom.inverse() * scan.sensorInOdom;
         }
         return previous.poseInMap;
+    }
+
+    /// What odometry tells of @p scan along directions that surfaces leave open; nothing where the guess is
+    /// not by odometry.
+    [[nodiscard]] std::optional<GuessPrior> priorOf(const Scan& scan, const Pose& guessInMap) const {
+        const MapScan& previous = map.scans.back();
+        if (settings.guess != GuessSource::Odometry || !scan.hasOdometry || !previous.scan->hasOdometry)
+            return std::nullopt;
+        const Pose step = previous.poseInMap.inverse() * guessInMap;
+        GuessPrior prior;
+        prior.deviation =
+            OdometryDrift{}.deviation(step.translation().norm(), Eigen::AngleAxisd(step.linear()).angle());
+        return prior;
     }
 
     /// Makes @p cloud what the next scan is matched against; an empty one is passed over.
@@ -96,9 +111,10 @@ bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
                                         progress.done(PreparedFraction + (1.0 - PreparedFraction) * fraction);
                                     },
                                     progress.stop};
+            IcpSettings icp = icpSettings(m_state->settings);
+            icp.prior = m_state->priorOf(*scan, entry.guessInMap);
             entry.icp = align(m_state->target(), *m_state->search, cloud,
-                              m_state->targetInMap.inverse() * entry.guessInMap,
-                              icpSettings(m_state->settings), aligning);
+                              m_state->targetInMap.inverse() * entry.guessInMap, icp, aligning);
             if (entry.icp.stop == IcpStop::Cancelled) return false;
             if (entry.icp.stop != IcpStop::Degenerate)
                 entry.poseInMap = m_state->targetInMap * entry.icp.pose;

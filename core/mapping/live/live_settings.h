@@ -9,6 +9,7 @@
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/map/matched_clouds.h"
 #include "core/mapping/live/scan_cleaning.h"
+#include "core/mapping/motion/odometry_drift.h"
 #include "core/mapping/motion/turn_refinement.h"
 
 namespace leitstand {
@@ -23,10 +24,7 @@ struct MatchSettings {
     int maxIterations = 60;                            ///< a scan, over all stages
     double levelShare = 0.1;  ///< of what gravity says against the match, in roll and pitch; 0: none
     double openBelow = 0.1;   ///< certainty of a direction below which odometry has a say in it (GuessPrior)
-    double drift = 0.03;      ///< of odometry, as share of the way [m / m] ...
-    double driftAtLeast = 0.004;             ///< ... and whatever the way [m]
-    double turnDrift = 0.03;                 ///< likewise, of the turn [rad / rad] ...
-    double turnDriftAtLeast = degrees(0.3);  ///< ... [rad]
+    OdometryDrift odometry;   ///< for what surfaces leave open
 };
 
 /// When a scan does not fit.

@@ -49,18 +49,11 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
 GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     GuessPrior prior;
     prior.openBelow = settings.openBelow;
-    prior.deviation = odometryDeviation(step.way, step.turn, settings);
+    prior.deviation = settings.odometry.deviation(step.way, step.turn);
     return prior;
 }
 
 }  // namespace
-
-Eigen::Matrix<double, 6, 1> odometryDeviation(double way, double turn, const MatchSettings& settings) {
-    Eigen::Matrix<double, 6, 1> deviation;
-    deviation.head<3>().setConstant(settings.driftAtLeast + settings.drift * way);
-    deviation.tail<3>().setConstant(settings.turnDriftAtLeast + settings.turnDrift * turn);
-    return deviation;
-}
 
 Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap, const LiveSettings& settings,
              std::span<const PlacedBody> others) {
@@ -208,7 +201,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     const bool open = found.stop == IcpStop::Degenerate;
     // What surfaces leave open, odometry holds for a while.
     const bool held = !open && step.measured && found.open > 0 &&
-                      settings.drift * std::min(step.openWay, fit.openWay) <= fit.mostDeviation;
+                      settings.odometry.share * std::min(step.openWay, fit.openWay) <= fit.mostDeviation;
     doubtIf(!open && !found.converged, ScanDoubt::Diverged);
     doubtIf(found.overlap < (step.measured ? fit.leastOverlap : fit.leastOverlapUnguided),
             ScanDoubt::Overlap);

@@ -63,11 +63,6 @@ struct Step {
     double openWay = 0.0;          ///< since the surfaces about the robot held all directions [m]
 };
 
-/// Standard deviations of what odometry tells after so much way and turn: translation [m], then rotation
-/// [rad].
-[[nodiscard]] Eigen::Matrix<double, 6, 1> odometryDeviation(double way, double turn,
-                                                            const MatchSettings& settings);
-
 /// Matches @p cloud with @p local, starting at @p guess: by the schedule that the step asks for, and where
 /// that leaves doubts by the others. @p up: against gravity, in the scan's frame; empty:
 /// unknown.

@@ -48,8 +48,8 @@ Link odometryLink(const Entry& entry, const MatchSettings& match) {
         return link;
     }
     link.pose = before.scan->sensorInOdom.inverse() * scan.scan->sensorInOdom;
-    const Vector6 deviation = odometryDeviation(link.pose.translation().norm(),
-                                                Eigen::AngleAxisd(link.pose.linear()).angle(), match);
+    const Vector6 deviation = match.odometry.deviation(link.pose.translation().norm(),
+                                                       Eigen::AngleAxisd(link.pose.linear()).angle());
     link.information = deviation.cwiseAbs2().cwiseInverse().asDiagonal();
     return link;
 }

@@ -118,7 +118,7 @@ std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, co
     const LocalMap local = localMap(others, nearest->pose.scanInMap);
     Step step;
     step.measured = true;
-    step.way = m_settings.reach / std::max(m_match.drift, 0.01);  // far off, maybe
+    step.way = m_settings.reach / std::max(m_match.odometry.share, 0.01);  // far off, maybe
     step.turn = 1.0;
     const Match match = leitstand::match(entered.reduced->unpacked(), local, entered.pose.scanInMap, step,
                                          entered.up, m_match, m_fit, m_match.wide);

@@ -310,7 +310,7 @@ TEST(LiveMapper, AnOpenCorridorLeavesADirectionOpenWhereNoOdometryHoldsIt) {
 
 TEST(LiveMapper, OdometryThatMayHaveDriftedTooFarHoldsNothing) {
     LiveSettings settings;
-    settings.match.drift = 0.1;  // 0.5 m in the last 5 m
+    settings.match.odometry.share = 0.1;  // 0.5 m in the last 5 m
     MappedRoom corridor;
     corridor.mapper = LiveMapper("station", settings);
     corridor.add(corridorScan(0.0, 1));
