@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -26,7 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ProbeOptions {
-    ProbeSettings settings;
+    DomainSettings domain;
+    double seconds = 5.0;
     std::string out = ".";
     bool json = false;
 };
@@ -128,25 +130,27 @@ std::map<std::string, std::string> writeRobotFiles(const ProbeReport& report, co
 
 int runProbe(const ProbeOptions& options) {
     ProgressLine line;
-    const InterruptGuard interrupt;
-    const auto show = [&line](double fraction) { line.show("listening", fraction); };
-    const auto report = probeDomain(options.settings, {.report = show, .stop = interrupt.token()});
-    line.clear();
-    if (!report) {
-        complain(line, report.error().text);
+    const InterruptGuard interrupt(InterruptGuard::End::Surely);
+    const auto probe = DomainProbe::open(options.domain);
+    if (!probe) {
+        complain(line, probe.error().text);
         return 1;
     }
+    const auto show = [&line](double fraction) { line.show("listening", fraction); };
+    const ProbeReport report = (*probe)->listen(options.seconds, {.report = show, .stop = interrupt.token()});
+    line.clear();
     bool ok = true;
-    const auto files = writeRobotFiles(*report, options.out, line, ok);
-    print(options.json ? probeJson(*report, files) : probeTable(*report));
+    const auto files = writeRobotFiles(report, options.out, line, ok);
+    print(options.json ? probeJson(report, files) : probeTable(report));
     if (!options.json) {
-        print("{}\n", securityLine(options.settings.domain));
+        print("{}\n", securityLine(options.domain));
         for (const auto& [robot, file] : files) {
             print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n",
                   printable(file));
         }
     }
-    for (const std::string& warning : report->warnings) complain(line, warning);
+    std::fflush(stdout);  // whatever becomes of the library's threads
+    for (const std::string& warning : report.warnings) complain(line, warning);
     return ok ? 0 : 1;
 }
 
@@ -157,8 +161,8 @@ void addProbe(CLI::App& app, int& exitCode) {
         "probe",
         "listens to a domain: robots, topics, what fits and what will not work; writes first robot files");
     const auto options = std::make_shared<ProbeOptions>();
-    addDomainOptions(*command, options->settings.domain);
-    command->add_option("--seconds", options->settings.seconds, "How long to listen [s] (5)")
+    addDomainOptions(*command, options->domain);
+    command->add_option("--seconds", options->seconds, "How long to listen [s] (5)")
         ->check(CLI::Range(0.5, 3600.0));
     command->add_option("--out", options->out, "Folder for the robot files (the present one)")
         ->check(CLI::ExistingDirectory)

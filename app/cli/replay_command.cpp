@@ -1,5 +1,6 @@
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -41,7 +42,7 @@ std::string outcomeJson(const ReplayOutcome& outcome) {
 
 int runReplay(ReplayOptions& options) {
     ProgressLine line;
-    const InterruptGuard interrupt;
+    const InterruptGuard interrupt(InterruptGuard::End::Surely);
     options.settings.mission = options.mission;
     const auto replay = MissionReplay::open(options.settings, {.report = {}, .stop = interrupt.token()});
     if (!replay) {
@@ -64,6 +65,7 @@ int runReplay(ReplayOptions& options) {
         }
         print("{}\n", outcome.heldBackTopics.empty() ? "" : ")");
     }
+    std::fflush(stdout);  // whatever becomes of the library's threads
     for (const std::string& problem : outcome.problems) complain(line, problem);
     if (interrupt.token().stop_requested() && !options.settings.loop) {
         complain(line, "interrupted");

@@ -90,31 +90,44 @@ std::vector<ProbedTopic> Listening::topics() {
 
 }  // namespace
 
-Result<ProbeReport> probeDomain(const ProbeSettings& settings, const Progress& progress) {
-    const auto network = nodeSettings(settings.domain, "leitstandctl probe");
+struct DomainProbe::State {
+    explicit State(std::unique_ptr<Node> joined) : node(std::move(joined)) {}
+    std::unique_ptr<Node> node;
+    Listening listening{*node};  ///< after the node: its subscriptions go first
+};
+
+Result<std::unique_ptr<DomainProbe>> DomainProbe::open(const DomainSettings& settings) {
+    const auto network = nodeSettings(settings, "leitstandctl probe");
     if (!network) return network.error();
-    const auto node = Node::create(*network);
+    auto node = Node::create(*network);
     if (!node) return node.error();
+    return std::unique_ptr<DomainProbe>(new DomainProbe(std::make_unique<State>(std::move(node).value())));
+}
+
+DomainProbe::DomainProbe(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+DomainProbe::~DomainProbe() = default;
+
+ProbeReport DomainProbe::listen(double seconds, const Progress& progress) {
+    const Node& node = *m_state->node;
     ProbeReport report;
-    report.warnings = (*node)->warnings();
-    Listening listening(**node);
+    report.warnings = node.warnings();
     const auto began = Clock::now();
     const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-    while (elapsed() < settings.seconds && !progress.cancelled()) {
-        listening.look();
+    while (elapsed() < seconds && !progress.cancelled()) {
+        m_state->listening.look();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        progress.done(elapsed() / settings.seconds);
+        progress.done(elapsed() / seconds);
     }
     report.seconds = elapsed();
-    report.topics = listening.topics();
-    for (const RemoteParticipant& participant : (*node)->participants()) {
+    report.topics = m_state->listening.topics();
+    for (const RemoteParticipant& participant : node.participants()) {
         if (participant.refused) {
             report.warnings.push_back(
                 fmt::format("{} ({}) could not prove an identity that we accept (DDS-Security)",
                             participant.name, participant.host));
         }
     }
-    for (const ScreenDrop& drop : (*node)->dropped()) report.warnings.push_back(toString(drop));
+    for (const ScreenDrop& drop : node.dropped()) report.warnings.push_back(toString(drop));
     std::vector<SeenTopic> seen;
     for (const ProbedTopic& topic : report.topics) seen.push_back(topic.topic);
     report.robots = guessRobots(seen);

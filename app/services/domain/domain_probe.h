@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,12 +11,6 @@
 #include "core/base/result.h"
 
 namespace leitstand {
-
-/// How long to listen, and where.
-struct ProbeSettings {
-    DomainSettings domain = {};
-    double seconds = 5.0;
-};
 
 /// A topic as it was heard.
 struct ProbedTopic {
@@ -36,6 +32,21 @@ struct ProbeReport {
 };
 
 /// Listens to a domain and tells what is there and what it is good for; says nothing to anybody.
-[[nodiscard]] Result<ProbeReport> probeDomain(const ProbeSettings& settings, const Progress& progress = {});
+class DomainProbe {
+public:
+    /// Joins the domain, which is left when the probe goes.
+    [[nodiscard]] static Result<std::unique_ptr<DomainProbe>> open(const DomainSettings& settings);
+    ~DomainProbe();
+    DomainProbe(const DomainProbe&) = delete;
+    DomainProbe& operator=(const DomainProbe&) = delete;
+
+    /// Listens for @p seconds, or until @p progress is cancelled.
+    [[nodiscard]] ProbeReport listen(double seconds, const Progress& progress = {});
+
+private:
+    struct State;
+    explicit DomainProbe(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
 
 }  // namespace leitstand
