@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/services/log/sequencer.h"
+#include "tests/support/resident_memory.h"
 #include "tests/transport/screen/packets.h"
 #include "transport/security/enclave.h"
 #include "transport/security/keys.h"
@@ -20,15 +21,6 @@ constexpr double MostMegabytes = 50.0;  // that an attack adds
 constexpr double FullRate = 0.9;        // of what the robot says, which is less on a busy machine
 constexpr std::uint64_t LeastRate = 5;  // samples a second of robots that live; 20 on an idle machine
 const char* const Robots[] = {"kurt3d", "crawler"};
-
-double megabytesOf(pid_t process) {
-    std::ifstream in(fmt::format("/proc/{}/status", process));
-    for (std::string word; in >> word;) {
-        double kilobytes = 0.0;
-        if (word == "VmRSS:" && in >> kilobytes) return kilobytes / 1e3;
-    }
-    return 0.0;
-}
 
 bool lives(pid_t process) {
     std::ifstream in(fmt::format("/proc/{}/stat", process));
@@ -68,6 +60,7 @@ void Besieged::begin(Keys keys) {
     m_keys = keys;
     if (keys == Keys::All) {
         const auto made = createKeys(m_folder / "keys", {{KeyRole::Station, "desk", {}, false},
+                                                         {KeyRole::Station, "other", {}, false},
                                                          {KeyRole::Viewer, "ear", {}, false},
                                                          {KeyRole::Viewer, "recorder", {}, false},
                                                          {KeyRole::Viewer, "watcher", {}, false},
@@ -84,6 +77,10 @@ void Besieged::begin(Keys keys) {
         program("leitstandctl"),
         with({"record", "--out", (m_folder / "recorded").string(), "--robot", "kurt3d", "--robot", "crawler"},
              "recorder"));
+    std::vector<std::string> network = {"--interface", "lo"};
+    if (keys == Keys::All)
+        network.insert(network.end(), {"--keys", (m_folder / "keys" / "enclaves" / "other").string()});
+    m_other = std::make_unique<ListeningStation>(m_folder / "other", m_domain, network);
     StationSettings settings = settingsFor(files);
     settings.domain.interfaces = {"lo"};
     if (keys == Keys::All) settings.domain.keys = m_folder / "keys" / "enclaves" / "desk";
@@ -102,7 +99,18 @@ void Besieged::begin(Keys keys) {
     ASSERT_TRUE(hearsAgain());
     ASSERT_TRUE(
         waitUntil([&] { return m_recorder->out().find("recording domain") != std::string::npos; }, 60s));
-    m_before = megabytesOf(m_recorder->id());
+    ASSERT_TRUE(waitUntil(
+        [&] {
+            return m_other->hears({odometryOf("kurt3d"), odometryOf("crawler")});
+        },
+        60s));
+    for (std::size_t i = 0; i < m_robots.size(); ++i) watch(Robots[i], m_robots[i]->id());
+    watch("recorder", m_recorder->id());
+    watch("station", m_other->id());
+}
+
+void Besieged::watch(const std::string& who, pid_t process) {
+    m_watched.push_back({who, process, residentMegabytes(process)});
 }
 
 void Besieged::listen(const std::string& robot) {
@@ -189,14 +197,18 @@ bool Besieged::hearsAgain() {
 
 void Besieged::expectUnharmed(const std::string& what, std::uint64_t packets) {
     m_proofs.push_back({what, stationTime()});
-    for (const auto& robot : m_robots) EXPECT_TRUE(lives(robot->id())) << what << ": " << robot->out();
-    EXPECT_TRUE(lives(m_recorder->id())) << what << ": " << m_recorder->out();
+    for (const Watched& one : m_watched) EXPECT_TRUE(lives(one.process)) << one.who << " after " << what;
     const bool hears = hearsAgain();
     EXPECT_TRUE(hears) << what;
-    const double more = megabytesOf(m_recorder->id()) - m_before;
-    EXPECT_LT(more, MostMegabytes) << what;
-    std::printf("ATTACK|%s%s|%llu|%s, %.0f MB more\n", what.c_str(), m_keys == Keys::All ? ", with keys" : "",
-                static_cast<unsigned long long>(packets),
+    double more = 0.0;
+    for (const Watched& one : m_watched) {
+        const double grown = residentMegabytes(one.process) - one.megabytes;
+        std::printf("%s: %.0f MB more\n", one.who.c_str(), grown);
+        EXPECT_LT(grown, MostMegabytes) << one.who << " after " << what;
+        more = std::max(more, grown);
+    }
+    std::printf("ATTACK|%s%s|%llu|%s, %.0f MB more at most\n", what.c_str(),
+                m_keys == Keys::All ? ", with keys" : "", static_cast<unsigned long long>(packets),
                 hears ? "all live, robots heard at full rate within 5 s" : "ROBOTS NOT HEARD", more);
 }
 

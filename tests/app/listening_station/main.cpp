@@ -1,4 +1,5 @@
-// listening_station FOLDER DOMAIN [--interface NAME] [--explore] [--thin MEGABITS] [ROBOT...]
+// listening_station FOLDER DOMAIN [--interface NAME] [--keys ENCLAVE] [--explore] [--thin MEGABITS]
+// [ROBOT...]
 //     an operator's station on shipped robots (kurt3d and crawler) that records into FOLDER. Says twice a
 //     second for each robot "link ROBOT STATE" and for each of its steady streams "stream TOPIC ARRIVED LOST
 //     RATE", ends with "told". --explore: it asks both to explore. --thin: the link is thin, and has so much.
@@ -29,6 +30,7 @@ struct Arguments {
     std::filesystem::path folder;
     int domain = 0;
     std::vector<std::string> interfaces = {};  ///< none: all
+    std::filesystem::path keys = {};           ///< none: an open domain
     bool explore = false;
     double thin = 0.0;  ///< [Mbit/s]; 0: the link is not thin
     std::vector<std::string> robots = {};
@@ -41,6 +43,8 @@ Arguments parse(const std::vector<std::string>& words) {
             all.explore = true;
         } else if (words[i] == "--interface") {
             all.interfaces = {words.at(++i)};
+        } else if (words[i] == "--keys") {
+            all.keys = words.at(++i);
         } else if (words[i] == "--thin") {
             all.thin = std::stod(words.at(++i));
         } else {
@@ -55,6 +59,7 @@ StationSettings settingsFor(const Arguments& arguments) {
     StationSettings settings;
     settings.domain.domain = arguments.domain;
     settings.domain.interfaces = arguments.interfaces;
+    settings.domain.keys = arguments.keys;
     settings.mission.folder = arguments.folder / "mission";
     for (const std::string& name : arguments.robots) {
         settings.mission.robots.push_back(

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
 
@@ -29,6 +31,7 @@ public:
     [[nodiscard]] bool hears(const std::vector<std::string>& topics) const;  ///< something of each
     int end(int number);  ///< with this signal; its exit code, -1 when the signal ended it
     [[nodiscard]] std::string out() const { return m_process.out(); }
+    [[nodiscard]] pid_t id() const { return m_process.id(); }
 
 private:
     [[nodiscard]] std::string told() const;  ///< what it said last, whole

@@ -8,6 +8,7 @@
 
 #include "tests/support/places.h"
 #include "tests/support/process.h"
+#include "tests/support/resident_memory.h"
 
 namespace leitstand::test {
 namespace {
@@ -32,12 +33,7 @@ StationProcess::StationProcess(const std::filesystem::path& folder, int domain)
                  "XDG_DATA_HOME=" + (folder / "data").string()}) {}
 
 double StationProcess::residentMegabytes() const {
-    std::ifstream status(fmt::format("/proc/{}/status", m_process.id()));
-    for (std::string word; status >> word;) {
-        double kibibytes = 0.0;
-        if (word == "VmRSS:" && status >> kibibytes) return kibibytes * 1024.0 / 1e6;
-    }
-    return 0.0;
+    return test::residentMegabytes(m_process.id());
 }
 
 int StationProcess::threads() const {
