@@ -27,15 +27,6 @@ bool isOfAnotherLog(const std::string& topic) {
            topic == station_topic::Undo;
 }
 
-/// Topics that are announced as steady streams for longer than it takes to hear them, and are not heard.
-std::vector<std::string> unheardIn(const DomainHearing& domain) {
-    std::set<std::string> unheard;
-    for (const OfferedWriter& one : domain.writers) {
-        if (!one.heard && one.steady && one.seconds >= HearWithin) unheard.insert(one.topic);
-    }
-    return {unheard.begin(), unheard.end()};
-}
-
 }  // namespace
 
 struct MissionRecorder::State {
@@ -70,6 +61,7 @@ struct MissionRecorder::State {
     void subscribeHeard();
     void watch(const std::stop_token& stop);
     void watchHearing();
+    [[nodiscard]] std::vector<std::string> unheard() const;
 };
 
 Result<void> MissionRecorder::State::watchLinks() {
@@ -135,6 +127,24 @@ void MissionRecorder::State::watchHearing() {
     hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
 }
 
+/// Topics that are announced as steady streams for longer than it takes to hear them, and are not heard:
+/// since the domain was joined, and where it was joined again because of that, before.
+std::vector<std::string> MissionRecorder::State::unheard() const {
+    std::set<std::string> unheard, heard;
+    for (const OfferedWriter& one : node->hearing().writers) {
+        if (one.heard) heard.insert(one.topic);
+        if (!one.heard && one.steady && one.seconds >= HearWithin) unheard.insert(one.topic);
+    }
+    for (const RobotDescription& robot : settings.mission.robots) {
+        const auto fault = hearing->fault(robot.name);
+        if (!fault || fault->kind == HearingFault::Kind::Mute) continue;
+        for (const std::string& topic : fault->names) {
+            if (!heard.contains(topic)) unheard.insert(topic);
+        }
+    }
+    return {unheard.begin(), unheard.end()};
+}
+
 Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
                                                                 Teller tell) {
     const auto network = nodeSettings(settings.domain, "leitstandctl record");
@@ -193,7 +203,7 @@ RecorderStatus MissionRecorder::status() const {
         status.screened = m_state->node->dropped();
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
-    if (m_state->node) status.unheard = unheardIn(m_state->node->hearing());
+    if (m_state->node) status.unheard = m_state->unheard();
     status.topics = m_state->feed->topics();
     return status;
 }

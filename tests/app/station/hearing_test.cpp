@@ -1,10 +1,9 @@
-#include <set>
-
 #include <gmock/gmock.h>
 
 #include "app/services/station/safety/station_alarms.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/station_scene.h"
+#include "tests/support/dds/quiet_robot.h"
 #include "tests/transport/link/control_robot.h"
 
 namespace leitstand::test {
@@ -12,27 +11,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
-
-/// A robot whose odometry is announced, and comes only when it is told to.
-class QuietRobot {
-public:
-    QuietRobot(const TestDomain& domain, const RobotDescription& robot)
-        : m_node(nodeIn(domain, {.name = robot.name})), m_stream(*robot.stream(StreamRole::Odometry)) {
-        m_odometry = must(m_node->publisher({m_stream.topic, m_stream.type, m_stream.qos}));
-    }
-    void speak() { static_cast<void>(m_odometry->write(testPayload(700, 1))); }
-    /// Participants that it has seen so far: a station that joined anew counts twice.
-    std::size_t seen() {
-        for (const RemoteParticipant& one : m_node->participants()) m_seen.insert(one.guid);
-        return m_seen.size();
-    }
-
-private:
-    std::unique_ptr<Node> m_node;
-    const StreamDescription m_stream;
-    std::unique_ptr<Publisher> m_odometry;
-    std::set<Guid> m_seen;
-};
 
 /// A robot that tells its mode, and of its streams only odometry, once it is told to.
 class HalfHeardRobot {
