@@ -1,63 +1,54 @@
-"""Writes the table "what was attacked, how often, what happened" of docs/security.md from the output of tests.
+#!/usr/bin/env python3
+"""Writes the tables "what was attacked, how often, what happened" of the documents from the output of tests.
 
-attack-table.py OUTPUT... [--area AREA] [--into docs/security.md]: lines "ATTACK|area|what|how often|what happened" of the
-outputs ("-": of standard input), the last one of each attack in the area (wire; log: docs/mission-log.md; pictures),
-between the marks of the document; without --into the table is printed. Lines without an area are of the wire's.
+Usage: attack-table.py OUTPUT DOCS; OUTPUT has lines "ATTACK|area|what|how often|what happened", the last one of each
+attack counts. Each area has a table in a document of the folder DOCS, between two marks that name it.
 """
-
-import argparse
+import pathlib
+import re
 import sys
 
-BEGIN, END = "<!-- attack-table -->", "<!-- /attack-table -->"
+MARKS = re.compile(
+    r"(<!-- attacks:begin (\w+), written by packaging/leitstand test --long -->\n).*?(<!-- attacks:end -->)", re.DOTALL)
 
 
-def attacks(lines, area):
-    """What -> (how often, what happened) in the area, in the order in which they first came."""
-    found = {}
+def attacks_of(lines):
+    """Area -> what -> (how often, what happened), in the order in which they first came."""
+    areas = {}
     for line in lines:
         at = line.find("ATTACK|")
-        parts = line[at:].strip().split("|") if at >= 0 else []
-        if len(parts) == 4:
-            parts.insert(1, "wire")
-        if len(parts) == 5 and parts[1] == area and parts[3].isdigit():
-            found[parts[2]] = (int(parts[3]), parts[4])
-    return found
+        if at < 0:
+            continue
+        parts = line[at:].strip().split("|")
+        if len(parts) != 5 or not parts[3].isdigit():
+            sys.exit(f'attack-table.py: expected "ATTACK|area|what|how often|what happened", found "{line.strip()}"')
+        areas.setdefault(parts[1], {})[parts[2]] = (int(parts[3]), parts[4])
+    return areas
 
 
-def table(found, area):
-    rows = [f"| attack | {'packets' if area == 'wire' else 'times'} | what happened |", "|---|---|---|"]
-    rows += [f"| {what} | {often:,} | {happened} |" for what, (often, happened) in found.items()]
-    return "\n".join(rows)
-
-
-def between_marks(text, content):
-    head, begin, rest = text.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not begin or not end:
-        raise SystemExit(f"attack-table.py: the document has no {BEGIN} and {END}")
-    return f"{head}{BEGIN}\n{content}\n{END}{tail}"
+def table_of(attacks):
+    rows = ["| attack | how often | what happened |", "|---|--:|---|"]
+    return "\n".join(rows + [f"| {what} | {often:,} | {happened} |" for what, (often, happened) in attacks.items()])
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("outputs", nargs="+", help='files of test output; "-": standard input')
-    parser.add_argument("--area", default="wire", help="wire, log or pictures")
-    parser.add_argument("--into", help="document whose table is written anew")
-    options = parser.parse_args()
-    lines = []
-    for name in options.outputs:
-        with sys.stdin if name == "-" else open(name, encoding="utf-8", errors="replace") as output:
-            lines += output.readlines()
-    found = attacks(lines, options.area)
-    if not found:
-        raise SystemExit("attack-table.py: no line of an attack in the outputs")
-    if not options.into:
-        print(table(found, options.area))
-        return
-    with open(options.into, encoding="utf-8") as document:
-        text = document.read()
-    with open(options.into, "w", encoding="utf-8") as document:
-        document.write(between_marks(text, table(found, options.area)))
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    with open(sys.argv[1], encoding="utf-8", errors="replace") as output:
+        areas = attacks_of(output)
+    written = {}
+    for document in sorted(pathlib.Path(sys.argv[2]).glob("*.md")):
+        text = document.read_text(encoding="utf-8")
+        places = [area for _, area, _ in MARKS.findall(text)]
+        for area in places:
+            if area not in areas:
+                sys.exit(f"attack-table.py: {document} has a table of {area}, of which no test told")
+        if places:
+            written[document] = MARKS.sub(lambda place: f"{place[1]}{table_of(areas.pop(place[2]))}\n{place[3]}", text)
+    if areas:
+        sys.exit(f"attack-table.py: no document has a table of {', '.join(areas)}")
+    for document, text in written.items():
+        document.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

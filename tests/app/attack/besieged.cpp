@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/services/log/sequencer.h"
+#include "tests/support/attack.h"
 #include "tests/support/resident_memory.h"
 #include "tests/transport/screen/packets.h"
 #include "transport/security/enclave.h"
@@ -77,10 +78,6 @@ void Besieged::begin(Keys keys) {
         program("leitstandctl"),
         with({"record", "--out", (m_folder / "recorded").string(), "--robot", "kurt3d", "--robot", "crawler"},
              "recorder"));
-    std::vector<std::string> network = {"--interface", "lo"};
-    if (keys == Keys::All)
-        network.insert(network.end(), {"--keys", (m_folder / "keys" / "enclaves" / "other").string()});
-    m_other = std::make_unique<ListeningStation>(m_folder / "other", m_domain, network);
     StationSettings settings = settingsFor(files);
     settings.domain.interfaces = {"lo"};
     if (keys == Keys::All) settings.domain.keys = m_folder / "keys" / "enclaves" / "desk";
@@ -96,9 +93,18 @@ void Besieged::begin(Keys keys) {
         listen(robot);
         ASSERT_TRUE(m_inboxes[robot].waitFor(20, 60s)) << robot << drops();
     }
-    ASSERT_TRUE(hearsAgain());
+    ASSERT_TRUE(waitUntil([&] { return hearsAgain(); }, 60s)) << "starts take their time";
     ASSERT_TRUE(
         waitUntil([&] { return m_recorder->out().find("recording domain") != std::string::npos; }, 60s));
+    for (const char* robot : Robots) {
+        const std::string heard = fmt::format("{}: connected", robot);
+        ASSERT_TRUE(waitUntil([&] { return m_recorder->out().find(heard) != std::string::npos; }, 60s))
+            << m_recorder->out();
+    }
+    std::vector<std::string> network = {"--interface", "lo"};
+    if (keys == Keys::All)
+        network.insert(network.end(), {"--keys", (m_folder / "keys" / "enclaves" / "other").string()});
+    m_other = std::make_unique<ListeningStation>(m_folder / "other", m_domain, network);
     ASSERT_TRUE(waitUntil(
         [&] {
             return m_other->hears({odometryOf("kurt3d"), odometryOf("crawler")});
@@ -207,9 +213,10 @@ void Besieged::expectUnharmed(const std::string& what, std::uint64_t packets) {
         EXPECT_LT(grown, MostMegabytes) << one.who << " after " << what;
         more = std::max(more, grown);
     }
-    std::printf("ATTACK|%s%s|%llu|%s, %.0f MB more at most\n", what.c_str(),
-                m_keys == Keys::All ? ", with keys" : "", static_cast<unsigned long long>(packets),
-                hears ? "all live, robots heard at full rate within 5 s" : "ROBOTS NOT HEARD", more);
+    tellAttack(
+        "wire", what + (m_keys == Keys::All ? ", with keys" : ""), packets,
+        fmt::format("{}, {:.0f} MB more at most",
+                    hears ? "all live, robots heard at full rate within 5 s" : "ROBOTS NOT HEARD", more));
 }
 
 void Besieged::endAndExpectWhole() {
@@ -232,7 +239,7 @@ void Besieged::endAndExpectWhole() {
                 full =
                     full || (said >= LeastRate && double(countFrom(heard, from)) >= FullRate * double(said));
             }
-            EXPECT_TRUE(full) << proof.what << ", recorded of " << robot;
+            EXPECT_TRUE(full) << proof.what << ", recorded of " << robot << "; " << m_recorder->out();
         }
     }
     for (const auto& robot : m_robots) robot->signal(SIGTERM);

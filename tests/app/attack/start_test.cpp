@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/robots/starts.h"
+#include "tests/support/attack.h"
 #include "tests/transport/screen/packets.h"
 #include "tests/transport/screen_wire/mutations.h"
 
@@ -71,11 +72,10 @@ protected:
             return std::make_shared<Rain>(domain, traffic, settings.seed);
         };
         const double median = Starts(settings).run();
-        std::printf(
-            "ATTACK|starts of robot, recorder and station among 1,000 packets a second of every kind "
-            "(times)|%d|"
-            "all heard, after %.1f s (median)\n",
-            settings.runs, median);
+        tellAttack("wire",
+                   "starts of robot, recorder and station among 1,000 packets a second of every kind (times)",
+                   static_cast<std::uint64_t>(settings.runs),
+                   fmt::format("all heard, after {:.1f} s (median)", median));
     }
 };
 using StartUnderAttackLatency = StartUnderAttack;

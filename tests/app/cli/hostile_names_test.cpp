@@ -127,8 +127,10 @@ TEST(HostileNames, OfTopicsOnTheWireAreShownNotObeyed) {
         std::chrono::seconds(60)));
     EXPECT_EQ(recording.stop(), 0) << recording.out();
     EXPECT_EQ(obeyed(recording.out()), 0U);
-    tellAttack("wire", "names of topics with control characters and bytes that are no UTF-8 (probe, record)",
-               3, "JSON is whole, nothing reaches the terminal raw");
+    tellAttack(
+        "wire",
+        "names of topics with control characters and bytes that are no UTF-8 (probe and record, times)", 3,
+        "JSON is whole, nothing reaches the terminal raw");
 }
 
 TEST(HostileTimes, AReplayOfAnyTimesEnds) {

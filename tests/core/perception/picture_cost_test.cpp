@@ -136,13 +136,13 @@ TEST(PictureCost, ManyScansOfALargePictureAreRefused) {
 }
 
 TEST(PictureCost, DataBeyondThePixelsAreRefused) {
-    refused("PNG of 4 kB with 1 GB of data", pngOf(64, 64, 8, 0, chunk("IDAT", manyZeros(256))),
+    refused("PNG of 64 x 64 pixels with 1 GB of data", pngOf(64, 64, 8, 0, chunk("IDAT", manyZeros(256))),
             "found more");
     // In many small chunks, too.
     std::string parts;
     const std::string data = manyZeros(64);
     for (std::size_t i = 0; i < data.size(); i += 1'000) parts += chunk("IDAT", data.substr(i, 1'000));
-    refused("PNG of 4 kB with 268 MB of data in chunks", pngOf(64, 64, 8, 0, parts), "found more");
+    refused("PNG of 64 x 64 pixels with 268 MB of data in chunks", pngOf(64, 64, 8, 0, parts), "found more");
 }
 
 TEST(PictureCost, TextsOfAPngAreNotInflated) {
