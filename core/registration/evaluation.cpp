@@ -72,11 +72,10 @@ PairInformation informationOf(const Pairing& pairing, const Pose& pose, const Ei
     return {scale.asDiagonal() * (sums.products / n) * scale.asDiagonal(), radius};
 }
 
-void evaluate(Pairing& pairing, double maxDistance, IcpResult& result) {
+void evaluate(Pairing& pairing, double paired, double maxDistance, IcpResult& result) {
     // Where the last step was below the limit, the pairs before it are still those of the pose.
-    if (result.stop != IcpStop::Converged || maxDistance < IcpResult::OverlapDistance) {
-        pairing.update(result.pose, std::max(maxDistance, IcpResult::OverlapDistance));
-    }
+    const double needed = std::max(maxDistance, IcpResult::OverlapDistance);
+    if (result.stop != IcpStop::Converged || paired < needed) pairing.update(result.pose, needed);
     const double maxSquared = maxDistance * maxDistance;
     constexpr double overlapSquared = IcpResult::OverlapDistance * IcpResult::OverlapDistance;
     std::size_t inliers = 0, overlapping = 0;

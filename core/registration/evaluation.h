@@ -15,7 +15,8 @@ struct PairInformation {
                                             const Eigen::Vector3d& centre, double maxSquared);
 
 /// Fills in how well @p result.pose fits: rms, inlier ratio, overlap, information, certainty and weakest
-/// direction. @p maxDistance: farthest pair that counts as inlier [m].
-void evaluate(Pairing& pairing, double maxDistance, IcpResult& result);
+/// direction. @p paired: how far @p pairing looked for partners last [m]; @p maxDistance: farthest pair that
+/// counts as inlier [m].
+void evaluate(Pairing& pairing, double paired, double maxDistance, IcpResult& result);
 
 }  // namespace leitstand

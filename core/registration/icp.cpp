@@ -142,7 +142,8 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
     if (prior) result.open = prior->open();
     if (result.stop == IcpStop::Cancelled) return result;
     const Stopwatch watch(result.times.evaluating);
-    evaluate(pairing, settings.maxDistances.back(), result);
+    const double last = settings.maxDistances.back();
+    evaluate(pairing, last, settings.judgedWithin.value_or(last), result);
     progress.done(1.0);
     return result;
 }

@@ -27,7 +27,9 @@ enum class Minimizer : std::uint8_t {
 /// Settings of one alignment.
 struct IcpSettings {
     std::vector<double> maxDistances = {
-        0.5};                       ///< pairs farther apart are dropped [m]; stages, one after another
+        0.5};                            ///< pairs farther apart are dropped [m]; stages, one after another
+    std::optional<double> judgedWithin;  ///< pairs nearer than that tell how well the pose fits [m]; unless
+                                         ///< set, those of the last stage
     std::optional<double> minStep;  ///< a stage ends when the pose moves less [m, rad]; unless set, 1e-4 for
                                     ///< Plane and Gicp and 1e-5 for point to point, which creeps
     int maxIterations = 500;        ///< over all stages
@@ -51,8 +53,8 @@ struct IcpResult {
     bool converged = false;        ///< Converged, or a LimitCycle smaller than 1 mm and 0.02 degrees
     IcpStop stop = IcpStop::IterationLimit;
     int iterations = 0;
-    double rms = 0.0;          ///< distance of the pairs within the last maximum distance [m]
-    double inlierRatio = 0.0;  ///< pairs within the last maximum distance over source points
+    double rms = 0.0;          ///< distance of the pairs that IcpSettings::judgedWithin names [m]
+    double inlierRatio = 0.0;  ///< those pairs over source points
     double overlap = 0.0;      ///< source points with a partner within OverlapDistance over source points
     /// Information on the pose from the pairs' normals, per pair: mean of j j^T with j = [n, (q - c) x n / r]
     /// for a source point q, the pairs' mean c and their root mean squared distance r from it; translation

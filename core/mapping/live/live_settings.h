@@ -18,9 +18,10 @@ namespace leitstand {
 struct MatchSettings {
     double reduce = 0.07;                         ///< edge of the voxel grid of what is matched [m]
     double minRange = 0.4, maxRange = 15.0;       ///< nearer and farther points are left out [m]
-    std::vector<double> near = {0.5, 0.25, 0.1};  ///< schedule of pair distances, with odometry [m]
-    std::vector<double> tight = {0.25, 0.1};      ///< ... where that does not fit: much of the scan is new
-    std::vector<double> wide = {1.5, 0.5, 0.25, 0.1};  ///< ... and where odometry is missing or guessed
+    std::vector<double> near = {0.5, 0.2, 0.07};  ///< schedule of pair distances, with odometry [m]
+    std::vector<double> tight = {0.2, 0.07};      ///< ... where that does not fit: much of the scan is new
+    std::vector<double> wide = {1.5, 0.5, 0.2, 0.07};  ///< ... and where odometry is missing or guessed
+    double judgedWithin = 0.15;                        ///< IcpSettings::judgedWithin [m]
     int maxIterations = 60;                            ///< a scan, over all stages
     double levelShare = 0.1;  ///< of what gravity says against the match, in roll and pitch; 0: none
     double openBelow = 0.1;   ///< certainty of a direction below which odometry has a say in it (GuessPrior)
@@ -31,7 +32,7 @@ struct MatchSettings {
 struct FitSettings {
     double leastOverlapUnguided = 0.6;  ///< where no odometry tells how the robot came there
     double leastOverlap = 0.4;          ///< of its points, with a partner within IcpResult::OverlapDistance
-    double mostResidual = 0.055;        ///< root mean square of the pairs [m]
+    double mostResidual = 0.08;         ///< root mean square of the pairs [m]
     double jump = 0.2;                  ///< against the odometry's step [m] ...
     double jumpOfWay = 0.25;            ///< ... and so much of the way [m / m]
     double turn = degrees(6);           ///< likewise [rad] ...
@@ -55,11 +56,11 @@ struct KeyScanRule {
 /// When the map meets itself.
 struct LoopSettings {
     bool on = true;
-    double sameAge = 20.0;        ///< over so much way scans are nearly certain to each other [m]
-    double reach = 3.0;           ///< scans this near each other may see the same [m]
-    double about = 6.0;           ///< of the way about the other scan, which is matched against [m]
-    double leastOverlap = 0.5;    ///< IcpResult::overlap of a loop
-    double mostResidual = 0.045;  ///< IcpResult::rms [m]
+    double sameAge = 20.0;       ///< over so much way scans are nearly certain to each other [m]
+    double reach = 3.0;          ///< scans this near each other may see the same [m]
+    double about = 6.0;          ///< of the way about the other scan, which is matched against [m]
+    double leastOverlap = 0.5;   ///< IcpResult::overlap of a loop
+    double mostResidual = 0.06;  ///< IcpResult::rms [m]
     double mostFilled = 0.06;    ///< share of points that lie where the other scan looked through (FreeSpace)
     double apart = 0.8;          ///< two places that are to agree lie so far from each other [m] ...
     double pendingWithin = 6.0;  ///< ... and no farther [m]

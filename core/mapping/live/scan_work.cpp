@@ -192,6 +192,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     if (result.doubts != 0) return result;
     IcpSettings icp;
     icp.maxDistances = schedule;
+    icp.judgedWithin = settings.judgedWithin;
     icp.maxIterations = settings.maxIterations;
     icp.threads = 1;
     icp.minStep = 5e-4;

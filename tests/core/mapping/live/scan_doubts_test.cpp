@@ -121,10 +121,10 @@ TEST_F(ScanDoubts, FortyOfAHundredPointsMeetTheMapAndSixtyWithoutOdometry) {
     EXPECT_EQ(doubts(599, false), bits(ScanDoubt::Overlap) | bits(ScanDoubt::Odometry));
 }
 
-TEST_F(ScanDoubts, PairsMayBeFiveCentimetresApart) {
+TEST_F(ScanDoubts, PairsThatAreFarApartAreABadFit) {
     const auto doubts = [&](float off) { return matched(scanOf(1'000, 0, off), FitSettings{}).doubts; };
-    EXPECT_FALSE(has(doubts(0.05F), ScanDoubt::Residual));
-    EXPECT_TRUE(has(doubts(0.07F), ScanDoubt::Residual));
+    EXPECT_FALSE(has(doubts(0.04F), ScanDoubt::Residual));
+    EXPECT_TRUE(has(doubts(0.1F), ScanDoubt::Residual));
 }
 
 TEST_F(ScanDoubts, AScanOfTooFewPointsOrWithoutAMapIsNotMatched) {
