@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -15,6 +14,7 @@
 #include "core/robot/robot_description.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/app/soak/played_demo.h"
+#include "tests/app/soak/soak_limits.h"
 #include "tests/app/soak/station_process.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/temporary_folder.h"
@@ -26,7 +26,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double EventsRate = 8.0;    ///< of the mission's time to real time
-constexpr double Minutes = 60.0;      ///< of real time
 constexpr double FirstMinutes = 2.0;  ///< until all threads are there, and all buffers
 
 /// How a station does after so much was said.
@@ -71,11 +70,6 @@ std::set<std::string> reliableTopics() {
     return topics;
 }
 
-double minutes() {
-    const char* told = std::getenv("LEITSTAND_SOAK_MINUTES");  // for trying
-    return told != nullptr ? std::atof(told) : Minutes;
-}
-
 TEST(LongSoak, OfEightHoursOfEventsNoneIsLostAndNothingGrowsButTheMap) {
     const TemporaryFolder folder;
     const TestDomain domain;
@@ -98,7 +92,7 @@ TEST(LongSoak, OfEightHoursOfEventsNoneIsLostAndNothingGrowsButTheMap) {
     playUntil(roundsIn(FirstMinutes));
     const Reading first = readingOf(station);
     print("after the first minutes", first);
-    const int all = roundsIn(minutes());
+    const int all = roundsIn(soakTime().count() / 60.0);
     Reading middle;
     for (int quarter = 1; quarter <= 4; ++quarter) {
         playUntil(std::max(rounds, quarter * all / 4));

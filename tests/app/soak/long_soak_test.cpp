@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/soak/played_demo.h"
+#include "tests/app/soak/soak_limits.h"
 #include "tests/app/soak/station_process.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/places.h"
@@ -27,7 +28,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double Hour = 3600.0;  ///< [s]
 constexpr double Rate = 12.0;    ///< of the mission's time to real time
 constexpr double MostCores = 1.0;
-constexpr double MostMegabytes = 1200.0, AtKeyScans = 1400.0;
 constexpr double Warming = 5.0, AtRateOne = 40.0;  ///< [s]
 constexpr double MostSecondsOfReport = 20.0;       ///< of a mission of 20 minutes
 constexpr int GivesBack = 20;  ///< minutes after which it is waited for, that it gives free memory back
@@ -118,14 +118,8 @@ TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOnePointTwoGigabytes) {
     EXPECT_LE(coresLast, MostCores) << "an hour makes the station slower";
     EXPECT_LE(usedForIt, MostCores * Hour);
 
-    ASSERT_GT(scans, scansAtFive);
-    const double aScan = (most - atFive) / static_cast<double>(scans - scansAtFive);
-    // How many there are depends on what the robots met: an hour has 1050 to 1400.
-    const double atMany = most + aScan * (AtKeyScans - static_cast<double>(scans));
-    std::printf("%llu key scans, %.2f MB each; %.0f MB would be %.0f key scans\n",
-                static_cast<unsigned long long>(scans), aScan, atMany, AtKeyScans);
-    EXPECT_LE(aScan, MostMegabytesAScan);
-    EXPECT_LE(std::max(most, atMany), MostMegabytes);
+    expectFits(
+        {.first = atFive, .last = most, .most = most, .keyScansFirst = scansAtFive, .keyScansLast = scans});
     const double whole = Hour + 2.0 * (AtRateOne + Warming - 2.0);  // a replay listens first for 2 s
     const auto said = messagesIn(demo), heard = messagesIn(station.mission());
     for (const auto& [topic, count] : said) {

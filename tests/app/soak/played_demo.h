@@ -15,8 +15,7 @@
 
 namespace leitstand::test {
 
-constexpr double MostMegabytesAScan = 0.5;  ///< that enters the map, of all that a station has
-constexpr double LeastHeard = 0.95;         ///< of what robots send once and never again, many times as fast
+constexpr double LeastHeard = 0.95;  ///< of what robots send once and never again, many times as fast
 constexpr std::chrono::seconds GivenBack(22);  ///< a station gives free memory back every 20 s
 
 /// Records the demo into a folder in @p folder, which it returns. What the robots meet on their way is theirs
