@@ -47,23 +47,23 @@ std::vector<Set> sets() {
     all[0] = {.name = "ring", .today = {0.02, 0.03, 0.0, 0.03}, .wanted = {0.02, 0.03, 0.0, WantedSurfaces}};
     all[1] = {.name = "eight",
               .route = Route::Eight,
-              .today = {0.03, 0.07, 0.01, 0.03},
+              .today = {0.03, 0.03, 0.01, 0.03},
               .wanted = {0.03, 0.03, 0.01, WantedSurfaces}};
     all[2] = {.name = "bare",
               .smooth = true,
-              .today = {0.15, 0.05, 0.01, 0.06},
+              .today = {0.05, 0.05, 0.01, 0.03},
               .wanted = {0.05, 0.05, Any, WantedSurfaces}};
     all[3] = {.name = "real",
               .sensor = realScanner(),
-              .today = {0.08, 0.03, 0.01, 0.05},
+              .today = {0.06, 0.03, 0.01, 0.035},
               .wanted = {0.05, 0.03, Any, WantedSurfaces}};
     all[4] = {.name = "worse",
               .sensor = worseScanner(),
-              .today = {0.13, 0.04, 0.01, 0.06},
+              .today = {0.12, 0.04, 0.01, 0.06},
               .wanted = {0.06, 0.04, Any, WantedSurfaces}};
     all[5] = {.name = "storeys",
               .route = Route::Storeys,
-              .today = {0.30, 0.30, 0.01, 0.09},
+              .today = {0.06, 0.04, 0.01, 0.03},
               .wanted = {0.06, 0.04, Any, WantedSurfaces}};
     all[6] = {.name = "twins",
               .twins = true,
@@ -71,7 +71,7 @@ std::vector<Set> sets() {
               .wanted = {0.02, 0.03, Any, WantedSurfaces}};
     all[7] = {.name = "troubles",
               .troubles = true,
-              .today = {0.04, 0.03, 0.01, 0.03},
+              .today = {0.02, 0.03, 0.01, 0.03},
               .wanted = {0.02, 0.03, Any, WantedSurfaces}};
     all[8] = {.name = "bent",
               .bent = true,
