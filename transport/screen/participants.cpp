@@ -83,6 +83,14 @@ void Participants::forgetSilent(Moment now) {
     }
 }
 
+bool Participants::mayChange(Remote& remote, const Place& place, Moment now) {
+    const bool isNew = remote.places.empty();
+    if (!isNew && place != remote.home && now - remote.atHome <= limits::Silence) return false;
+    remote.home = place;
+    remote.atHome = now;
+    return true;
+}
+
 void Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {
     if (remote.places.size() >= limits::PlacesOfParticipant) {
         const auto oldest = std::min_element(remote.places.begin(), remote.places.end(),
@@ -100,6 +108,7 @@ bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, 
                                     [&](const Remote::Bound& bound) { return bound.place == place; });
     if (known != places.end()) {
         known->heard = remote.heard = now;
+        if (place == remote.home) remote.atHome = now;
         known->speaks = known->speaks || speaks;
         return true;
     }

@@ -18,6 +18,8 @@ struct Remote {
         bool speaks = false;  ///< and does not only announce itself
     };
     Address host{};  ///< whose places it takes
+    Place home;      ///< that it announced itself from first, or since that is silent ...
+    Moment atHome;   ///< ... and when it was heard there
     Moment first, heard;
     Seconds lease{0.0};
     bool refused = false;            ///< it went beyond what a host may have: nothing of it passes
@@ -53,6 +55,10 @@ public:
     /// Whether @p remote may send from @p place: one where it was heard before, or a new one that is its own
     /// by all that can be told (see docs/wire.md). Notes that it was heard there.
     [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
+    /// Whether an announcement of @p remote that differs from the one before, or takes it back, is its own
+    /// where it comes from @p place: from its home, unless that is silent. In the time in which new places
+    /// are taken anybody on its host could send it away otherwise, with keys, too: announcements are plain.
+    [[nodiscard]] static bool mayChange(Remote& remote, const Place& place, Moment now);
     /// Whether a participant sends from @p place.
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
 

@@ -155,6 +155,18 @@ public:
         return data(writer ? screen::entity::PublicationsWriter : screen::entity::SubscriptionsWriter, number,
                     out.bytes);
     }
+    /// Takes back what the participant @p whose announced of @p entity by its @p writer.
+    Packet& end(int whose, screen::EntityId writer, screen::EntityId entity) {
+        const Bytes guid = ByteWriter().prefix(prefixOf(whose)).entity(entity).bytes;
+        const Bytes qos = word()
+                              .parameter(0x0070, guid)
+                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
+                              .parameter(1, {})
+                              .bytes;
+        return submessage(0x15, 2,
+                          word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos).bytes);
+    }
+    Packet& endParticipant(int whose) { return end(whose, screen::entity::ParticipantWriter, 0x000001c1); }
     Packet& statistics() { return submessage(0x80, 0, Bytes(56)); }
 
     [[nodiscard]] Bytes announcement(unsigned lease, int host, const std::string& name) const {

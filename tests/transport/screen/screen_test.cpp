@@ -158,28 +158,28 @@ TEST_F(ScreenTest, OthersDoNotSpeakInARobotsName) {
 }
 
 TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
-    const auto end = [](int speaker, int whose, screen::EntityId writer, screen::EntityId entity) {
-        Packet packet(speaker);
-        const Bytes guid = ByteWriter().prefix(prefixOf(whose)).entity(entity).bytes;
-        const Bytes qos = packet.word()
-                              .parameter(0x0070, guid)
-                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
-                              .parameter(1, {})
-                              .bytes;
-        return packet.submessage(
-            0x15, 2,
-            packet.word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos).bytes);
-    };
-    const auto participant = [&](int speaker, int whose) {
-        return end(speaker, whose, screen::entity::ParticipantWriter, 0x000001c1);
-    };
     ASSERT_TRUE(takes(Packet(2).announce(), placeOf(8)));
-    EXPECT_FALSE(takes(participant(1, 1), placeOf(8)));
-    EXPECT_FALSE(takes(participant(2, 1), placeOf(8)));
-    EXPECT_FALSE(takes(end(2, 1, screen::entity::PublicationsWriter, OdometryWriter), placeOf(8)));
-    EXPECT_TRUE(takes(end(1, 1, screen::entity::PublicationsWriter, OdometryWriter)));
-    EXPECT_TRUE(takes(participant(1, 1)));
+    EXPECT_FALSE(takes(Packet(1).endParticipant(1), placeOf(8)));
+    EXPECT_FALSE(takes(Packet(2).endParticipant(1), placeOf(8)));
+    EXPECT_FALSE(takes(Packet(2).end(1, screen::entity::PublicationsWriter, OdometryWriter), placeOf(8)));
+    EXPECT_TRUE(takes(Packet(1).end(1, screen::entity::PublicationsWriter, OdometryWriter)));
+    EXPECT_TRUE(takes(Packet(1).endParticipant(1)));
     EXPECT_TRUE(takes(Packet().announce(), placeOf(9)));  // it may come again from elsewhere
+}
+
+TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsItOrChangesWhatItAnnounced) {
+    const screen::Place home = placeOf(9), forger = placeOf(9, 50'000);
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), home));
+    EXPECT_TRUE(takes(Packet(3).announce(100, 9), forger)) << "the same, from another socket of its";
+    EXPECT_TRUE(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), forger));
+    EXPECT_FALSE(takes(Packet(3).announce(1, 9), forger));
+    EXPECT_FALSE(takes(Packet(3).endParticipant(3), forger));
+    EXPECT_EQ(dropped(Why::Impostor), 2U);
+    EXPECT_TRUE(takes(Packet(3).announce(90, 9), home));
+    EXPECT_TRUE(takes(Packet(3).endParticipant(3), home));
+    ASSERT_TRUE(takes(Packet(4).announce(100, 9), home));
+    m_now += 4s;
+    EXPECT_TRUE(takes(Packet(4).announce(90, 9), forger)) << "its home is silent: an interface went";
 }
 
 TEST_F(ScreenTest, ARobotWithTwoInterfacesIsHeardOnBoth) {
