@@ -83,9 +83,12 @@ void Participants::forgetSilent(Moment now) {
     }
 }
 
+bool Participants::isHome(const Remote& remote, const Place& place, Moment now) {
+    return remote.places.empty() || place == remote.home || now - remote.atHome > limits::Silence;
+}
+
 bool Participants::mayChange(Remote& remote, const Place& place, Moment now) {
-    const bool isNew = remote.places.empty();
-    if (!isNew && place != remote.home && now - remote.atHome <= limits::Silence) return false;
+    if (!isHome(remote, place, now)) return false;
     remote.home = place;
     remote.atHome = now;
     return true;

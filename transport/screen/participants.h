@@ -59,6 +59,8 @@ public:
     /// where it comes from @p place: from its home, unless that is silent. In the time in which new places
     /// are taken anybody on its host could send it away otherwise, with keys, too: announcements are plain.
     [[nodiscard]] static bool mayChange(Remote& remote, const Place& place, Moment now);
+    /// Whether @p place is where @p remote announces itself from, or may be because that is silent.
+    [[nodiscard]] static bool isHome(const Remote& remote, const Place& place, Moment now);
     /// Whether a participant sends from @p place.
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
 

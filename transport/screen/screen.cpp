@@ -157,7 +157,12 @@ Screen::Verdict Screen::judgeOne(const Submessage& next, const Place& place, Mom
     if (const Fault fault = checkContent(next); !fault.empty()) return {false, Why::NoRtps, fault};
     if (const Verdict verdict = judgeSpeaker(next.source, place, now); !verdict.passes) return verdict;
     Remote* const remote = m_participants.find(next.source);
-    return remote == nullptr ? Verdict{} : judgeKnown(next, *remote, now);
+    if (remote == nullptr) return {};
+    // Plain, too: one forged proof of identity ends the handshake, and the library asks for no other.
+    if (isFromWriter(next) && next.writer == entity::AuthenticationWriter &&
+        !Participants::isHome(*remote, place, now))
+        return {false, Why::Impostor, "a proof of identity from a place that is not its own"};
+    return judgeKnown(next, *remote, now);
 }
 
 Screen::Verdict Screen::judge(const Datagram& datagram, const Place& place, Moment now) {

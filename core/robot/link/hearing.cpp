@@ -36,6 +36,11 @@ bool isJudged(const AnnouncedWriter& writer, const RobotDescription& robot) {
     });
 }
 
+/// Streams that no robot switches off: those of scanners and cameras may well be.
+bool isAlwaysOn(StreamRole role) {
+    return role == StreamRole::Odometry || role == StreamRole::Imu;
+}
+
 bool isUp(LinkState link) {
     return link == LinkState::Connected || link == LinkState::Degraded;
 }
@@ -95,7 +100,7 @@ std::optional<HearingFault> faultWhileDown(const RobotDescription& robot, LinkSt
 std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const Announced& announced) {
     struct Topic {
         double seconds = 0.0;  ///< of the writer that is there for the longest [s]
-        bool heard = false;
+        bool heard = false, alwaysOn = false;
     };
     std::map<std::string, Topic> topics;
     for (const AnnouncedWriter& writer : announced.writers) {
@@ -103,12 +108,16 @@ std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const An
         Topic& topic = topics[writer.topic];
         topic.seconds = std::max(topic.seconds, writer.seconds);
         topic.heard = topic.heard || writer.heard;
+        topic.alwaysOn =
+            topic.alwaysOn || std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& one) {
+                return one.topic == writer.topic && isAlwaysOn(one.role);
+            });
     }
     const bool any = isHeard(robot, announced);
     const double within = any ? HearTopicWithin : HearWithin;
     HearingFault fault{any ? HearingFault::Kind::Partial : HearingFault::Kind::Silent, {}, 1e9};
     for (const auto& [name, topic] : topics) {
-        if (topic.heard || topic.seconds < within) continue;
+        if (topic.heard || topic.seconds < within || (any && !topic.alwaysOn)) continue;
         fault.names.push_back(name);
         fault.seconds = std::min(fault.seconds, topic.seconds);
     }

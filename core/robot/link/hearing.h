@@ -37,7 +37,7 @@ struct HearingFault {
     enum class Kind : std::uint8_t {
         Mute,     ///< processes are announced, topics of the robot are not; names: the processes'
         Silent,   ///< topics are announced, no periodic sample of any comes; names: the topics'
-        Partial,  ///< periodic samples come, but never any on some topics; names: those topics'
+        Partial,  ///< periodic samples come, but never odometry or IMU; names: those topics'
     };
     Kind kind = Kind::Silent;
     std::vector<std::string> names;
@@ -46,7 +46,7 @@ struct HearingFault {
 
 /// What is announced has so long until it is to be heard [s].
 inline constexpr double HearWithin = 2.0;
-/// ... and single topics, while others of the robot are heard [s]: a sensor may take a while to start.
+/// ... and odometry and IMU, while others of the robot are heard [s]: a sensor may take a while to start.
 inline constexpr double HearTopicWithin = 5.0;
 
 /// Whether streams of @p role come at a rate, so that silence is a fault: events and commands do not.

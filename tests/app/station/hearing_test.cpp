@@ -12,29 +12,29 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-/// A robot that tells its mode, and of its streams only odometry, once it is told to.
+/// A robot that tells its mode, of its streams only joints, once it is told to, and never odometry.
 class HalfHeardRobot {
 public:
     HalfHeardRobot(const TestDomain& domain, const RobotDescription& robot)
         : m_quiet(domain, robot), m_node(nodeIn(domain, {.name = robot.name})) {
         const StreamDescription& mode = *robot.stream(StreamRole::Mode);
-        const StreamDescription& points = *robot.stream(StreamRole::Points);
+        const StreamDescription& joints = *robot.stream(StreamRole::Joints);
         m_mode = must(m_node->publisher({mode.topic, mode.type, mode.qos}));
-        m_points = must(m_node->publisher({points.topic, points.type, points.qos}));
+        m_joints = must(m_node->publisher({joints.topic, joints.type, joints.qos}));
     }
     void speak() { static_cast<void>(m_mode->write(testPayload(60, 1))); }
-    void tellOdometry() { m_quiet.speak(); }
+    void tellJoints() { static_cast<void>(m_joints->write(testPayload(60, 1))); }
     std::size_t seen() { return m_quiet.seen(); }
 
 private:
     QuietRobot m_quiet;
     std::unique_ptr<Node> m_node;
-    std::unique_ptr<Publisher> m_mode, m_points;
+    std::unique_ptr<Publisher> m_mode, m_joints;
 };
 
 RobotDescription robotWithMode() {
     RobotDescription robot = drivenRobot();
-    for (const StreamRole role : {StreamRole::Mode, StreamRole::Points})
+    for (const StreamRole role : {StreamRole::Mode, StreamRole::Joints})
         robot.streams.push_back(defaultStream(role, robot.name, {}));
     return robot;
 }
@@ -79,19 +79,19 @@ TEST_F(StationHearing, ARobotThatTellsItsModeOnlyIsNotHeardAndAStreamThatNeverCo
         return robot.seen() == 3U;
     })) << "the station, the robot's other node, and the station once more: "
         << words();
-    EXPECT_THAT(words(), HasSubstr("announced, but nothing comes: /kurt3d/odom, /kurt3d/points"));
+    EXPECT_THAT(words(), HasSubstr("announced, but nothing comes: /kurt3d/joint_states, /kurt3d/odom"));
     ASSERT_TRUE(waitUntil([&] {
-        robot.tellOdometry();
-        return words().find("announced, but never came: /kurt3d/points; joining the network again") !=
+        robot.tellJoints();
+        return words().find("announced, but never came: /kurt3d/odom; joining the network again") !=
                std::string::npos;
     })) << words();
     ASSERT_TRUE(waitUntil([&] {
-        robot.tellOdometry();
-        return words().find("never came: /kurt3d/points; is the sensor switched on?") != std::string::npos;
+        robot.tellJoints();
+        return words().find("never came: /kurt3d/odom; is the sensor switched on?") != std::string::npos;
     })) << words();
     const auto hearing = station->robot("kurt3d").hearing;
     ASSERT_TRUE(hearing);
-    EXPECT_EQ(hearing->names, std::vector<std::string>{"/kurt3d/points"});
+    EXPECT_EQ(hearing->names, std::vector<std::string>{"/kurt3d/odom"});
 }
 
 TEST_F(StationHearing, NobodyJoinsAnewWhileARobotMoves) {

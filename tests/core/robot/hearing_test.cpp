@@ -74,6 +74,10 @@ TEST(Hearing, ATopicThatNeverCameWhileOthersDoIsAFaultAfterFiveSeconds) {
     EXPECT_EQ(fault->kind, HearingFault::Kind::Partial);
     EXPECT_EQ(toString(*fault), "announced, but never came: /kurt3d/odom");
     EXPECT_FALSE(isOver(*fault, LinkState::Connected, announced));
+    announced.writers = {writer("/kurt3d/odom", 9.0, true), writer("/kurt3d/points", 9.0)};
+    EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Connected, announced))
+        << "a scanner may be switched off";
+    announced.writers = {writer("/kurt3d/odom", 9.0), writer("/kurt3d/points", 9.0, true)};
     announced.writers.push_back(writer("/kurt3d/odom", 1.0, true, "another node"));
     EXPECT_FALSE(hearingFaultOf(kurt3d(), LinkState::Degraded, announced)) << "one of its writers is enough";
     EXPECT_TRUE(isOver(*fault, LinkState::Connected, announced));

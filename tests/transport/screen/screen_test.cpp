@@ -167,14 +167,17 @@ TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
     EXPECT_TRUE(takes(Packet().announce(), placeOf(9)));  // it may come again from elsewhere
 }
 
-TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsItOrChangesWhatItAnnounced) {
+TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsChangesOrProvesIt) {
     const screen::Place home = placeOf(9), forger = placeOf(9, 50'000);
+    const Packet proof = Packet(3).data(screen::entity::AuthenticationWriter, 1, {});
     ASSERT_TRUE(takes(Packet(3).announce(100, 9), home));
     EXPECT_TRUE(takes(Packet(3).announce(100, 9), forger)) << "the same, from another socket of its";
     EXPECT_TRUE(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), forger));
     EXPECT_FALSE(takes(Packet(3).announce(1, 9), forger));
     EXPECT_FALSE(takes(Packet(3).endParticipant(3), forger));
-    EXPECT_EQ(dropped(Why::Impostor), 2U);
+    EXPECT_FALSE(takes(proof, forger));
+    EXPECT_EQ(dropped(Why::Impostor), 3U);
+    EXPECT_TRUE(takes(proof, home));
     EXPECT_TRUE(takes(Packet(3).announce(90, 9), home));
     EXPECT_TRUE(takes(Packet(3).endParticipant(3), home));
     ASSERT_TRUE(takes(Packet(4).announce(100, 9), home));
