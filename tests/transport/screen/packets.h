@@ -167,6 +167,15 @@ public:
                           word().u16(0).u16(16).entity(0).entity(writer).sequenceNumber(9).append(qos).bytes);
     }
     Packet& endParticipant(int whose) { return end(whose, screen::entity::ParticipantWriter, 0x000001c1); }
+    /// What begins a proof of identity.
+    [[nodiscard]] static Bytes identityToken() {
+        ByteWriter token(true);
+        token.append(ByteWriter(false).u16(1).u16(0).bytes)
+            .zeros(2 * 24 + 3 * 16)
+            .text("dds.sec.auth")
+            .u32(1);
+        return token.text("DDS:Auth:PKI-DH:1.0+Req").u32(0).u32(1).text("c.id").u32(4).zeros(4).bytes;
+    }
     Packet& statistics() { return submessage(0x80, 0, Bytes(56)); }
 
     [[nodiscard]] Bytes announcement(unsigned lease, int host, const std::string& name) const {

@@ -169,7 +169,7 @@ TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
 
 TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsChangesOrProvesIt) {
     const screen::Place home = placeOf(9), forger = placeOf(9, 50'000);
-    const Packet proof = Packet(3).data(screen::entity::AuthenticationWriter, 1, {});
+    const Packet proof = Packet(3).data(screen::entity::AuthenticationWriter, 1, Packet::identityToken());
     ASSERT_TRUE(takes(Packet(3).announce(100, 9), home));
     EXPECT_TRUE(takes(Packet(3).announce(100, 9), forger)) << "the same, from another socket of its";
     EXPECT_TRUE(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), forger));
@@ -324,12 +324,10 @@ TEST_F(EncryptedScreen, OnlyDiscoveryAndAuthenticationArePlain) {
     EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 2)));
     EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10)));
     EXPECT_FALSE(takes(Packet().gap(OdometryWriter, 1, 2)));
-    ByteWriter token(true);
-    token.append(ByteWriter(false).u16(1).u16(0).bytes).zeros(2 * 24 + 3 * 16).text("dds.sec.auth").u32(1);
-    token.text("DDS:Auth:PKI-DH:1.0+Req").u32(0).u32(1).text("c.id").u32(4).zeros(4);
-    EXPECT_TRUE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
-    token.bytes.resize(token.bytes.size() - 4);
-    EXPECT_FALSE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token.bytes)));
+    Bytes token = Packet::identityToken();
+    EXPECT_TRUE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token)));
+    token.resize(token.size() - 4);
+    EXPECT_FALSE(takes(Packet().data(screen::entity::AuthenticationWriter, 1, token)));
     EXPECT_TRUE(takes(Packet()
                           .submessage(0x33, 0, Bytes(20))
                           .submessage(0x30, 0, Bytes(8))
