@@ -16,13 +16,14 @@ namespace leitstand {
 
 /// How a scan is matched.
 struct MatchSettings {
-    double reduce = 0.07;                         ///< edge of the voxel grid of what is matched [m]
-    double minRange = 0.4, maxRange = 15.0;       ///< nearer and farther points are left out [m]
-    std::vector<double> near = {0.5, 0.2, 0.07};  ///< schedule of pair distances, with odometry [m]
-    std::vector<double> tight = {0.2, 0.07};      ///< ... where that does not fit: much of the scan is new
-    std::vector<double> wide = {1.5, 0.5, 0.2, 0.07};  ///< ... and where odometry is missing or guessed
-    double judgedWithin = 0.15;                        ///< IcpSettings::judgedWithin [m]
-    int maxIterations = 60;                            ///< a scan, over all stages
+    double reduce = 0.07;                                ///< edge of the voxel grid of what is matched [m]
+    double minRange = 0.4, maxRange = 15.0;              ///< nearer and farther points are left out [m]
+    std::vector<double> near = {0.5, 0.25, 0.15, 0.07};  ///< schedule of pair distances, with odometry [m]
+    std::vector<double> tight = {0.25, 0.15, 0.07};  ///< ... where that does not fit: much of the scan is new
+    std::vector<double> wide = {1.5, 0.5, 0.25, 0.15,
+                                0.07};  ///< ... and where odometry is missing or guessed
+    double judgedWithin = 0.15;         ///< IcpSettings::judgedWithin [m]
+    int maxIterations = 60;             ///< a scan, over all stages
     double levelShare = 0.1;  ///< of what gravity says against the match, in roll and pitch; 0: none
     double openBelow = 0.1;   ///< certainty of a direction below which odometry has a say in it (GuessPrior)
     OdometryDrift odometry;   ///< for what surfaces leave open
