@@ -116,12 +116,14 @@ std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const An
     const bool any = isHeard(robot, announced);
     const double within = any ? HearTopicWithin : HearWithin;
     HearingFault fault{any ? HearingFault::Kind::Partial : HearingFault::Kind::Silent, {}, 1e9};
+    bool due = false;  // nothing comes at all: those that are newer are not heard either
     for (const auto& [name, topic] : topics) {
-        if (topic.heard || topic.seconds < within || (any && !topic.alwaysOn)) continue;
+        if (topic.heard || (any && (topic.seconds < within || !topic.alwaysOn))) continue;
+        due = due || topic.seconds >= within;
         fault.names.push_back(name);
         fault.seconds = std::min(fault.seconds, topic.seconds);
     }
-    if (fault.names.empty()) return std::nullopt;
+    if (!due) return std::nullopt;
     return fault;
 }
 
