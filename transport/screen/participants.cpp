@@ -87,11 +87,9 @@ bool Participants::isHome(const Remote& remote, const Place& place, Moment now) 
     return remote.places.empty() || place == remote.home || now - remote.atHome > limits::Silence;
 }
 
-bool Participants::mayChange(Remote& remote, const Place& place, Moment now) {
-    if (!isHome(remote, place, now)) return false;
+void Participants::setHome(Remote& remote, const Place& place, Moment now) {
     remote.home = place;
     remote.atHome = now;
-    return true;
 }
 
 void Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {

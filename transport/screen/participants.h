@@ -55,12 +55,13 @@ public:
     /// Whether @p remote may send from @p place: one where it was heard before, or a new one that is its own
     /// by all that can be told (see docs/wire.md). Notes that it was heard there.
     [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
-    /// Whether an announcement of @p remote that differs from the one before, or takes it back, is its own
-    /// where it comes from @p place: from its home, unless that is silent. In the time in which new places
-    /// are taken anybody on its host could send it away otherwise, with keys, too: announcements are plain.
-    [[nodiscard]] static bool mayChange(Remote& remote, const Place& place, Moment now);
-    /// Whether @p place is where @p remote announces itself from, or may be because that is silent.
+    /// Whether @p place is where @p remote announces itself from, or may be because that is silent. What
+    /// changes or ends its announcement, and what proves who it is, has to come from there: in the time in
+    /// which new places are taken anybody on its host could send it away otherwise, with keys, too, since
+    /// these are plain.
     [[nodiscard]] static bool isHome(const Remote& remote, const Place& place, Moment now);
+    /// Notes that @p remote announced itself from @p place, which is its own.
+    static void setHome(Remote& remote, const Place& place, Moment now);
     /// Whether a participant sends from @p place.
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
 

@@ -88,13 +88,14 @@ Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& p
     if (remote->refused) return {false, Why::TooMany, "a participant that was refused"};
     const std::uint64_t hash = hashOf(next.payload);
     const bool changes = said.ends || hash != remote->announcement;
-    if (own && changes && !Participants::mayChange(*remote, place, now))
+    if (own && changes && !Participants::isHome(*remote, place, now))
         return {false, Why::Impostor, "a participant changes or ends from a place that is not its own"};
     if (own && !m_participants.mayComeFrom(*remote, place, false, now)) {
         // The same once more, from another interface, say, changes nothing.
         if (!changes) return {};
         return {false, Why::Impostor, "a participant announced from a place that is not its own"};
     }
+    if (own && changes) Participants::setHome(*remote, place, now);
     if (said.ends) {
         m_participants.remove(said.participant);
         return {};

@@ -185,6 +185,15 @@ TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsChangesOrProvesIt) {
     EXPECT_TRUE(takes(Packet(4).announce(90, 9), forger)) << "its home is silent: an interface went";
 }
 
+TEST_F(ScreenTest, WhoIsTurnedAwayTakesNoHomeOver) {
+    ASSERT_TRUE(takes(Packet(2).announce(100, 8), placeOf(8)));
+    ASSERT_TRUE(takes(Packet(2).data(OdometryWriter, 1, Bytes(8)), placeOf(8, 50'000)));
+    m_now += 60s;
+    ASSERT_TRUE(takes(Packet(2).data(OdometryWriter, 2, Bytes(8)), placeOf(8, 50'000)));
+    EXPECT_FALSE(takes(Packet(2).announce(1, 8), placeOf(10)));
+    EXPECT_TRUE(takes(Packet(2).announce(90, 8), placeOf(8)));
+}
+
 TEST_F(ScreenTest, ARobotWithTwoInterfacesIsHeardOnBoth) {
     ASSERT_TRUE(takes(Packet(2).announce(100, 9), placeOf(8)));
     EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 1, Bytes(8)), placeOf(9)));  // says that it is there too
