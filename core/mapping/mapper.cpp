@@ -35,6 +35,12 @@ struct Mapper::State {
     explicit State(RegistrationSettings chosen)
         : settings(std::move(chosen)), metascan(settings.reduce > 0.0 ? settings.reduce : FinestMetascan) {}
 
+    /// Whether @p scan's guess is by odometry, from the scan before.
+    [[nodiscard]] bool followsOdometry(const Scan& scan) const {
+        return settings.guess == GuessSource::Odometry && scan.hasOdometry &&
+               map.scans.back().scan->hasOdometry;
+    }
+
     /// Where @p scan is to start, in the map.
     [[nodiscard]] Pose guessOf(const Scan& scan) const {
         if (settings.guess == GuessSource::Poses && map.scans.size() < settings.guessPoses.size()) {
@@ -44,19 +50,16 @@ struct Mapper::State {
         }
         if (map.scans.empty()) return Pose::Identity();
         const MapScan& previous = map.scans.back();
-        if (settings.guess == GuessSource::Odometry && scan.hasOdometry && previous.scan->hasOdometry) {
+        if (followsOdometry(scan))
             return previous.poseInMap * previous.scan->sensorInOdom.inverse() * scan.sensorInOdom;
-        }
         return previous.poseInMap;
     }
 
     /// What odometry tells of @p scan along directions that surfaces leave open; nothing where the guess is
     /// not by odometry.
     [[nodiscard]] std::optional<GuessPrior> priorOf(const Scan& scan, const Pose& guessInMap) const {
-        const MapScan& previous = map.scans.back();
-        if (settings.guess != GuessSource::Odometry || !scan.hasOdometry || !previous.scan->hasOdometry)
-            return std::nullopt;
-        const Pose step = previous.poseInMap.inverse() * guessInMap;
+        if (!followsOdometry(scan)) return std::nullopt;
+        const Pose step = map.scans.back().poseInMap.inverse() * guessInMap;
         GuessPrior prior;
         prior.deviation =
             OdometryDrift{}.deviation(step.translation().norm(), Eigen::AngleAxisd(step.linear()).angle());

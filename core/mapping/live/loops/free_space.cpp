@@ -7,21 +7,22 @@
 namespace leitstand {
 namespace {
 
+constexpr float Pi = std::numbers::pi_v<float>;
 constexpr int Columns = 180, Rows = 90;  ///< of two degrees: azimuth, elevation
 /// So far before what was seen there a point is in free space: noise, a robot that moved within the turn.
 constexpr float Margin = 0.3F;  ///< [m] ...
 constexpr float Share = 0.05F;  ///< ... and of the range
-constexpr float Nearest =
-    1.0F;  ///< nearer to the scanner, a cell is smaller than what it moved in a turn [m]
+/// Nearer to the scanner a cell is smaller than what the robot moved in a turn [m].
+constexpr float Nearest = 1.0F;
 
 int columnOf(const Eigen::Vector3f& direction) {
-    const float turn = std::atan2(direction.y(), direction.x()) / (2.0F * std::numbers::pi_v<float>)+0.5F;
+    const float turn = std::atan2(direction.y(), direction.x()) / (2.0F * Pi) + 0.5F;
     return std::clamp(static_cast<int>(turn * Columns), 0, Columns - 1);
 }
 
 int rowOf(const Eigen::Vector3f& direction) {
     const float up = std::asin(std::clamp(direction.z() / direction.norm(), -1.0F, 1.0F));
-    return std::clamp(static_cast<int>((up / std::numbers::pi_v<float> + 0.5F) * Rows), 0, Rows - 1);
+    return std::clamp(static_cast<int>((up / Pi + 0.5F) * Rows), 0, Rows - 1);
 }
 
 }  // namespace
