@@ -1,9 +1,18 @@
 #include "transport/dds/node.h"
 
 #include "transport/dds/detail/participant.h"
+#include "transport/dds/network/library_mends.h"
 #include "transport/dds/network/socket_buffers.h"
 
 namespace leitstand {
+namespace {
+
+constexpr const char* Unmended =
+    "Fast DDS is not the one that this program was built for: it may fall silent, or end the program, when "
+    "the "
+    "last one who hears a topic goes";
+
+}  // namespace
 
 struct Subscription::Impl {
     std::shared_ptr<detail::Participant> participant;
@@ -60,6 +69,7 @@ Result<std::unique_ptr<Node>> Node::create(const NodeSettings& settings) {
     impl->participant = std::move(participant);
     const auto& unscreened = impl->participant->unscreened();
     impl->warnings.insert(impl->warnings.end(), unscreened.begin(), unscreened.end());
+    if (!detail::mendsTheLibrary()) impl->warnings.emplace_back(Unmended);
     return std::unique_ptr<Node>(new Node(std::move(impl)));
 }
 

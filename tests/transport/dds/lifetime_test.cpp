@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/dds/going_listeners.h"
 #include "tests/transport/dds/test_node.h"
 
 namespace leitstand::test {
@@ -82,6 +83,14 @@ TEST(Lifetime, TheNodeGoesWhileSamplesComeAndGo) {
         const int afterwards = calls;
         EXPECT_EQ(calls, afterwards);
     }
+}
+
+TEST(Lifetime, WhoWritesOutlivesThatTheLastOneWhoHearsGoes) {
+    const TestDomain domain;
+    const auto robot = nodeIn(domain), station = nodeIn(domain);
+    for (const std::string& warning : robot->warnings())
+        EXPECT_EQ(warning.find("Fast DDS"), std::string::npos) << warning;
+    expectOutlivesItsListeners(*robot, *station, 25);
 }
 
 TEST(Lifetime, EndingASubscriptionWaitsForItsCallback) {

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "tests/support/dds/going_listeners.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"
@@ -118,6 +119,16 @@ TEST_F(SecuredDomain, OurNodesTakePart) {
     const auto viewer = Node::create(settings);
     ASSERT_TRUE(viewer.ok()) << viewer.error().text;
     EXPECT_FALSE((*viewer)->publisher({"/kurt3d/cmd_vel", "std_msgs/msg/String", {}, Flow::Immediate}).ok());
+}
+
+TEST_F(SecuredDomain, WhoWritesOutlivesThatTheLastOneWhoHearsGoes) {
+    NodeSettings settings;
+    settings.domain = m_domain.number();
+    settings.security = filesOf("kurt3d");
+    const auto robot = Node::create(settings).value();
+    settings.security = filesOf("station1");
+    const auto station = Node::create(settings).value();
+    expectOutlivesItsListeners(*robot, *station, 40);
 }
 
 TEST_F(SecuredDomain, BigSamplesArriveWhole) {
