@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "widgets/models/others_text.h"
 #include "widgets/models/times.h"
 #include "widgets/models/tone.h"
 
@@ -12,7 +13,8 @@ constexpr int MostMessages = 500;
 
 }  // namespace
 
-void MessageListModel::add(Severity severity, const QString& text) {
+void MessageListModel::add(Severity severity, const QString& said) {
+    const QString text = othersText(said);
     const bool known = std::any_of(m_messages.begin(), m_messages.end(),
                                    [&text](const Message& message) { return message.text == text; });
     if (known) return;
@@ -22,7 +24,8 @@ void MessageListModel::add(Severity severity, const QString& text) {
     endInsertRows();
 }
 
-void MessageListModel::tell(const QString& text) {
+void MessageListModel::tell(const QString& said) {
+    const QString text = othersText(said);
     const auto known = std::find_if(m_messages.begin(), m_messages.end(),
                                     [&text](const Message& message) { return message.text == text; });
     if (known != m_messages.end()) dismiss(static_cast<int>(known - m_messages.begin()));

@@ -16,10 +16,10 @@ public:
     using QAbstractListModel::QAbstractListModel;
 
     /// Adds a message with the present time of day. The same text is not repeated while it stands in the
-    /// list; beyond 500 the oldest go.
-    void add(Severity severity, const QString& text);
+    /// list; beyond 500 the oldest go. Line ends in it are shown as \n (othersText()).
+    void add(Severity severity, const QString& said);
     /// Adds a warning; where the same text stands already, it goes to the end with the present time.
-    void tell(const QString& text);
+    void tell(const QString& said);
     /// Takes the message of @p row away.
     void dismiss(int row);
     void clear();

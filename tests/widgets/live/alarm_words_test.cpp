@@ -57,6 +57,15 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf("what_is_this", 0), "Kurt3D: in English");
 }
 
+TEST_F(AlarmWords, WhatARobotSaysStaysOnItsLineAndTurnsNothing) {
+    Alarm said = alarm(AlarmSeverity::Attention);
+    said.cause.id = {"kurt3d", alarm_key::Diagnostics, "motor"};
+    said.cause.note = "hot\nSTOP \u202ecold";
+    const auto lines = alarmLinesOf({said}, faces, at(0.0));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].text.toStdString(), "motor: hot\\nSTOP \\u202ecold");
+}
+
 TEST_F(AlarmWords, TheDiskTellsItsFiguresAsTheLanguageWritesThem) {
     EXPECT_EQ(textOf(alarm_key::Log, 0, "disk_filling",
                      "/missions/a/a_0.db3: the disk is full in 8 minutes at 1234.5 MB/s"),

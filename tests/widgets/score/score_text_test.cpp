@@ -62,6 +62,13 @@ TEST(ScoreText, SaysWhereAnAreaChangesNothing) {
     EXPECT_EQ(text.finds[2].points.toStdString(), "× 1");
 }
 
+TEST(ScoreText, WhatOthersNamedTurnsNoneOfOurWords) {
+    auto profile = rules();
+    profile.title = "rules\u202e of 2026\n";
+    const auto text = scoreText(profile, score(profile, mission()), {});
+    EXPECT_THAT(text.rules.toStdString(), testing::StartsWith("rules\\u202e of 2026\\n · version"));
+}
+
 TEST(ScoreText, SaysWhatMoreWouldBringAndHowLongThereIs) {
     const auto profile = rules();
     MissionClock clock;

@@ -7,6 +7,7 @@
 
 #include "core/base/pose.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -51,7 +52,7 @@ QString cameraTitle(const StreamDescription* stream) {
     if (stream->sensor == "left") return CameraTexts::tr("Left camera");
     if (stream->sensor == "right") return CameraTexts::tr("Right camera");
     if (stream->sensor == "omni") return CameraTexts::tr("Omnidirectional camera");
-    return stream->sensor.empty() ? CameraTexts::tr("Camera") : QString::fromStdString(stream->sensor);
+    return stream->sensor.empty() ? CameraTexts::tr("Camera") : othersText(stream->sensor);
 }
 
 QString contrastText(ContrastHelp help) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "widgets/models/others_text.h"
+
 namespace leitstand {
 
 void PreflightList::setChecks(std::vector<PreflightCheck> checks, std::map<std::string, RobotFace> faces) {
@@ -27,7 +29,7 @@ int PreflightList::columnCount(const QModelIndex& parent) const {
 QString PreflightList::whoText(const PreflightCheck& check) const {
     if (check.robot.empty()) return tr("Station");
     const auto face = m_faces.find(check.robot);
-    return face == m_faces.end() ? QString::fromStdString(check.robot) : face->second.title;
+    return face == m_faces.end() ? othersText(check.robot) : face->second.title;
 }
 
 QVariant PreflightList::data(const QModelIndex& index, int role) const {

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 #include "widgets/models/victims/victim_choices.h"
 
 namespace leitstand {
@@ -58,11 +59,11 @@ QString areaText(const std::string& area) {
     for (const VictimChoice& one : areaChoices()) {
         if (one.word == area) return one.text;
     }
-    return QString::fromStdString(area);
+    return othersText(area);
 }
 
 ScoreLine lineOf(const ScoredFind& find) {
-    QString what = QString::fromStdString(find.name);
+    QString what = othersText(find.name);
     if (!find.confirmed) return {Say::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
     if (find.weight != 1.0) what += Say::tr(" · area × %1").arg(numberText(find.weight, 2));
     if (find.factor != 1.0) what += Say::tr(" · autonomy × %1").arg(numberText(find.factor, 1));
@@ -74,8 +75,7 @@ ScoreLine lineOf(const ScoredFind& find) {
 ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, const MissionClock& clock) {
     ScoreText text;
     text.score = Say::tr("%1 points").arg(points(result.score));
-    text.rules = Say::tr("%1 · version %2")
-                     .arg(QString::fromStdString(profile.title), QString::fromStdString(profile.version));
+    text.rules = Say::tr("%1 · version %2").arg(othersText(profile.title), othersText(profile.version));
     if (!profile.unconfirmed.empty())
         text.rules += Say::tr(" · %1 values unconfirmed").arg(profile.unconfirmed.size());
     if (clock.left) {
@@ -100,7 +100,7 @@ ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, cons
     }
     for (const ScoreAdvice& one : result.advice) {
         if (text.advice.size() == MostAdvice) break;
-        const QString name = QString::fromStdString(one.name);
+        const QString name = othersText(one.name);
         text.advice.push_back({one.item ? Say::tr("%1: %2", "V1: heat").arg(name, itemText(*one.item))
                                         : Say::tr("%1: confirm").arg(name),
                                QLatin1Char('+') + points(one.gain), Tone::Normal});

@@ -15,6 +15,7 @@
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/map/decision_text.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 #include "widgets/models/times.h"
 #include "widgets/models/victims/move_words.h"
 
@@ -32,7 +33,7 @@ QString words(const std::string& key) {
 }
 
 QString victimText(const TimelineMark& mark) {
-    const QString name = QString::fromStdString(mark.name);
+    const QString name = othersText(mark.name);
     if (mark.key == "confirmed") return TimelineTexts::tr("%1 confirmed").arg(name);
     if (mark.key == "discarded") return TimelineTexts::tr("%1 discarded").arg(name);
     return TimelineTexts::tr("%1 filed").arg(name);
@@ -63,8 +64,7 @@ QString candidateText(const TimelineMark& mark) {
     const QString what = seenText(mark.name);
     if (mark.key == "dismissed") return TimelineTexts::tr("candidate dismissed: %1").arg(what);
     QStringList cues;
-    for (const QString& cue :
-         QString::fromStdString(mark.text).split(QStringLiteral(", "), Qt::SkipEmptyParts))
+    for (const QString& cue : othersText(mark.text).split(QStringLiteral(", "), Qt::SkipEmptyParts))
         cues += mark.name == "victim" ? seenText(cue.toStdString()) : cue;
     const QString sure =
         TimelineTexts::tr("candidate: %1, %2", "a victim, 72 %").arg(what, percentText(mark.confidence));
@@ -78,13 +78,13 @@ QString findMovedText(const TimelineMark& mark) {
                         : mark.key == "operator"     ? Cause::Operator
                                                      : Cause::Undo;
     return TimelineTexts::tr("%1 moved %2 m, since %3 (%4)")
-        .arg(QString::fromStdString(mark.name), numberText((mark.to - mark.from).norm(), 2), causeText(cause),
+        .arg(othersText(mark.name), numberText((mark.to - mark.from).norm(), 2), causeText(cause),
              positionText(mark.from) + QStringLiteral(" → ") + positionText(mark.to));
 }
 
 QString undoMarkText(const TimelineMark& mark) {
     const auto thing = undoneThing(mark.text);
-    const QString what = thing ? undoneText(*thing) : QString::fromStdString(mark.text);
+    const QString what = thing ? undoneText(*thing) : othersText(mark.text);
     if (mark.key == "redo")
         return what.isEmpty() ? TimelineTexts::tr("done again")
                               : TimelineTexts::tr("done again: %1").arg(what);
@@ -100,7 +100,7 @@ QString alarmMarkText(const TimelineMark& mark) {
 }
 
 QString contentOf(const TimelineMark& mark) {
-    const QString text = QString::fromStdString(mark.text);
+    const QString text = othersText(mark.text);
     switch (mark.kind) {
         case Kind::Victim:
             return victimText(mark);
@@ -173,7 +173,7 @@ QString markText(const TimelineMark& mark, const std::vector<RobotFace>& faces) 
     if (face != faces.end()) {
         parts += face->letter;
     } else if (!mark.robot.empty()) {
-        parts += QString::fromStdString(mark.robot);
+        parts += othersText(mark.robot);
     }
     parts += contentOf(mark);
     return parts.join(QStringLiteral(" · "));

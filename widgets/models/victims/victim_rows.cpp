@@ -9,6 +9,7 @@
 
 #include "core/mission/finds/find_book.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 #include "widgets/models/times.h"
 #include "widgets/models/victims/move_words.h"
 
@@ -35,7 +36,7 @@ void addSign(QStringList& to, const QString& name, const VictimSign& sign, const
     }
     QString text = name;
     if (!std::isnan(sign.value)) text += QLatin1Char(' ') + numberText(sign.value, decimals) + unit;
-    if (!sign.text.empty()) text += QLatin1Char(' ') + QString::fromStdString(sign.text);
+    if (!sign.text.empty()) text += QLatin1Char(' ') + othersText(sign.text);
     to += text;
 }
 
@@ -48,9 +49,8 @@ QString cueText(const Cue& cue) {
         return std::isnan(cue.value) ? Say::tr("CO₂") : Say::tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
     }
     if (cue.kind == "sighting") return Say::tr("the robot's own");
-    if (cue.kind == "tag") return Say::tr("tag %1").arg(QString::fromStdString(cue.text));
-    return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard)
-                            : QString::fromStdString(cue.text);
+    if (cue.kind == "tag") return Say::tr("tag %1").arg(othersText(cue.text));
+    return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard) : othersText(cue.text);
 }
 
 VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimState& entry,
@@ -137,8 +137,8 @@ QString signsText(const VictimSample& find) {
         addSign(signs, Say::tr("CO₂"), find.co2, Say::tr(" ppm"), 0);
         if (!find.situation.empty()) signs += situationText(find.situation);
     }
-    if (!find.tag.empty()) signs += QString::fromStdString(find.tag);
-    if (!find.text.empty()) signs += QString::fromStdString(find.text);
+    if (!find.tag.empty()) signs += othersText(find.tag);
+    if (!find.text.empty()) signs += othersText(find.text);
     return signs.join(QStringLiteral(" · "));
 }
 
@@ -194,7 +194,7 @@ QString situationText(const std::string& situation) {
     if (situation == "trapped") return SayOfFinds::tr("trapped");
     if (situation == "void") return SayOfFinds::tr("void");
     if (situation == "entombed") return SayOfFinds::tr("entombed");
-    return QString::fromStdString(situation);
+    return othersText(situation);
 }
 
 QString victimsTitle(const std::vector<VictimRow>& rows) {

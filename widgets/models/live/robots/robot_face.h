@@ -4,6 +4,8 @@
 
 #include "core/robot/robot_description.h"
 
+#include "widgets/models/others_text.h"
+
 namespace leitstand {
 
 /// How a robot is called on screen.
@@ -18,8 +20,7 @@ struct RobotFace {
 
 /// The face of @p robot, which is the @p place -th of its team.
 [[nodiscard]] inline RobotFace faceOf(const RobotDescription& robot, int place) {
-    return {QString::fromStdString(robot.name), QString::fromStdString(robot.letter),
-            QString::fromStdString(robot.title), place};
+    return {QString::fromStdString(robot.name), othersText(robot.letter), othersText(robot.title), place};
 }
 
 }  // namespace leitstand

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "core/robot/link/hearing.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
 
 /// "sensor_msgs/msg/PointCloud2" -> "PointCloud2"
 QString shortType(const std::string& type) {
-    return QString::fromStdString(type.substr(type.rfind('/') + 1));
+    return othersText(type.substr(type.rfind('/') + 1));
 }
 
 /// Whether a slower or coarser one would still be of use, and the robot can do it.

@@ -10,6 +10,7 @@
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -160,7 +161,7 @@ QVariant StreamTable::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return text(row, column);
         case Qt::ToolTipRole:
-            return QString::fromStdString(row.stream.topic);
+            return othersText(row.stream.topic);
         case Qt::TextAlignmentRole: {
             const bool number = column >= Rate && column <= Loss;
             return QVariant::fromValue(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft));

@@ -17,6 +17,7 @@
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -152,7 +153,7 @@ std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms, const std:
         line.stage = alarm.ended          ? AlarmStage::Over
                      : alarm.acknowledged ? AlarmStage::Acknowledged
                                           : AlarmStage::Standing;
-        line.text = alarmText(alarm.cause);
+        line.text = othersText(alarmText(alarm.cause));
         line.since = alarm.ended
                          ? AlarmTexts::tr("over for %1").arg(wholeSeconds(secondsBetween(*alarm.ended, now)))
                          : wholeSeconds(secondsBetween(alarm.since, now));

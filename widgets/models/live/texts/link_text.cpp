@@ -6,6 +6,7 @@
 
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -21,7 +22,7 @@ QString sensorText(const std::string& sensor) {
     if (sensor == "right") return LinkTexts::tr("right", "a camera");
     if (sensor == "omni") return LinkTexts::tr("panorama", "a camera");
     if (sensor == "ir") return LinkTexts::tr("infrared", "a camera");
-    return QString::fromStdString(sensor);
+    return othersText(sensor);
 }
 
 QString streamText(StreamRole role, const std::string& sensor) {

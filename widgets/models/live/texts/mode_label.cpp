@@ -7,6 +7,7 @@
 #include "core/robot/robot_says.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -44,7 +45,7 @@ QString robotSaysText(const std::string& said) {
     QStringList texts;
     for (const robot_says::Part& part : robot_says::partsOf(said)) {
         if (part.words == nullptr) {
-            texts += QString::fromStdString(part.value);
+            texts += othersText(part.value);
             continue;
         }
         texts += QCoreApplication::translate("leitstand::RobotSays", part.words)
@@ -60,7 +61,7 @@ QString modeName(const std::string& mode) {
     if (mode == "explore") return ModeTexts::tr("explore");
     if (mode == "victim_approach") return ModeTexts::tr("victim approach");
     if (mode == "remote") return ModeTexts::tr("radio remote");
-    return QString::fromStdString(mode).replace(QLatin1Char('_'), QLatin1Char(' ')).simplified();
+    return othersText(mode).replace(QLatin1Char('_'), QLatin1Char(' ')).simplified();
 }
 
 QString modeBrief(const std::string& mode) {

@@ -8,6 +8,7 @@
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -135,7 +136,7 @@ QString guardText(const GuardView& guard) {
         case GuardView::State::Ready:
             return Words::tr("its guard stands by");
         case GuardView::State::Failed:
-            return Words::tr("no guard: %1").arg(QString::fromStdString(guard.problem));
+            return Words::tr("no guard: %1").arg(othersText(guard.problem));
     }
     return {};
 }
@@ -165,7 +166,7 @@ QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
 QString stationText(const PreflightCheck& check, const QString& detail) {
     switch (check.kind) {
         case Kind::Wire:
-            return QString::fromStdString(worded(check.wire));
+            return othersText(worded(check.wire));
         case Kind::Limits:
         case Kind::Versions:
         case Kind::Secured:
@@ -204,7 +205,7 @@ QString stationText(const PreflightCheck& check, const QString& detail) {
 }  // namespace
 
 QString checkText(const PreflightCheck& check) {
-    const QString detail = QString::fromStdString(check.detail);
+    const QString detail = othersText(check.detail);
     for (const auto& words : {robotText, brakeCheckText, stationText}) {
         const QString text = words(check, detail);
         if (!text.isEmpty()) return text;

@@ -4,6 +4,7 @@
 
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -80,7 +81,7 @@ QString briefOf(StopStage stage, const StopStatus& stop) {
 
 QString detailsOf(const StopStatus& stop, bool mine) {
     if (!stop.refused.empty())
-        return StopTexts::tr("The release did nothing: %1").arg(QString::fromStdString(stop.refused));
+        return StopTexts::tr("The release did nothing: %1").arg(othersText(stop.refused));
     if (!stop.supported)
         return StopTexts::tr("The robot knows no stops: it is held by drive commands of zero.");
     if (stop.stopped && !stop.sent) {
