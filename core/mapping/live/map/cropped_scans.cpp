@@ -57,10 +57,36 @@ ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInM
     return std::make_shared<const Scan>(selected(*scan, kept));
 }
 
+ScanPtr CroppedScans::Fitted::whole() const {
+    if (leftOut.which.empty()) return scan;
+    return std::make_shared<const Scan>(
+        joined(*scan, leftOut.points, leftOut.which, leftOut.rows, leftOut.columns));
+}
+
+void CroppedScans::Fitted::keep(const ScanPtr& whole, const std::vector<std::size_t>& kept) {
+    leftOut = {};
+    scan = whole;
+    if (kept.size() == whole->points.size()) return;
+    leftOut.rows = whole->rows;
+    leftOut.columns = whole->columns;
+    leftOut.which.reserve(whole->points.size() - kept.size());
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0, next = 0; i < whole->points.size(); ++i) {
+        if (next < kept.size() && kept[next] == i) {
+            ++next;
+        } else {
+            missing.push_back(i);
+            leftOut.which.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    leftOut.points = selected(*whole, missing);
+    scan = std::make_shared<const Scan>(selected(*whole, kept));
+}
+
 void CroppedScans::setCrop(MapCrop crop) {
     if (crop.polygon == m_crop.polygon && crop.ceiling == m_crop.ceiling) return;
     m_crop = std::move(crop);
-    for (auto& [id, fitted] : m_fitted) fitted.scan.reset();
+    for (auto& [id, fitted] : m_fitted) fitted.stale = true;
 }
 
 void CroppedScans::setOthers(std::uint64_t id, std::vector<PlacedBody> others) {
@@ -69,7 +95,7 @@ void CroppedScans::setOthers(std::uint64_t id, std::vector<PlacedBody> others) {
     } else {
         m_others[id] = std::move(others);
     }
-    if (const auto known = m_fitted.find(id); known != m_fitted.end()) known->second.scan.reset();
+    if (const auto known = m_fitted.find(id); known != m_fitted.end()) known->second.stale = true;
 }
 
 void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
@@ -77,25 +103,34 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto placed = m_others.find(scan.id);
     if (m_crop.open() && placed == m_others.end()) {
         if (known == m_fitted.end()) return;
-        scan.scan = known->second.whole;
+        scan.scan = known->second.whole();
         scan.reduced = known->second.wholeReduced;
         m_fitted.erase(known);
         return;
     }
-    Fitted& fitted = known != m_fitted.end()
-                         ? known->second
-                         : m_fitted.emplace(scan.id, Fitted{scan.scan, scan.reduced, {}, {}}).first->second;
+    Fitted& fitted = m_fitted[scan.id];
+    if (known == m_fitted.end()) {
+        fitted.scan = scan.scan;
+        fitted.wholeReduced = scan.reduced;
+    }
     const Pose& here = scan.pose.scanInMap;
-    if (!fitted.scan || fitted.scanInMap.matrix() != here.matrix()) {
+    if (fitted.stale || fitted.scanInMap.matrix() != here.matrix()) {
         const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
+        const ScanPtr whole = fitted.whole();
+        fitted.stale = false;
         fitted.scanInMap = here;
-        fitted.scan = insideCrop(fitted.whole, m_crop, here, others);
-        fitted.reduced = fitted.scan == fitted.whole
-                             ? fitted.wholeReduced
-                             : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
+        fitted.keep(whole, pointsInside(whole->points, m_crop, here, others));
+        fitted.reduced = fitted.scan == whole ? fitted.wholeReduced
+                                              : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
     }
     scan.scan = fitted.scan;
     scan.reduced = fitted.reduced;
+}
+
+std::size_t CroppedScans::leftOut() const {
+    std::size_t points = 0;
+    for (const auto& [id, fitted] : m_fitted) points += fitted.leftOut.which.size();
+    return points;
 }
 
 }  // namespace leitstand

@@ -18,7 +18,7 @@ namespace leitstand {
 
 /// What of a map's key scans is inside the area that belongs into it, as the area is now, and not on other
 /// robots, as it is known now where they were: spectators may have been scanned before the area was drawn, a
-/// robot before it was placed. Keeps whole scans, so that a wider area brings their points back.
+/// robot before it was placed. Keeps what it leaves out, so that a wider area brings it back.
 class CroppedScans {
 public:
     void setCrop(MapCrop crop);
@@ -27,20 +27,32 @@ public:
     void setOthers(std::uint64_t id, std::vector<PlacedBody> others);
     /// Puts into @p scan what of it is inside, from where it stands now: its points, and what is matched of
     /// them, where it has that, which is one of @p clouds then. The same key scan at the same place gets the
-    /// same pointers again.
+    /// same pointers again, and one of which all is inside is whole, point for point.
     void fit(LiveKeyScan& scan, const MatchedClouds& clouds = MatchedClouds());
 
     /// The key scan @p id is no more: the next of its number is another.
     void forget(std::uint64_t id) { m_fitted.erase(id), m_others.erase(id); }
 
+    [[nodiscard]] std::size_t leftOut() const;  ///< points that are kept here only
+
 private:
+    /// The points of a scan that are not in the map, and which they are of the whole scan's, rising.
+    struct LeftOut {
+        std::vector<std::uint32_t> which;
+        Scan points;
+        int rows = 0, columns = 0;  ///< of the whole scan
+    };
     /// A key scan that was looked at.
     struct Fitted {
-        ScanPtr whole;
-        MatchedCloudPtr wholeReduced;
         ScanPtr scan;  ///< inside ...
-        MatchedCloudPtr reduced;
+        LeftOut leftOut;
+        MatchedCloudPtr wholeReduced, reduced;
         Pose scanInMap = Pose::Identity();  ///< ... from here
+        bool stale = true;                  ///< what is inside has changed
+
+        [[nodiscard]] ScanPtr whole() const;
+        /// Leaves all of @p whole out but its points @p kept.
+        void keep(const ScanPtr& whole, const std::vector<std::size_t>& kept);
     };
 
     MapCrop m_crop;

@@ -85,7 +85,10 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     LiveKeyScan key;
     key.id = 3;
     key.pose.scanInMap = poseFrom({4.0, -1.0, 0.3}, 0, 0, degrees(35));
-    const ScanPtr whole = std::make_shared<const Scan>(scene.scan());
+    Scan taken = scene.scan();
+    for (std::size_t i = 0; i < taken.points.size(); ++i)
+        taken.shades.push_back(static_cast<std::uint8_t>(i % 251));
+    const ScanPtr whole = std::make_shared<const Scan>(std::move(taken));
     key.scan = whole;
     cropped.fit(key);
     EXPECT_EQ(key.scan, whole);
@@ -98,6 +101,8 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     const ScanPtr before = key.scan;
     cropped.fit(key);
     EXPECT_EQ(key.scan, before) << "not made anew";
+    EXPECT_EQ(cropped.leftOut(), whole->points.size() - before->points.size())
+        << "no point is kept twice: each key scan that saw another robot would be";
     MapCrop low;
     low.ceiling = 1.0;
     cropped.setCrop(low);
@@ -107,7 +112,10 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     cropped.setCrop({});
     cropped.setOthers(3, {});
     cropped.fit(key);
-    EXPECT_EQ(key.scan, whole);
+    EXPECT_EQ(key.scan->points, whole->points);
+    EXPECT_EQ(key.scan->labels, whole->labels);
+    EXPECT_EQ(key.scan->shades, whole->shades);
+    EXPECT_EQ(cropped.leftOut(), 0U);
 }
 
 }  // namespace
