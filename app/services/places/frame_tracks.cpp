@@ -17,7 +17,11 @@ std::string_view bare(std::string_view frame) {
 void FrameTracks::add(const Event& event) {
     if (std::holds_alternative<OdometrySample>(event.sample) || event.role == StreamRole::StaticTransforms)
         m_fixed.add(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) m_base = odometry->childFrame;
+    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        m_base = odometry->childFrame;
+        const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
+        m_fixed.forgetBefore(stamp - Memory);
+    }
     const auto* transforms = std::get_if<TransformsSample>(&event.sample);
     if (transforms == nullptr || event.role == StreamRole::StaticTransforms) return;
     for (const FrameTransform& one : transforms->transforms) {

@@ -95,8 +95,10 @@ bool LiveMapper::State::awaitsDecision(const std::string& robot) const {
     return newest != map.scans.rend() && newest->pose.trust == ScanTrust::Uncertain;
 }
 
-MatchedCloudPtr LiveMapper::State::matchedOf(const ScanPtr& scan, const PointCloud& reduced) const {
-    return clouds.keep(reduced, [scan, match = settings.match] { return reducedAgain(*scan, match); });
+MatchedCloudPtr LiveMapper::State::matchedOf(LiveKeyScan& key, const PointCloud& reduced) const {
+    key.kept = std::make_shared<KeptScan>(key.scan);
+    return clouds.keep(
+        reduced, [kept = key.kept, match = settings.match] { return reducedAgain(*kept->whole(), match); });
 }
 
 Time LiveMapper::State::entering(Time now) {
@@ -210,7 +212,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         key.entered = state.entering(now);
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
-        key.reduced = state.matchedOf(key.scan, ready.reduced);
+        key.reduced = state.matchedOf(key, ready.reduced);
         state.cropped.fit(key, state.clouds);  // what was cropped before was seen from the guess
         update.keyScan =
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};

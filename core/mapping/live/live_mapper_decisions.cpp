@@ -145,7 +145,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
     key.matched = sample.matched;
     key.entered = sample.stamp;
-    key.reduced = state.matchedOf(key.scan, reducedAgain(*sample.scan, state.settings.match));
+    key.reduced = state.matchedOf(key, reducedAgain(*sample.scan, state.settings.match));
     state.cropped.fit(key, state.clouds);
     const std::string robot = sample.scan->robot;
     const auto place =

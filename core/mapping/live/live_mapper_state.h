@@ -71,8 +71,8 @@ struct LiveMapper::State {
     void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
     void goOn(const std::string& robot);
-    /// What is matched of @p scan, of the points @p reduced.
-    [[nodiscard]] MatchedCloudPtr matchedOf(const ScanPtr& scan, const PointCloud& reduced) const;
+    /// What is matched of @p key, whose scan is whole yet, of the points @p reduced.
+    [[nodiscard]] MatchedCloudPtr matchedOf(LiveKeyScan& key, const PointCloud& reduced) const;
 
     std::string station;
     LiveSettings settings;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -98,39 +97,6 @@ Scan selected(const Scan& scan, const std::vector<std::size_t>& kept) {
         if (shades) result.shades.push_back(scan.shades[i]);
     }
     return result;
-}
-
-namespace {
-
-/// What is known of each point of two scans, one of which has the points @p which of both.
-template <typename T>
-std::vector<T> joined(const std::vector<T>& rest, const std::vector<T>& out,
-                      const std::vector<std::uint32_t>& which) {
-    std::vector<T> all;
-    all.reserve(rest.size() + out.size());
-    auto next = rest.begin();
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const auto until = next + static_cast<std::ptrdiff_t>(which[i] - all.size());
-        all.insert(all.end(), next, until);
-        next = until;
-        all.push_back(out[i]);
-    }
-    all.insert(all.end(), next, rest.end());
-    return all;
-}
-
-}  // namespace
-
-Scan joined(const Scan& scan, const Scan& out, const std::vector<std::uint32_t>& which, int rows,
-            int columns) {
-    Scan whole = headOf(scan);
-    whole.rows = rows;
-    whole.columns = columns;
-    whole.points = joined(scan.points, out.points, which);
-    whole.intensities = joined(scan.intensities, out.intensities, which);
-    whole.labels = joined(scan.labels, out.labels, which);
-    whole.shades = joined(scan.shades, out.shades, which);
-    return whole;
 }
 
 ScanPtr keptOf(const ScanPtr& scan) {

@@ -35,11 +35,6 @@ struct ReadyScan {
 /// The points @p kept of @p scan, unorganised, with all else that is known of it and them.
 [[nodiscard]] Scan selected(const Scan& scan, const std::vector<std::size_t>& kept);
 
-/// @p scan again as it was before selected() left @p out out of it, which were its points @p which, rising,
-/// in a grid of @p rows and @p columns.
-[[nodiscard]] Scan joined(const Scan& scan, const Scan& out, const std::vector<std::uint32_t>& which,
-                          int rows, int columns);
-
 /// What the live map keeps of @p scan: nobody asks there how bright its points were, and the log has it.
 [[nodiscard]] ScanPtr keptOf(const ScanPtr& scan);
 

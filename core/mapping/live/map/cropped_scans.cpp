@@ -57,32 +57,6 @@ ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInM
     return std::make_shared<const Scan>(selected(*scan, kept));
 }
 
-ScanPtr CroppedScans::Fitted::whole() const {
-    if (leftOut.which.empty()) return scan;
-    return std::make_shared<const Scan>(
-        joined(*scan, leftOut.points, leftOut.which, leftOut.rows, leftOut.columns));
-}
-
-void CroppedScans::Fitted::keep(const ScanPtr& whole, const std::vector<std::size_t>& kept) {
-    leftOut = {};
-    scan = whole;
-    if (kept.size() == whole->points.size()) return;
-    leftOut.rows = whole->rows;
-    leftOut.columns = whole->columns;
-    leftOut.which.reserve(whole->points.size() - kept.size());
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0, next = 0; i < whole->points.size(); ++i) {
-        if (next < kept.size() && kept[next] == i) {
-            ++next;
-        } else {
-            missing.push_back(i);
-            leftOut.which.push_back(static_cast<std::uint32_t>(i));
-        }
-    }
-    leftOut.points = selected(*whole, missing);
-    scan = std::make_shared<const Scan>(selected(*whole, kept));
-}
-
 void CroppedScans::setCrop(MapCrop crop) {
     if (crop.polygon == m_crop.polygon && crop.ceiling == m_crop.ceiling) return;
     m_crop = std::move(crop);
@@ -103,33 +77,35 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto placed = m_others.find(scan.id);
     if (m_crop.open() && placed == m_others.end()) {
         if (known == m_fitted.end()) return;
-        scan.scan = known->second.whole();
+        known->second.scan->putAllBack();
+        scan.scan = known->second.scan->inside();
         scan.reduced = known->second.wholeReduced;
         m_fitted.erase(known);
         return;
     }
     Fitted& fitted = m_fitted[scan.id];
     if (known == m_fitted.end()) {
-        fitted.scan = scan.scan;
+        if (!scan.kept) scan.kept = std::make_shared<KeptScan>(scan.scan);
+        fitted.scan = scan.kept;
         fitted.wholeReduced = scan.reduced;
     }
     const Pose& here = scan.pose.scanInMap;
     if (fitted.stale || fitted.scanInMap.matrix() != here.matrix()) {
         const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
-        const ScanPtr whole = fitted.whole();
         fitted.stale = false;
         fitted.scanInMap = here;
-        fitted.keep(whole, pointsInside(whole->points, m_crop, here, others));
-        fitted.reduced = fitted.scan == whole ? fitted.wholeReduced
-                                              : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
+        fitted.scan->leaveOutAllBut(pointsInside(fitted.scan->whole()->points, m_crop, here, others));
+        fitted.reduced = fitted.scan->leftOut() == 0
+                             ? fitted.wholeReduced
+                             : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
     }
-    scan.scan = fitted.scan;
+    scan.scan = fitted.scan->inside();
     scan.reduced = fitted.reduced;
 }
 
 std::size_t CroppedScans::leftOut() const {
     std::size_t points = 0;
-    for (const auto& [id, fitted] : m_fitted) points += fitted.leftOut.which.size();
+    for (const auto& [id, fitted] : m_fitted) points += fitted.scan->leftOut();
     return points;
 }
 

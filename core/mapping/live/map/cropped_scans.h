@@ -18,7 +18,7 @@ namespace leitstand {
 
 /// What of a map's key scans is inside the area that belongs into it, as the area is now, and not on other
 /// robots, as it is known now where they were: spectators may have been scanned before the area was drawn, a
-/// robot before it was placed. Keeps what it leaves out, so that a wider area brings it back.
+/// robot before it was placed. What is left out is kept, so that a wider area brings it back.
 class CroppedScans {
 public:
     void setCrop(MapCrop crop);
@@ -36,23 +36,12 @@ public:
     [[nodiscard]] std::size_t leftOut() const;  ///< points that are kept here only
 
 private:
-    /// The points of a scan that are not in the map, and which they are of the whole scan's, rising.
-    struct LeftOut {
-        std::vector<std::uint32_t> which;
-        Scan points;
-        int rows = 0, columns = 0;  ///< of the whole scan
-    };
     /// A key scan that was looked at.
     struct Fitted {
-        ScanPtr scan;  ///< inside ...
-        LeftOut leftOut;
+        std::shared_ptr<KeptScan> scan;
         MatchedCloudPtr wholeReduced, reduced;
-        Pose scanInMap = Pose::Identity();  ///< ... from here
+        Pose scanInMap = Pose::Identity();  ///< from where what is inside was told
         bool stale = true;                  ///< what is inside has changed
-
-        [[nodiscard]] ScanPtr whole() const;
-        /// Leaves all of @p whole out but its points @p kept.
-        void keep(const ScanPtr& whole, const std::vector<std::size_t>& kept);
     };
 
     MapCrop m_crop;

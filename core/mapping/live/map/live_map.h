@@ -10,6 +10,7 @@
 #include "core/base/time.h"
 #include "core/cloud/scan.h"
 #include "core/event/map_samples.h"
+#include "core/mapping/live/map/kept_scan.h"
 #include "core/mapping/live/map/matched_clouds.h"
 
 namespace leitstand {
@@ -18,6 +19,7 @@ namespace leitstand {
 struct LiveKeyScan {
     std::uint64_t id = 0;  ///< KeyScanSample::id
     ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped now
+    std::shared_ptr<KeptScan> kept;  ///< also what is cropped now; null: nothing was so far
     Pose sensorInBase = Pose::Identity();
     ScanPose pose;                      ///< and how sure that is
     std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none

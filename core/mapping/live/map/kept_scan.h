@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/cloud/scan.h"
+
+namespace leitstand {
+
+/// All points of a key scan, those that are in the map and those that are left out of it, none of them twice.
+/// Any thread.
+class KeptScan {
+public:
+    explicit KeptScan(ScanPtr scan) : m_inside(std::move(scan)) {}
+
+    [[nodiscard]] ScanPtr whole()
+        const;  ///< as it came, point for point; made anew where points are left out
+    [[nodiscard]] ScanPtr inside() const;
+    [[nodiscard]] std::size_t leftOut() const;  ///< points
+
+    /// Leaves all out but the points @p kept of the whole scan, rising: inside() has them, unorganised.
+    void leaveOutAllBut(const std::vector<std::size_t>& kept);
+    void putAllBack();
+
+private:
+    [[nodiscard]] ScanPtr joined() const;
+
+    mutable std::mutex m_mutex;
+    ScanPtr m_inside;
+    Scan m_leftOut;
+    std::vector<std::uint32_t> m_which;  ///< of the whole scan's points are left out, rising
+    int m_rows = 0, m_columns = 0;       ///< of the whole scan, where points are left out
+};
+
+}  // namespace leitstand
