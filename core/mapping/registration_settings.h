@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/cloud/filters/voxel_grid.h"
 #include "core/cloud/search/search.h"
 #include "core/registration/icp.h"
 
@@ -26,13 +27,14 @@ enum class Reference : std::uint8_t { Previous, Map };
 /// All that decides how a row of scans is registered; the defaults of `leitstandctl register`.
 struct RegistrationSettings {
     double reduce = 0.10;                    ///< edge of the voxel grid, 0: all points [m]
+    VoxelPoint kept = VoxelPoint::Centroid;  ///< of what a voxel holds; the paper's filters keep real points
     ScanFilter filter = ScanFilter::None;    ///< the paper's median and reduction filter
     double minRange = 0.4, maxRange = 30.0;  ///< nearer and farther points are left out [m]
     SearchMethod search = SearchMethod::KdTree;
     double epsilon = 0.5;  ///< of approximate and forest search
     Minimizer minimizer = Minimizer::Gicp;
-    std::vector<double> maxDistances = {0.5};  ///< schedule of maximum pair distances [m]
-    int maxIterations = 500;                   ///< a scan, over all stages
+    std::vector<double> maxDistances = {0.5, 0.2, 0.07};  ///< schedule of maximum pair distances [m]
+    int maxIterations = 500;                              ///< a scan, over all stages
     GuessSource guess = GuessSource::Odometry;
     std::vector<Pose> guessPoses;  ///< for GuessSource::Poses: scan in first scan, one a scan
     Reference reference = Reference::Previous;

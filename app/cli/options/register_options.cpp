@@ -79,7 +79,7 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(number(1e-6, 1'000.0, "a distance above 0 and up to 1,000 m"))
-        ->option_text("M[,M...] (0.5)");
+        ->option_text("M[,M...] (0.5,0.2,0.07)");
     command
         .add_option("--max-iterations", settings.maxIterations,
                     "most iterations a scan, over the whole schedule")

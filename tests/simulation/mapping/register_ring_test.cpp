@@ -51,11 +51,9 @@ TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
     const ScriptedDrive made = scriptedDrive(building.arena, DrivePath(ringRoute(building.ways)), script);
     RegistrationSettings settings;
     settings.threads = 1;
-    expectWithin("chain", made, settings, 0.3);
+    expectWithin("chain", made, settings, 0.2);
     settings.reference = Reference::Map;
-    expectWithin("map", made, settings, 0.2);
-    settings.maxDistances = {0.5, 0.25, 0.1};
-    expectWithin("map, pairs to 10 cm", made, settings, 0.15);
+    expectWithin("map", made, settings, 0.06);
 }
 
 }  // namespace
