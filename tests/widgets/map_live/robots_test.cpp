@@ -117,6 +117,31 @@ TEST(RobotsOnTheMap, TellUnderThePointerAndToScreenReadersHowSureTheirPlaceIs) {
     EXPECT_EQ(view->accessibleDescription(), robot.details);
 }
 
+TEST(RobotsOnTheMap, AtTheMapsEdgeTheirNoteIsNotCut) {
+    ShownView view(liveRoom(), settingsOf(MapLook::Top));
+    const auto pixelsOfNoteAt = [&](const Pose& place) {
+        RobotMark robot = crawler(place);
+        view->setRobots({robot});
+        const QImage without = view.onScreen();
+        robot.note = QStringLiteral("place uncertain");
+        view->setRobots({robot});
+        const QImage with = view.onScreen();
+        int changed = 0;
+        for (int y = 0; y < with.height(); ++y) {
+            for (int x = 0; x < with.width(); ++x) changed += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+        }
+        return changed;
+    };
+    Eigen::Vector3d edge(0.0, 0.0, RoomFloor);
+    const Eigen::Vector3d aside = view.at({0, 0.1, RoomFloor}).x() > view.at({0, 0, RoomFloor}).x()
+                                      ? Eigen::Vector3d(0, 0.01, 0)
+                                      : Eigen::Vector3d(0, -0.01, 0);
+    while (view.at(edge + aside).x() < view->width() - 20) edge += aside;
+    const int inTheMiddle = pixelsOfNoteAt(onFloor(0.0, 0.0, 0.0));
+    EXPECT_GT(inTheMiddle, 500);
+    EXPECT_NEAR(pixelsOfNoteAt(onFloor(edge.x(), edge.y(), 0.0)), inTheMiddle, 0.1 * inTheMiddle);
+}
+
 TEST(RobotsOnTheMap, InDoubtHaveADashedAmberRing) {
     ShownView view(liveRoom(), settingsOf(MapLook::Top));
     RobotMark robot = crawler(onFloor(2, 0, 0));

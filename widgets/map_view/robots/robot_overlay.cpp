@@ -153,8 +153,10 @@ void paintBadge(QPainter& painter, const MapProjection& projection, const RobotM
     painter.drawText(badge, Qt::AlignCenter, robot.face.letter);
     if (robot.note.isEmpty()) return;
     painter.setFont(sized(style.font, 12));
-    QRectF box(badge.right() + 4, badge.top(),
+    constexpr double Apart = 4.0;
+    QRectF box(badge.right() + Apart, badge.top(),
                QFontMetricsF(painter.font()).horizontalAdvance(robot.note) + 12, BadgeSize);
+    if (box.right() > projection.size().width()) box.moveRight(badge.left() - Apart);
     paintPanel(painter, box, style);
     painter.setPen(toneColour(robot.tone, *style.window));
     painter.drawText(box, Qt::AlignCenter, robot.note);
