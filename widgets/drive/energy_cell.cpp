@@ -7,8 +7,8 @@
 namespace leitstand {
 namespace {
 
-constexpr int LeastLinkSize = 11;                 ///< of its text [px]
-const QString LinkParts = QStringLiteral(" · ");  ///< between what DriveState::link tells
+constexpr int LeastLinkSize = 11;  ///< of its text [px]
+const QString Between = QStringLiteral(" · ");
 
 }  // namespace
 
@@ -21,9 +21,9 @@ void EnergyCell::show(const DriveState& state) {
     m_link = state.link;
     m_reason = state.linkReason;
     m_linkTone = state.linkTone;
-    const QString text =
-        tr("Battery %1 %2, %3\nLink: %4 %5")
-            .arg(m_battery.charge.value, m_battery.charge.unit, m_battery.left, m_link, m_reason);
+    const QString text = tr("Battery %1 %2, %3\nLink: %4 %5")
+                             .arg(m_battery.charge.value, m_battery.charge.unit, m_battery.left,
+                                  m_link.join(Between), m_reason);
     setAccessibleDescription(text);
     setToolTip(text);
     update();
@@ -67,11 +67,11 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     paintCaption(painter, {left, y, inner, 18}, tr("Link"), colours.muted);
     y += 19.0;
     // What has no room beside the round trip stands below it, before the reason.
-    const QStringList link = m_link.split(LinkParts);
+    const QString all = m_link.join(Between);
     const bool bold = m_linkTone == Tone::Attention;
-    const double whole = QFontMetricsF(sized(painter.font(), LeastLinkSize, bold)).horizontalAdvance(m_link);
-    const QString first = whole <= inner ? m_link : link.first();
-    QStringList below = whole <= inner ? QStringList() : link.mid(1);
+    const double whole = QFontMetricsF(sized(painter.font(), LeastLinkSize, bold)).horizontalAdvance(all);
+    const QString first = whole <= inner || m_link.isEmpty() ? all : m_link.first();
+    QStringList below = whole <= inner ? QStringList() : m_link.mid(1);
     if (!m_reason.isEmpty()) below += m_reason;
     painter.setFont(fitted(painter.font(), first, inner, 14, LeastLinkSize, bold));
     painter.setPen(toneColour(m_linkTone, colours));
@@ -79,7 +79,7 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     y += 21.0;
     painter.setFont(sized(painter.font(), CaptionSize));
     const int lines = static_cast<int>((height() - 4.0 - y) / QFontMetricsF(painter.font()).height());
-    if (lines > 0) paintWrapped(painter, {left, y, inner, height() - y}, below.join(LinkParts), lines);
+    if (lines > 0) paintWrapped(painter, {left, y, inner, height() - y}, below.join(Between), lines);
 }
 
 }  // namespace leitstand

@@ -22,7 +22,8 @@ protected:
 
 private:
     BatteryFigures m_battery;
-    QString m_link, m_reason;
+    QStringList m_link;  ///< DriveState::link
+    QString m_reason;
     Tone m_linkTone = Tone::Normal;
 };
 

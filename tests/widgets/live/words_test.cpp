@@ -334,7 +334,7 @@ TEST_F(LiveWords, ALogDoesNotTellWhatWasLost) {
 }
 
 TEST_F(LiveWords, LinksSayTheWorstReason) {
-    EXPECT_EQ(stateOf(robot).link.toStdString(), "22 ms · 0\u202f% loss");
+    EXPECT_EQ(stateOf(robot).link.join(u" · ").toStdString(), "22 ms · 0\u202f% loss");
     robot.view.link.state = LinkState::Degraded;
     robot.view.link.reasons = {{LinkReason::Kind::Stale, 1.4, StreamRole::Odometry, {}, {}},
                                {LinkReason::Kind::Slow, 0.38, StreamRole::Diagnostics, {}, {}}};

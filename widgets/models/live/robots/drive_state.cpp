@@ -213,11 +213,14 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
     return figures;
 }
 
-QString linkLine(const LinkStatus& link) {
-    if (link.state == LinkState::Lost || link.state == LinkState::NeverSeen) return linkStateText(link.state);
-    const QString trip = roundTripText(link), loss = lossShareText(link);
-    if (trip.isEmpty() && loss.isEmpty()) return linkStateText(link.state);
-    return trip.isEmpty() ? loss : loss.isEmpty() ? trip : trip + QStringLiteral(" · ") + loss;
+QStringList linkFigures(const LinkStatus& link) {
+    QStringList figures;
+    if (link.state != LinkState::Lost && link.state != LinkState::NeverSeen) {
+        for (const QString& figure : {roundTripText(link), lossShareText(link)}) {
+            if (!figure.isEmpty()) figures << figure;
+        }
+    }
+    return figures.isEmpty() ? QStringList(linkStateText(link.state)) : figures;
 }
 
 }  // namespace
@@ -260,7 +263,7 @@ DriveState driveStateOf(const RobotFace& face, const RobotDescription& descripti
     state.tracks = tracksOf(description, robot);
     state.attitude = attitudeOf(description, said, now, limits);
     state.battery = batteryOf(said, now, limits);
-    state.link = linkLine(robot.link);
+    state.link = linkFigures(robot.link);
     state.linkReason = worstReasonText(robot.link);
     state.linkTone = toneOf(robot.link);
     state.gas = gasOf(description, said, gas, now, limits.gas);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/mission/state/robot_state.h"
 #include "core/robot/robot_description.h"
@@ -84,7 +85,8 @@ struct DriveState {
     TrackFigures tracks;
     AttitudeFigures attitude;
     BatteryFigures battery;
-    QString link, linkReason;
+    QStringList link;  ///< its state, or its figures, what is wanted most first
+    QString linkReason;
     Tone linkTone = Tone::Normal;
     GasFigures gas;
     GrantFigures grant;
