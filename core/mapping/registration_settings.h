@@ -26,9 +26,10 @@ enum class Reference : std::uint8_t { Previous, Map };
 
 /// All that decides how a row of scans is registered; the defaults of `leitstandctl register`.
 struct RegistrationSettings {
-    double reduce = 0.10;                    ///< edge of the voxel grid, 0: all points [m]
-    VoxelPoint kept = VoxelPoint::Centroid;  ///< of what a voxel holds; the paper's filters keep real points
-    ScanFilter filter = ScanFilter::None;    ///< the paper's median and reduction filter
+    double reduce = 0.10;  ///< edge of the voxel grid, 0: all points [m]
+    VoxelPoint kept =
+        VoxelPoint::Centroid;              ///< of what a voxel holds; after a filter of the paper's: Nearest
+    ScanFilter filter = ScanFilter::None;  ///< the paper's median and reduction filter
     double minRange = 0.4, maxRange = 30.0;  ///< nearer and farther points are left out [m]
     SearchMethod search = SearchMethod::KdTree;
     double epsilon = 0.5;  ///< of approximate and forest search

@@ -35,7 +35,9 @@ PointCloud prepared(const Scan& scan, const RegistrationSettings& settings) {
     const std::vector<Eigen::Vector3f> normals =
         scan.organised() ? gridNormals(scan, settings.threads) : std::vector<Eigen::Vector3f>();
     PointCloud cloud = filtered(scan, normals, settings);
-    if (settings.reduce > 0.0) cloud = voxelGrid(cloud, settings.reduce, settings.kept);
+    if (settings.reduce > 0.0)
+        cloud = voxelGrid(cloud, settings.reduce,
+                          settings.filter == ScanFilter::None ? settings.kept : VoxelPoint::Nearest);
     if (cloud.normals.empty()) {
         cloud.normals = knnNormals(cloud.points, NormalNeighbours, Eigen::Vector3f::Zero(), settings.threads);
     }

@@ -124,6 +124,7 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
     std::optional<GuessTerm> prior;
     if (settings.prior && usesNormals(settings.minimizer)) prior.emplace(*settings.prior, guess);
     const auto stages = static_cast<double>(settings.maxDistances.size());
+    double last = settings.maxDistances.front(), paired = last;  // [m]
     for (const double maxDistance : settings.maxDistances) {
         const int before = result.iterations;
         const auto stage = static_cast<double>(result.times.stages.size());
@@ -132,18 +133,27 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
             const double iterations = result.iterations - before;
             progress.done((stage + iterations / (iterations + 10.0)) / stages);
         };
+        const IcpResult reached = result;
         result.converged = false;
         const Stopwatch watch(result.times.stages.emplace_back(0.0));
         result.stop =
             runStage(pairing, maxDistance, settings, progress, result, prior ? &*prior : nullptr, report);
+        if (result.stop == IcpStop::Degenerate && stage > 0.0) {
+            // Too few pairs are that near: what the stages before found stays.
+            paired = maxDistance;
+            result.pose = reached.pose;
+            result.stop = reached.stop;
+            result.converged = reached.converged;
+            break;
+        }
+        last = paired = maxDistance;
         if (result.stop == IcpStop::Converged) result.converged = true;
         if (result.stop != IcpStop::Converged && result.stop != IcpStop::LimitCycle) break;
     }
     if (prior) result.open = prior->open();
     if (result.stop == IcpStop::Cancelled) return result;
     const Stopwatch watch(result.times.evaluating);
-    const double last = settings.maxDistances.back();
-    evaluate(pairing, last, settings.judgedWithin.value_or(last), result);
+    evaluate(pairing, paired, settings.judgedWithin.value_or(last), result);
     progress.done(1.0);
     return result;
 }

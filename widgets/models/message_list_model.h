@@ -16,7 +16,7 @@ public:
     using QAbstractListModel::QAbstractListModel;
 
     /// Adds a message with the present time of day. The same text is not repeated while it stands in the
-    /// list; beyond 500 the oldest go. Line ends in it are shown as \n (othersText()).
+    /// list; beyond 500 the oldest go. Several lines become one, with dots between.
     void add(Severity severity, const QString& said);
     /// Adds a warning; where the same text stands already, it goes to the end with the present time.
     void tell(const QString& said);

@@ -88,6 +88,18 @@ TEST(Icp, StartsFarAwayNeedASchedule) {
     EXPECT_LT(inDegrees(angleBetween(result.pose, Pose::Identity())), 0.3);
 }
 
+TEST(Icp, AStageWithoutPairsLeavesWhatTheOnesBeforeFound) {
+    const PointCloud target = roomCloud(8'000, 1), source = roomCloud(8'000, 2);
+    IcpSettings settings;
+    settings.maxDistances = {0.5, 1e-7};
+    const IcpResult result =
+        aligned(target, source, settings, poseFrom({0.15, -0.1, 0.02}, 0, 0, degrees(4)));
+    EXPECT_TRUE(result.converged);
+    EXPECT_EQ(result.stop, IcpStop::Converged);
+    EXPECT_LT(distanceBetween(result.pose, Pose::Identity()), 0.02);
+    EXPECT_GT(result.inlierRatio, 0.9) << "judged by the last stage that had pairs";
+}
+
 TEST(Icp, StopsAtTheIterationLimitAndSaysSo) {
     const PointCloud room = roomCloud(4'000, 1);
     IcpSettings settings;

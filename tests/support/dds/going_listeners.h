@@ -17,13 +17,14 @@
 namespace leitstand::test {
 
 /// Has @p writer say something on several topics without end, while @p listener hears each @p rounds times
-/// and goes again, being the only one: expects that it is heard each time.
-inline void expectOutlivesItsListeners(Node& writer, Node& listener, int rounds) {
+/// and goes again, being the only one: expects that it is heard each time. @p depth: of the writers'
+/// histories, so many samples wait to be sent.
+inline void expectOutlivesItsListeners(Node& writer, Node& listener, int rounds, int depth) {
     const std::array<std::string, 4> topics = {"/kurt3d/odom", "/kurt3d/imu", "/kurt3d/battery_state",
                                                "/kurt3d/joint_states"};
     std::vector<std::unique_ptr<Publisher>> publishers;
     for (const std::string& topic : topics)
-        publishers.push_back(must(writer.publisher({topic, TestType, {}, Flow::Telemetry})));
+        publishers.push_back(must(writer.publisher({topic, TestType, reliable(depth), Flow::Telemetry})));
     const std::jthread writing([&](const std::stop_token& over) {
         const Payload word = testPayload(20, 1);
         while (!over.stop_requested()) {

@@ -120,6 +120,13 @@ TEST_F(TextsTest, AMessageToldAgainIsTheNewest) {
     EXPECT_EQ(messages.errorCount(), 0);
 }
 
+TEST_F(TextsTest, AMessageOfSeveralLinesIsOneAndTurnsNothing) {
+    MessageListModel messages;
+    messages.tell(QString::fromUtf8("a.yaml:3: no rate\na.yaml:7: \u202eno topic\n"));
+    EXPECT_EQ(messages.index(0).data(Qt::ToolTipRole).toString().toStdString(),
+              "a.yaml:3: no rate · a.yaml:7: \\u202eno topic");
+}
+
 TEST_F(TextsTest, AFloodOfMessagesKeepsTheNewest) {
     MessageListModel messages;
     for (int i = 0; i < 600; ++i) messages.add(MessageListModel::Severity::Error, QString::number(i));

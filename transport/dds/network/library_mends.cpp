@@ -1,5 +1,9 @@
 #include "transport/dds/network/library_mends.h"
 
+#include <atomic>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -34,12 +38,53 @@ Function* librarysOwn(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
-/// The writer that this thread takes a reader from, and whether its check has to follow.
-struct Removal {
-    void* writer = nullptr;
-    bool checks = false;
+/// Writers that readers are being taken from. While they are, nobody checks them: a flow controller's thread
+/// that did, finding nobody left to send to, would take its own lock a second time. Whoever takes the reader
+/// checks when the list is free again, until nobody has asked for it meanwhile.
+class Removals {
+public:
+    void begin(void* writer) {
+        const std::lock_guard lock(m_mutex);
+        ++m_writers[writer].removing;
+        m_any.fetch_add(1);
+    }
+    /// Whether the check of @p writer is put off.
+    [[nodiscard]] bool putsOff(void* writer) {
+        if (m_any.load() == 0) return false;
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_writers.find(writer);
+        if (found == m_writers.end()) return false;
+        found->second.asked = true;
+        return true;
+    }
+    /// Ends a removal; checks with @p check whatever was put off.
+    template <class Check>
+    void end(void* writer, const Check& check) {
+        std::unique_lock lock(m_mutex);
+        auto& removal = m_writers[writer];
+        while (removal.removing == 1 && std::exchange(removal.asked, false)) {
+            lock.unlock();
+            check(writer);
+            lock.lock();
+        }
+        if (--removal.removing == 0) m_writers.erase(writer);
+        m_any.fetch_sub(1);
+    }
+
+private:
+    struct Removal {
+        int removing = 0;  ///< threads
+        bool asked = false;
+    };
+    std::mutex m_mutex;
+    std::unordered_map<void*, Removal> m_writers;
+    std::atomic<int> m_any = 0;
 };
-thread_local Removal t_removal;
+
+Removals& removals() {
+    static auto* const all = new Removals;  // threads of the library may outlive what is static
+    return *all;
+}
 
 }  // namespace
 
@@ -61,22 +106,15 @@ bool leitstandEncode(const void* manager, const void* plain, void* encoded, cons
 bool leitstandRemoveReader(void* writer, const void* reader) {
     static auto* const remove = librarysOwn<decltype(leitstandRemoveReader)>(LEITSTAND_REMOVE_READER);
     static auto* const check = librarysOwn<decltype(leitstandCheckAcked)>(LEITSTAND_CHECK_ACKED);
-    const Removal outer = t_removal;
-    t_removal = {writer, false};
+    removals().begin(writer);
     const bool removed = remove(writer, reader);
-    const bool checks = t_removal.checks;
-    t_removal = outer;
-    if (checks) check(writer);
+    removals().end(writer, check);
     return removed;
 }
 
 void leitstandCheckAcked(void* writer) {
     static auto* const check = librarysOwn<decltype(leitstandCheckAcked)>(LEITSTAND_CHECK_ACKED);
-    if (t_removal.writer == writer) {
-        t_removal.checks = true;
-    } else {
-        check(writer);
-    }
+    if (!removals().putsOff(writer)) check(writer);
 }
 
 }  // extern "C"

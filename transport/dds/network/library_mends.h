@@ -13,7 +13,7 @@ namespace leitstand::detail {
 /// Two locks in two orders: `StatefulWriter::matched_reader_remove` holds the list of addresses while
 /// `check_acked_status` removes samples from the flow controller's queue, which takes the queue's lock; the
 /// queue's thread holds that lock while it waits for the list to send. Both wait for ever, and all who write
-/// with them. Here the check follows when the list is free again.
+/// with them. Here the check follows when the list is free again, and nobody else checks meanwhile.
 ///
 /// False when the library does not call them: it is another version, or was linked otherwise.
 [[nodiscard]] bool mendsTheLibrary();
