@@ -94,19 +94,14 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
         const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
         fitted.stale = false;
         fitted.scanInMap = here;
-        fitted.scan->leaveOutAllBut(pointsInside(fitted.scan->whole()->points, m_crop, here, others));
+        const ScanPtr whole = fitted.scan->whole();
+        fitted.scan->leaveOutAllBut(pointsInside(whole->points, m_crop, here, others), whole);
         fitted.reduced = fitted.scan->leftOut() == 0
                              ? fitted.wholeReduced
                              : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
     }
     scan.scan = fitted.scan->inside();
     scan.reduced = fitted.reduced;
-}
-
-std::size_t CroppedScans::leftOut() const {
-    std::size_t points = 0;
-    for (const auto& [id, fitted] : m_fitted) points += fitted.scan->leftOut();
-    return points;
 }
 
 }  // namespace leitstand

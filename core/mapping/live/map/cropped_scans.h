@@ -33,8 +33,6 @@ public:
     /// The key scan @p id is no more: the next of its number is another.
     void forget(std::uint64_t id) { m_fitted.erase(id), m_others.erase(id); }
 
-    [[nodiscard]] std::size_t leftOut() const;  ///< points that are kept here only
-
 private:
     /// A key scan that was looked at.
     struct Fitted {

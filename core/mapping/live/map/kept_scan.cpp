@@ -61,9 +61,8 @@ void KeptScan::putAllBack() {
     m_which = {};
 }
 
-void KeptScan::leaveOutAllBut(const std::vector<std::size_t>& kept) {
+void KeptScan::leaveOutAllBut(const std::vector<std::size_t>& kept, const ScanPtr& whole) {
     const std::lock_guard lock(m_mutex);
-    const ScanPtr whole = joined();
     m_inside = whole;
     m_leftOut = {};
     m_which = {};

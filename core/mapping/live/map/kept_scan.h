@@ -21,8 +21,9 @@ public:
     [[nodiscard]] ScanPtr inside() const;
     [[nodiscard]] std::size_t leftOut() const;  ///< points
 
-    /// Leaves all out but the points @p kept of the whole scan, rising: inside() has them, unorganised.
-    void leaveOutAllBut(const std::vector<std::size_t>& kept);
+    /// Leaves all out of @p whole, which is whole(), but its points @p kept, rising: inside() has them,
+    /// unorganised.
+    void leaveOutAllBut(const std::vector<std::size_t>& kept, const ScanPtr& whole);
     void putAllBack();
 
 private:

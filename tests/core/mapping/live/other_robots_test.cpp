@@ -101,7 +101,7 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     const ScanPtr before = key.scan;
     cropped.fit(key);
     EXPECT_EQ(key.scan, before) << "not made anew";
-    EXPECT_EQ(cropped.leftOut(), whole->points.size() - before->points.size())
+    EXPECT_EQ(key.kept->leftOut(), whole->points.size() - before->points.size())
         << "no point is kept twice: each key scan that saw another robot would be";
     MapCrop low;
     low.ceiling = 1.0;
@@ -115,7 +115,7 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     EXPECT_EQ(key.scan->points, whole->points);
     EXPECT_EQ(key.scan->labels, whole->labels);
     EXPECT_EQ(key.scan->shades, whole->shades);
-    EXPECT_EQ(cropped.leftOut(), 0U);
+    EXPECT_EQ(key.kept->leftOut(), 0U);
 }
 
 }  // namespace
