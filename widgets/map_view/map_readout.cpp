@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -33,7 +34,7 @@ QString pickText(const std::optional<PickedPoint>& point, const Map& map) {
     const Scan& scan = *map.scans[static_cast<std::size_t>(point->scan)].scan;
     return ReadoutTexts::tr("x %1  y %2  z %3 m · %4 · %5")
         .arg(numberText(at.x(), 2), numberText(at.y(), 2), numberText(at.z(), 2), labelName(point->label),
-             QString::fromStdString(scan.name.empty() ? scan.robot : scan.name));
+             othersText(scan.name.empty() ? scan.robot : scan.name));
 }
 
 QString measurementText(const Measurement& measurement) {

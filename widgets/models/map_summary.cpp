@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 #include "widgets/models/verdict.h"
 
 namespace leitstand {
@@ -31,8 +32,7 @@ QString verdictOver(const Map& map, Tone& tone) {
         if (first == map.scans.end()) continue;
         tone = Tone::Attention;
         const auto count = std::count_if(map.scans.begin(), map.scans.end(), bad);
-        return count == 1 ? SummaryTexts::tr("%1 %2").arg(QString::fromStdString(first->scan->name),
-                                                          verdictText(wanted))
+        return count == 1 ? SummaryTexts::tr("%1 %2").arg(othersText(first->scan->name), verdictText(wanted))
                           : SummaryTexts::tr("%1 scans %2")
                                 .arg(countText(static_cast<std::size_t>(count)), verdictText(wanted));
     }

@@ -11,15 +11,10 @@ namespace {
 
 constexpr int MostMessages = 500;
 
-/// On one line: some errors of ours have several.
-QString lineOf(const QString& said) {
-    return othersText(said.trimmed().split(QLatin1Char('\n')).join(QStringLiteral(" · ")));
-}
-
 }  // namespace
 
 void MessageListModel::add(Severity severity, const QString& said) {
-    const QString text = lineOf(said);
+    const QString text = othersLine(said);
     const bool known = std::any_of(m_messages.begin(), m_messages.end(),
                                    [&text](const Message& message) { return message.text == text; });
     if (known) return;
@@ -30,7 +25,7 @@ void MessageListModel::add(Severity severity, const QString& said) {
 }
 
 void MessageListModel::tell(const QString& said) {
-    const QString text = lineOf(said);
+    const QString text = othersLine(said);
     const auto known = std::find_if(m_messages.begin(), m_messages.end(),
                                     [&text](const Message& message) { return message.text == text; });
     if (known != m_messages.end()) dismiss(static_cast<int>(known - m_messages.begin()));

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/base/printable.h"
 
@@ -18,6 +19,11 @@ namespace leitstand {
 /// The same for a text in which others are quoted.
 [[nodiscard]] inline QString othersText(const QString& text) {
     return othersText(std::string_view(text.toStdString()));
+}
+
+/// A message in which others may be quoted, on one line: some of ours have several.
+[[nodiscard]] inline QString othersLine(const QString& text) {
+    return othersText(text.trimmed().split(QLatin1Char('\n')).join(QStringLiteral(" · ")));
 }
 
 }  // namespace leitstand

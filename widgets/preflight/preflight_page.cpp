@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "widgets/models/others_text.h"
 #include "widgets/painting/pane_paint.h"
 #include "widgets/tables/table_dress.h"
 
@@ -161,7 +162,7 @@ void PreflightPage::show(std::vector<PreflightCheck> checks, const std::vector<R
         byName.emplace(face.name.toStdString(), face);
         names.emplace_back(face.title, face.name);
     }
-    for (const QString& stranger : strangers) others.emplace_back(stranger, stranger);
+    for (const QString& stranger : strangers) others.emplace_back(othersText(stranger), stranger);
     m_verdict->setText(verdictText(checks));
     m_list.setChecks(std::move(checks), std::move(byName));
     fill(*m_robot, names);

@@ -33,6 +33,7 @@
 #include "app/window/live/scan/scan_feature.h"
 #include "app/window/live/victims/find_pointing.h"
 #include "app/window/live/victims/victims_feature.h"
+#include "widgets/models/others_text.h"
 #include "widgets/painting/plain_texts.h"
 #include "widgets/painting/theme.h"
 
@@ -179,7 +180,7 @@ QString LiveWindow::missing() const {
     for (const RobotDescription& robot : m_selection->robots()) {
         const LinkState state = m_bridge.moment().view(robot.name).link.state;
         if (state == LinkState::NeverSeen || state == LinkState::Lost)
-            things += tr("%1 is not connected").arg(QString::fromStdString(robot.title));
+            things += tr("%1 is not connected").arg(othersText(robot.title));
     }
     things += m_map->missing();
     things += m_cameras->missing();

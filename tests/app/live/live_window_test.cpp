@@ -184,6 +184,11 @@ TEST_F(LiveWindowTest, AnotherRobotIsSelectedByItsNumberAndEndsDriving) {
     EXPECT_TRUE(soon([&] { return m_window->selected() == "kurt3d"; }));
 }
 
+TEST_F(LiveWindowTest, AMessageStaysOnItsLineWhateverOthersSayInIt) {
+    m_window->tell(QString::fromUtf8("rover: \u202ewrong\nhot"));
+    EXPECT_EQ(m_window->newest().toStdString(), "rover: \\u202ewrong · hot");
+}
+
 TEST_F(LiveWindowTest, CameraAndMapChangePlaces) {
     QWidget* const camera = m_window->findChild<QWidget*>("cameraPane");
     const int before = camera->width() * camera->height();

@@ -12,6 +12,7 @@
 
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/scene/scene_content.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -80,11 +81,11 @@ bool doubted(const SceneContent& content) {
 
 /// As the list of key scans calls it, where it has no name: "K 12".
 QString nameOf(const SceneScan& scan, const SceneContent& content) {
-    if (!scan.name.empty()) return QString::fromStdString(scan.name);
+    if (!scan.name.empty()) return othersText(scan.name);
     QString robot;
     if (scan.robotAt < content.robots.size()) {
         const SceneRobot& by = content.robots[scan.robotAt];
-        robot = QString::fromStdString(by.letter.empty() ? by.title : by.letter);
+        robot = othersText(by.letter.empty() ? by.title : by.letter);
     }
     return QStringLiteral("%1 %2").arg(robot.isEmpty() ? QStringLiteral("?") : robot).arg(scan.id);
 }
@@ -118,7 +119,7 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
             const SceneRobot& robot = content.robots[i];
             const bool took = std::any_of(content.scans.begin(), content.scans.end(),
                                           [&](const SceneScan& scan) { return scan.robotAt == i; });
-            const QString title = QString::fromStdString(robot.title);
+            const QString title = othersText(robot.title);
             if (took)
                 entries.push_back({robotColour(robot.place, content.settings.theme),
                                    title.isEmpty()

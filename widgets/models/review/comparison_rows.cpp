@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -114,7 +115,7 @@ TextTable scansOf(const MapComparison& whole) {
         const QString state = one.uncertainAgain      ? Say::tr("uncertain again")
                               : one.uncertainRecorded ? Say::tr("was uncertain")
                                                       : Say::tr("certain");
-        table.rows.push_back({{QStringLiteral("%1 %2").arg(QString::fromStdString(one.robot)).arg(one.id),
+        table.rows.push_back({{QStringLiteral("%1 %2").arg(othersText(one.robot)).arg(one.id),
                                optionalText(one.fitRecorded, rms), optionalText(one.fitAgain, rms),
                                optionalText(one.fitRecorded, overlap), optionalText(one.fitAgain, overlap),
                                millimetres(distanceBetween(one.recorded, one.again)),

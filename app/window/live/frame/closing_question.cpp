@@ -11,6 +11,7 @@
 #include "app/window/live/live_bridge.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/live/texts/stop_line.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -44,7 +45,7 @@ bool ClosingQuestion::mayClose() {
 
 void ClosingQuestion::ask(const QString& why) {
     QStringList names;
-    for (const RobotDescription* robot : drivingThemselves()) names += QString::fromStdString(robot->title);
+    for (const RobotDescription* robot : drivingThemselves()) names += othersText(robot->title);
     const QString who = names.join(QStringLiteral(", "));
     m_question = new QMessageBox(&m_context.window);  // not modal: robots are driving
     m_question->setObjectName(QStringLiteral("closingQuestion"));

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/live/frame/menu_corner.h"
+#include "widgets/models/others_text.h"
 #include "widgets/painting/plain_texts.h"
 
 namespace leitstand {
@@ -46,7 +47,7 @@ void WindowFrame::addBadge(QLabel& badge, bool keepsPlace) {
 }
 
 void WindowFrame::tell(const QString& text) {
-    m_recent.prepend(text);
+    m_recent.prepend(othersLine(text));
     if (m_recent.size() > Recent) m_recent.removeLast();
     showMessage();
 }

@@ -15,6 +15,7 @@
 #include "app/window/live/map/robots_on_map.h"
 #include "core/mapping/live/map/moved_places.h"
 #include "core/robot/goal.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -118,7 +119,7 @@ std::optional<RobotInMap> GoTo::placeOf(const std::string& robot) const {
 
 QString GoTo::titleOf(const std::string& robot) const {
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
-    return known == nullptr ? QString::fromStdString(robot) : m_context.selection.faceOfRobot(*known).title;
+    return known == nullptr ? othersText(robot) : m_context.selection.faceOfRobot(*known).title;
 }
 
 bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {

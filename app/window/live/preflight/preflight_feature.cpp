@@ -18,6 +18,7 @@
 #include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
+#include "widgets/models/others_text.h"
 #include "widgets/preflight/preflight_page.h"
 
 namespace leitstand {
@@ -138,8 +139,8 @@ void PreflightFeature::showOverrides() {
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!brakes.isOverridden(robot.name)) continue;
         const bool noWatchdog = brakes.result(robot.name).showsNoWatchdog();
-        (noWatchdog ? none : late) += QString::fromStdString(robot.letter);
-        (noWatchdog ? noneNames : lateNames) += QString::fromStdString(robot.title);
+        (noWatchdog ? none : late) += othersText(robot.letter);
+        (noWatchdog ? noneNames : lateNames) += othersText(robot.title);
     }
     QStringList texts, tips;
     const auto tell = [&](const QString& text, const QStringList& names, const QString& tip) {

@@ -15,6 +15,7 @@
 #include "widgets/models/live/robots/robot_chip.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/live/texts/stop_line.h"
+#include "widgets/models/others_text.h"
 #include "widgets/robots/robot_bar.h"
 
 namespace leitstand {
@@ -52,7 +53,7 @@ void RobotsFeature::addChoice() {
     CommandTable& commands = m_context.commands;
     for (int number = 1; number <= static_cast<int>(m_context.selection.robots().size()); ++number) {
         const RobotDescription& robot = m_context.selection.robots()[static_cast<std::size_t>(number - 1)];
-        const QString title = QString::fromStdString(robot.title);
+        const QString title = othersText(robot.title);
         // The key is the robot bar's.
         QAction& one = commands.add({.id = QStringLiteral("robot.%1").arg(number),
                                      .menu = CommandMenu::Robot,

@@ -6,6 +6,7 @@
 #include "app/services/finds/freezing.h"
 #include "widgets/camera/picture_image.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 #include "widgets/models/times.h"
 #include "widgets/victims/evidence_strip.h"
 #include "widgets/victims/victim_form.h"
@@ -26,8 +27,7 @@ bool haveSameEvidence(const VictimSample& one, const VictimSample& other) {
 
 QString captionOf(const EvidencePicture& picture) {
     const QString of = FormPictures::tr("%1, %2, %3")
-                           .arg(QString::fromStdString(picture.robot), QString::fromStdString(picture.sensor),
-                                wallText(picture.at));
+                           .arg(othersText(picture.robot), othersText(picture.sensor), wallText(picture.at));
     return picture.hottest ? FormPictures::tr("%1: up to %2 °C").arg(of).arg(numberText(*picture.hottest, 1))
                            : of;
 }

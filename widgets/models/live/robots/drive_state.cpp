@@ -11,6 +11,7 @@
 #include "widgets/models/live/texts/sight_text.h"
 #include "widgets/models/live/texts/stop_line.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/others_text.h"
 
 namespace leitstand {
 namespace {
@@ -228,7 +229,7 @@ QStringList linkFigures(const LinkStatus& link) {
 GrantFigures grantFiguresOf(const GrantView& grant) {
     using Choice = GrantFigures::Choice;
     const auto titled = [](const std::string& title, const std::string& id) {
-        return QString::fromStdString(title.empty() ? id : title);
+        return othersText(title.empty() ? id : title);
     };
     if (grant.mine && !grant.requestedBy.empty()) {
         return {Choice::Answer,
