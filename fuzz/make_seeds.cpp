@@ -73,6 +73,7 @@ bool writeFiles(const fs::path& corpus) {
     writeChosen(corpus / "poses/pose", '\0', pose);
     writeChosen(corpus / "poses/frames", '\1', frames);
     writeChosen(corpus / "poses/tum", '\2', tum);
+    write(corpus / "poses/given", "\3# by hand\n0 7 1 2 3 0 0 0.6 0.8\n3 9 no\n");
     return true;
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/clouds/tum.h"
 #include "core/io/clouds/uos.h"
+#include "core/io/graph/given_links.h"
 #include "fuzz/input_file.h"
 
 namespace {
@@ -11,13 +12,14 @@ void check(const leitstand::Result<T>& read) {
 
 }  // namespace
 
-/// .pose, .frames and TUM trajectories; the first byte chooses.
+/// .pose, .frames, TUM trajectories, links by hand; the first byte chooses.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace leitstand;
     if (size == 0) return 0;
     const fuzz::InputFile input(data + 1, size - 1);
-    if (data[0] % 3 == 0) check(readUosPose(input.path()));
-    if (data[0] % 3 == 1) check(readUosFrames(input.path()));
-    if (data[0] % 3 == 2) check(readTum(input.path()));
+    if (data[0] % 4 == 0) check(readUosPose(input.path()));
+    if (data[0] % 4 == 1) check(readUosFrames(input.path()));
+    if (data[0] % 4 == 2) check(readTum(input.path()));
+    if (data[0] % 4 == 3) check(readGivenLinks(input.path()));
     return 0;
 }

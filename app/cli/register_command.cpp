@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -15,7 +19,9 @@
 #include "app/services/interrupt.h"
 #include "core/io/clouds/cloud_writer.h"
 #include "core/io/clouds/tum.h"
+#include "core/io/graph/given_links.h"
 #include "core/mapping/mapper.h"
+#include "core/mapping/relaxation/closed_map.h"
 
 namespace leitstand::cli {
 namespace {
@@ -34,6 +40,26 @@ Result<void> matchGuesses(RegistrationSettings& settings, const std::vector<Load
     for (const LoadedScan& scan : scans) kept.push_back(settings.guessPoses[scan.position]);
     settings.guessPoses = kept;
     return {};
+}
+
+/// @p given of @p files' places as links of the scans that could be read; an error names what there is not.
+Result<std::vector<GivenLink>> placed(std::vector<GivenLink> given, const std::vector<LoadedScan>& scans,
+                                      std::size_t files) {
+    const auto find = [&](std::size_t& place) -> Result<void> {
+        if (place >= files)
+            return Error{
+                fmt::format("--by-hand: scan {}: expected one of the {} scans, from 0", place, files)};
+        const auto found = std::find_if(scans.begin(), scans.end(),
+                                        [&](const LoadedScan& scan) { return scan.position == place; });
+        if (found == scans.end()) return Error{fmt::format("--by-hand: scan {} could not be read", place)};
+        place = static_cast<std::size_t>(found - scans.begin());
+        return {};
+    };
+    for (GivenLink& one : given) {
+        if (auto known = find(one.from); !known) return known.error();
+        if (auto known = find(one.to); !known) return known.error();
+    }
+    return given;
 }
 
 bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& line) {
@@ -61,6 +87,20 @@ bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& 
     return ok;
 }
 
+/// @p map with its loops closed, as --close-loops asks; an error when what is given by hand cannot be used.
+Result<ClosedMap> closed(Map& map, const std::vector<GivenLink>& byHand, const RegistrationSettings& chosen,
+                         const Progress& progress) {
+    LiveSettings settings;
+    settings.match.minRange = chosen.minRange;
+    settings.match.maxRange = std::min(settings.match.maxRange, chosen.maxRange);
+    RelaxationSettings how;
+    how.threads = chosen.threads;
+    auto loops = closeLoops(map, byHand, settings, how, progress);
+    if (!loops) return Error{"--by-hand: " + loops.error().text};
+    for (std::size_t i = 0; i < loops->poses.size(); ++i) map.scans[i].poseInMap = loops->poses[i];
+    return loops;
+}
+
 int runRegister(const RegisterOptions& options) {
     ProgressLine line;
     const InterruptGuard interrupt;
@@ -68,6 +108,15 @@ int runRegister(const RegisterOptions& options) {
     if (!settings) {
         complain(line, settings.error().text);
         return 1;
+    }
+    std::vector<GivenLink> byHand;
+    if (!options.byHand.empty()) {
+        auto read = readGivenLinks(options.byHand);
+        if (!read) {
+            complain(line, read.error().text);
+            return 1;
+        }
+        byHand = std::move(read).value();
     }
     const auto started = Clock::now();
     const auto loaded = loadScans(options.sources, interrupt.token(), line);
@@ -81,6 +130,11 @@ int runRegister(const RegisterOptions& options) {
         complain(line, matched.error().text);
         return 1;
     }
+    const auto links = placed(std::move(byHand), scans, loaded->expected);
+    if (!links) {
+        complain(line, links.error().text);
+        return 1;
+    }
     Mapper mapper(chosen);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const auto show = [&](double fraction) {
@@ -88,14 +142,27 @@ int runRegister(const RegisterOptions& options) {
         };
         if (!mapper.add(scans[i].scan, {show, interrupt.token()})) break;
     }
-    const MapPtr map = mapper.map();
+    Map map = *mapper.map();
+    std::optional<ClosedMap> loops;
+    if (options.closeLoops && !interrupt.token().stop_requested()) {
+        const auto show = [&](double fraction) { line.show("closing loops", fraction); };
+        auto done = closed(map, *links, chosen, {show, interrupt.token()});
+        if (!done) {
+            complain(line, done.error().text);
+            return 1;
+        }
+        if (!interrupt.token().stop_requested()) loops = std::move(done).value();
+    }
+    const ClosedMap* const told = loops ? &*loops : nullptr;
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
     line.clear();
-    print(options.json ? registerJson(*map, seconds) : registerTable(*map, seconds));
-    const bool written = writeOutputs(options, *map, line);
+    print(options.json ? registerJson(map, told, seconds) : registerTable(map, told, seconds));
+    const bool written = writeOutputs(options, map, line);
     if (interrupt.token().stop_requested()) {
-        complain(line, fmt::format("interrupted: {} of {} scans are registered", map->scans.size(),
-                                   loaded->expected));
+        const bool all = map.scans.size() == scans.size();
+        complain(line, all && options.closeLoops ? std::string("interrupted: loops are not closed")
+                                                 : fmt::format("interrupted: {} of {} scans are registered",
+                                                               map.scans.size(), loaded->expected));
         return 1;
     }
     return written && loaded->broken == 0 ? 0 : 1;

@@ -10,7 +10,39 @@
 
 namespace leitstand::cli {
 
-std::string registerJson(const Map& map, double seconds) {
+namespace {
+
+nlohmann::ordered_json placesJson(const std::vector<SamePlace>& places) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const SamePlace& one : places)
+        json.push_back({{"from", one.from}, {"to", one.to}, {"shift", one.shift}});
+    return json;
+}
+
+std::string loopsText(const Map& map, const ClosedMap& loops) {
+    std::string text;
+    const auto tell = [&](const SamePlace& one, const char* what) {
+        text += fmt::format("{} and {} (scans {} and {}): {:.2f} m off, {}\n", map.scans[one.from].scan->name,
+                            map.scans[one.to].scan->name, one.from, one.to, one.shift, what);
+    };
+    for (const SamePlace& one : loops.closed) tell(one, "closed");
+    for (const SamePlace& one : loops.contradicted) tell(one, "LEFT OUT: the rest speaks against it");
+    for (const SamePlace& one : loops.unsure)
+        tell(one, "NOT CLOSED: farther than expected; say by --by-hand whether it is the same place");
+    if (loops.unused > 0)
+        text += fmt::format("{} links by hand are of scans with too few points\n", loops.unused);
+    const Relaxation& relaxed = loops.relaxation;
+    return text + fmt::format(
+                      "{} loops closed; {} of {} scans fit what lies about them, pairs {:.1f} mm apart "
+                      "before, {:.1f} mm after {} rounds{}; scans moved by up to {:.3f} m\n",
+                      loops.closed.size(), relaxed.matched, map.scans.size(), 1e3 * relaxed.rmsBefore,
+                      1e3 * relaxed.rmsAfter, relaxed.rounds, relaxed.settled ? "" : ", not settled",
+                      relaxed.largest);
+}
+
+}  // namespace
+
+std::string registerJson(const Map& map, const ClosedMap* loops, double seconds) {
     nlohmann::ordered_json scans = nlohmann::ordered_json::array();
     for (const MapScan& scan : map.scans) {
         std::vector<double> pose;
@@ -29,10 +61,19 @@ std::string registerJson(const Map& map, double seconds) {
                          {"converged", !scan.registered || scan.icp.converged},
                          {"pose", pose}});
     }
-    return jsonText({{"scans", scans}, {"seconds", seconds}});
+    nlohmann::ordered_json json = {{"scans", scans}, {"seconds", seconds}};
+    if (loops != nullptr) {
+        json["loops"] = {
+            {"closed", placesJson(loops->closed)},        {"contradicted", placesJson(loops->contradicted)},
+            {"unsure", placesJson(loops->unsure)},        {"matched", loops->relaxation.matched},
+            {"rounds", loops->relaxation.rounds},         {"settled", loops->relaxation.settled},
+            {"largest_shift", loops->relaxation.largest}, {"rms_before", loops->relaxation.rmsBefore},
+            {"rms_after", loops->relaxation.rmsAfter}};
+    }
+    return jsonText(json);
 }
 
-std::string registerTable(const Map& map, double seconds) {
+std::string registerTable(const Map& map, const ClosedMap* loops, double seconds) {
     std::vector<std::vector<std::string>> rows = {{"scan", "points", "used", "iterations", "time", "rms",
                                                    "inliers", "overlap", "certainty", "x", "y", "z", "turn",
                                                    ""}};
@@ -59,7 +100,8 @@ std::string registerTable(const Map& map, double seconds) {
                                           : ""});
         rows.push_back(row);
     }
-    return textTable(rows) + fmt::format("{} scans in {:.2f} s\n", map.scans.size(), seconds);
+    return textTable(rows) + (loops != nullptr ? loopsText(map, *loops) : std::string()) +
+           fmt::format("{} scans in {:.2f} s\n", map.scans.size(), seconds);
 }
 
 }  // namespace leitstand::cli

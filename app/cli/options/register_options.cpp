@@ -97,6 +97,16 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
     command.add_option("--threads", settings.threads, "0: one a core")
         ->check(CLI::Range(0, 1024).description(""))
         ->option_text("N (0)");
+    auto* closing = command.add_flag("--close-loops", options.closeLoops,
+                                     "bring the map together where the way comes back to a place, and relax "
+                                     "all scans that overlap");
+    command
+        .add_option(
+            "--by-hand", options.byHand,
+            "with --close-loops: lines \"i j tx ty tz qx qy qz qw\", where scan j is in scan i's frame, "
+            "or \"i j no\", where they do not see the same place; scans count from 0")
+        ->needs(closing)
+        ->option_text("FILE");
     command.add_option("--poses", options.posesFile, "write the poses as TUM lines")->option_text("OUT.tum");
     command
         .add_option("--map", options.mapFile,

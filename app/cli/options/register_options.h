@@ -21,6 +21,8 @@ struct RegisterOptions {
     std::string guess = "odometry";   ///< odometry, identity, or a TUM file
     std::filesystem::path posesFile;  ///< empty: not written
     std::string mapFile;              ///< empty: not written; a trailing / asks for a folder of uos scans
+    bool closeLoops = false;
+    std::filesystem::path byHand;  ///< links that somebody gives, empty: none
     bool json = false;
 };
 

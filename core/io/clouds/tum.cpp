@@ -1,7 +1,6 @@
 #include "core/io/clouds/tum.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -12,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "core/io/clouds/detail/point_sink.h"
 #include "core/io/detail/line_reader.h"
 #include "core/io/detail/numbers.h"
 #include "core/io/detail/output_file.h"
+#include "core/io/detail/pose_text.h"
 
 namespace leitstand {
 
@@ -60,21 +59,8 @@ std::optional<std::string_view> takePose(std::string_view line, TimedPose& into)
     constexpr std::string_view Expectation = "t x y z qx qy qz qw";
     const auto time = toTime(detail::takeField(line));
     if (!time) return Expectation;
-    std::array<double, 7> numbers{};
-    for (double& number : numbers) {
-        const auto value = detail::toNumber(detail::takeField(line));
-        if (!value || !std::isfinite(*value)) return Expectation;
-        number = *value;
-    }
-    if (!detail::takeField(line).empty()) return Expectation;
-    const Eigen::Vector3d position(numbers[0], numbers[1], numbers[2]);
-    if (position.cwiseAbs().maxCoeff() > detail::MaxCoordinate) return "a position within 100 km";
-    const Eigen::Quaterniond rotation(numbers[6], numbers[3], numbers[4], numbers[5]);
-    if (!(std::abs(rotation.norm() - 1.0) <= 0.01)) return "a quaternion of length 1";
     into.time = *time;
-    into.pose.translation() = position;
-    into.pose.linear() = rotation.normalized().toRotationMatrix();
-    return std::nullopt;
+    return detail::takePose(line, into.pose, Expectation);
 }
 
 }  // namespace

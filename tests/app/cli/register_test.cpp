@@ -142,6 +142,7 @@ TEST(Register, UsageErrorsExitWithTwo) {
                                                {"register", "x", "--range", "5"},
                                                {"register", "x", "--range", "5", "4"},
                                                {"register", "x", "--max-iterations", "0"},
+                                               {"register", "x", "--by-hand", "links.txt"},
                                                {"register", "x", "--unknown"}}) {
         const auto run = leitstandctl(words);
         EXPECT_EQ(run.exitCode, 2) << testing::PrintToString(words) << run.err;
@@ -168,6 +169,50 @@ TEST(Register, WhatCannotBeDoneExitsWithOneAndNamesTheFile) {
         leitstandctl({"register", folder.path().string(), "--poses", (folder / "no/such/p.tum").string()});
     EXPECT_EQ(unwritable.exitCode, 1);
     EXPECT_THAT(unwritable.err, HasSubstr("p.tum"));
+}
+
+TEST(Register, RelaxesAllThatOverlapsWhereLoopsAreToBeClosed) {
+    const TemporaryFolder folder;
+    writeRoomScans(folder.path());
+    const std::string poses = (folder / "poses.tum").string();
+    const auto run =
+        leitstandctl({"register", folder.path().string(), "--close-loops", "--json", "--poses", poses});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json result = json::parse(run.out);
+    const auto truth = truePoses();
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_LT(distanceBetween(poseOf(result["scans"][i]), truth[0].inverse() * truth[i]), 0.01) << i;
+    }
+    const json& loops = result["loops"];
+    EXPECT_TRUE(loops["closed"].empty()) << "it never came back";
+    EXPECT_EQ(loops["matched"], 3);
+    EXPECT_TRUE(loops["settled"]);
+    EXPECT_LE(loops["rms_after"], loops["rms_before"]);
+    const auto written = readTum(poses);
+    ASSERT_TRUE(written) << written.error().text;
+    EXPECT_TRUE(written->back().pose.isApprox(poseOf(result["scans"][2]), 1e-9))
+        << "what is written is relaxed";
+    const auto table = leitstandctl({"register", folder.path().string(), "--close-loops"});
+    EXPECT_THAT(table.out, HasSubstr("0 loops closed; 3 of 3 scans fit what lies about them"));
+    const auto plain = leitstandctl({"register", folder.path().string(), "--json"});
+    EXPECT_FALSE(json::parse(plain.out).contains("loops"));
+}
+
+TEST(Register, NamesWhatIsWrongWithLinksByHand) {
+    const TemporaryFolder folder;
+    writeRoomScans(folder.path());
+    const auto with = [&](const std::string& lines) {
+        writeText(folder / "hand.txt", lines);
+        return leitstandctl({"register", folder.path().string(), "--close-loops", "--by-hand",
+                             (folder / "hand.txt").string()});
+    };
+    EXPECT_EQ(with("0 2 1.0 0.2 0 0 0 0.1045 0.9945\n1 2 no\n").exitCode, 0);
+    const auto broken = with("0 2 no\n0 2 maybe\n");
+    EXPECT_EQ(broken.exitCode, 1);
+    EXPECT_THAT(broken.err, HasSubstr("hand.txt:2: expected i j tx ty tz qx qy qz qw, or i j no"));
+    const auto beyond = with("0 3 no\n");
+    EXPECT_EQ(beyond.exitCode, 1);
+    EXPECT_THAT(beyond.err, HasSubstr("--by-hand: scan 3: expected one of the 3 scans, from 0"));
 }
 
 TEST(Register, CtrlCLeavesWhatWasFinished) {

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mapping/mapper.h"
+#include "core/mapping/relaxation/closed_map.h"
 #include "tests/simulation/mapping/building_sets.h"
 #include "tests/support/latency.h"
 
@@ -17,19 +19,32 @@ struct Registered {
     double ate = 0.0, median = 0.0, longest = 0.0;  ///< [m], a scan [s]
 };
 
-Registered registered(const ScriptedDrive& made, const RegistrationSettings& settings) {
+/// How far scans at @p poses are off [m].
+double errorAt(const std::vector<Pose>& poses, const ScriptedDrive& made) {
+    Trajectory trajectory;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const LiveScan& live = made.scans[i];
+        trajectory.found.push_back(poses[i] * live.sensorInBase.inverse());
+        trajectory.truth.push_back(made.drive.baseInArena(live.scan->end));
+    }
+    return errorOf(trajectory).distance;
+}
+
+MapPtr mapOf(const ScriptedDrive& made, const RegistrationSettings& settings) {
     Mapper mapper(settings);
     for (const LiveScan& live : made.scans) mapper.add(live.scan);
-    const MapPtr map = mapper.map();
-    Trajectory trajectory;
+    return mapper.map();
+}
+
+Registered registered(const ScriptedDrive& made, const RegistrationSettings& settings) {
+    const MapPtr map = mapOf(made, settings);
+    std::vector<Pose> poses;
     std::vector<double> seconds;
-    for (std::size_t i = 0; i < map->scans.size(); ++i) {
-        const LiveScan& live = made.scans[i];
-        trajectory.found.push_back(map->scans[i].poseInMap * live.sensorInBase.inverse());
-        trajectory.truth.push_back(made.drive.baseInArena(live.scan->end));
-        seconds.push_back(map->scans[i].seconds);
+    for (const MapScan& scan : map->scans) {
+        poses.push_back(scan.poseInMap);
+        seconds.push_back(scan.seconds);
     }
-    return {errorOf(trajectory).distance, leitstand::test::quantile(seconds, 0.5),
+    return {errorAt(poses, made), leitstand::test::quantile(seconds, 0.5),
             leitstand::test::quantile(seconds, 1.0)};
 }
 
@@ -54,6 +69,20 @@ TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
     expectWithin("chain", made, settings, 0.2);
     settings.reference = Reference::Map;
     expectWithin("map", made, settings, 0.06);
+    settings.reference = Reference::Previous;
+    const MapPtr chain = mapOf(made, settings);
+    const auto began = std::chrono::steady_clock::now();
+    const auto closed = closeLoops(*chain, {});
+    ASSERT_TRUE(closed) << closed.error().text;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const double ate = errorAt(closed->poses, made);
+    std::printf(
+        "register, loops closed: %zu closed, %zu unsure, %d rounds, ATE %.3f m, pairs %.1f to %.1f mm, "
+        "%.1f s for all\n",
+        closed->closed.size(), closed->unsure.size(), closed->relaxation.rounds, ate,
+        1e3 * closed->relaxation.rmsBefore, 1e3 * closed->relaxation.rmsAfter, seconds);
+    EXPECT_LE(ate, 0.02);
+    EXPECT_GE(closed->closed.size(), 1U);
 }
 
 }  // namespace

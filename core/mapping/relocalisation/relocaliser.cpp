@@ -1,0 +1,173 @@
+#include "core/mapping/relocalisation/relocaliser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/map/local_map.h"
+
+namespace leitstand {
+namespace {
+
+constexpr float Upright = 0.5F;       ///< of a normal's z: a wall has less
+constexpr double StoreyWithin = 0.8;  ///< heights of scanners that see the same walls [m]
+constexpr double Thinned = 0.15;      ///< walls of a view are so far from each other [m]
+constexpr std::size_t FewestWalls = 40;
+
+/// What stands up of @p cloud between @p low and @p high over the origin once it is turned by @p level.
+std::vector<Eigen::Vector2f> wallsOf(const PointCloud& cloud, const Eigen::Matrix3f& level, double low,
+                                     double high, double reach) {
+    std::vector<Eigen::Vector2f> walls;
+    if (cloud.normals.size() != cloud.points.size()) return walls;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const Eigen::Vector3f point = level * cloud.points[i];
+        const float upwards = level.row(2).dot(cloud.normals[i]);
+        if (point.z() < static_cast<float>(low) || point.z() > static_cast<float>(high)) continue;
+        if (std::abs(upwards) > Upright || point.head<2>().norm() > static_cast<float>(reach)) continue;
+        walls.emplace_back(point.head<2>());
+    }
+    return walls;
+}
+
+/// One of @p points a cell, in their order.
+std::vector<Eigen::Vector2f> thinned(const std::vector<Eigen::Vector2f>& points) {
+    std::set<std::pair<int, int>> cells;
+    std::vector<Eigen::Vector2f> kept;
+    for (const Eigen::Vector2f& point : points) {
+        const auto x = static_cast<int>(std::floor(point.x() / Thinned)),
+                   y = static_cast<int>(std::floor(point.y() / Thinned));
+        if (cells.emplace(x, y).second) kept.push_back(point);
+    }
+    return kept;
+}
+
+bool apart(const Pose& a, const Pose& b, const RasterSearch& search) {
+    return distanceBetween(a, b) > 0.5 * search.apart || angleBetween(a, b) > 0.5 * search.turnedApart;
+}
+
+}  // namespace
+
+Relocaliser::Relocaliser(LiveMapPtr map, LiveSettings settings, RelocalisationSettings how,
+                         const Progress& progress)
+    : m_map(std::move(map)), m_settings(std::move(settings)), m_how(std::move(how)) {
+    std::vector<const LiveKeyScan*> scans;
+    for (const LiveKeyScan& scan : m_map->scans) {
+        if (scan.counts()) scans.push_back(&scan);
+    }
+    const auto heightOf = [](const LiveKeyScan& scan) { return scan.pose.scanInMap.translation().z(); };
+    std::stable_sort(scans.begin(), scans.end(),
+                     [&](const auto* a, const auto* b) { return heightOf(*a) < heightOf(*b); });
+    std::vector<double> heights;
+    for (const LiveKeyScan* scan : scans) {
+        if (heights.empty() || heightOf(*scan) > heights.back() + StoreyWithin)
+            heights.push_back(heightOf(*scan));
+    }
+    for (const double lowest : heights) {
+        const double height = lowest + 0.5 * StoreyWithin;
+        std::vector<Eigen::Vector2f> walls;
+        for (const LiveKeyScan* scan : scans) {
+            if (progress.cancelled()) return;
+            if (std::abs(heightOf(*scan) - height) > StoreyWithin) continue;
+            const Eigen::Isometry3f there = scan->pose.scanInMap.cast<float>();
+            for (const Eigen::Vector2f& wall : wallsOf(scan->reduced->unpacked(), there.linear(), m_how.low,
+                                                       m_how.high, std::numeric_limits<double>::infinity()))
+                walls.push_back(wall + there.translation().head<2>());
+        }
+        m_storeys.push_back({height, WallRaster(walls)});
+    }
+}
+
+std::optional<double> Relocaliser::filledAt(const Scan& scan, const Pose& scanInMap) const {
+    constexpr std::size_t Nearest = 3;  // one may stand behind a wall
+    std::vector<std::pair<double, const LiveKeyScan*>> about;
+    for (const LiveKeyScan& one : m_map->scans) {
+        if (one.counts()) about.emplace_back(mapDistance(one.pose.scanInMap, scanInMap), &one);
+    }
+    const std::size_t count = std::min(Nearest, about.size());
+    std::partial_sort(about.begin(), about.begin() + static_cast<std::ptrdiff_t>(count), about.end(),
+                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::optional<double> most;
+    for (std::size_t i = 0; i < count; ++i) {
+        const LiveKeyScan& key = *about[i].second;
+        const Pose inKey = key.pose.scanInMap.inverse() * scanInMap;
+        const FreeSpaceFit fit = FreeSpace(key.scan->points).fit(scan.points, inKey);
+        const auto judged = static_cast<double>(fit.agreed + fit.filled);
+        if (judged < m_how.leastJudged * static_cast<double>(scan.points.size())) continue;
+        most = std::max(most.value_or(0.0), filledShare(*key.scan, scan, inKey));
+    }
+    return most;
+}
+
+std::optional<AlikePlace> Relocaliser::verified(const Scan& scan, const PointCloud& reduced,
+                                                const Eigen::Vector3d& up, const RasterPlace& place,
+                                                double height) const {
+    Pose guess = place.pose.standing(height) * levelled(Pose::Identity(), up, 1.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (const LiveKeyScan& one : m_map->scans) {
+        const double distance = mapDistance(one.pose.scanInMap, guess);
+        if (!one.counts() || distance >= least) continue;
+        least = distance;
+        height = one.pose.scanInMap.translation().z();
+    }
+    guess.translation().z() = height;
+    const LocalMap local = localMap(m_map->scans, guess, m_settings.local);
+    const Match found =
+        match(reduced, local, guess, {}, up, m_settings.match, m_settings.fit, m_how.schedule);
+    if (found.doubts != 0 || found.icp.overlap < m_how.leastOverlap || found.icp.rms > m_how.mostResidual)
+        return std::nullopt;
+    const auto filled = filledAt(scan, found.scanInMap);
+    if (!filled || *filled > m_how.mostFilled) return std::nullopt;
+    return AlikePlace{found.scanInMap, place.score, found.icp.overlap, found.icp.rms, *filled};
+}
+
+Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, const Eigen::Vector3d& up,
+                                 const Progress& progress) const {
+    Relocalisation result;
+    const Pose level = levelled(Pose::Identity(), up, 1.0);
+    const std::vector<Eigen::Vector2f> view =
+        thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, m_how.reach));
+    if (view.size() < FewestWalls) return result;
+    struct Candidate {
+        RasterPlace place;
+        double height;
+    };
+    std::vector<Candidate> candidates;
+    double others = 0.0;  // the best score of what is not tried
+    for (const Storey& storey : m_storeys) {
+        const RasterPlaces found = storey.walls.find(view, m_how.search, progress);
+        if (progress.cancelled()) return {};
+        for (const RasterPlace& place : found.places) candidates.push_back({place, storey.height});
+        others = std::max(others, found.others);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.place.score > b.place.score; });
+    const auto most = static_cast<std::size_t>(m_how.search.most);
+    if (candidates.size() > most) {
+        others = std::max(others, candidates[most].place.score);
+        candidates.resize(most);
+    }
+    result.tried = candidates.size();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (progress.cancelled()) return {};
+        const auto place = verified(scan, reduced, up, candidates[i].place, candidates[i].height);
+        progress.done(double(i + 1) / double(candidates.size()));
+        if (!place) continue;
+        // Two that looked different from above may lead to the same place.
+        const bool known = std::any_of(
+            result.places.begin(), result.places.end(),
+            [&](const AlikePlace& one) { return !apart(one.scanInMap, place->scanInMap, m_how.search); });
+        if (!known) result.places.push_back(*place);
+    }
+    std::stable_sort(result.places.begin(), result.places.end(),
+                     [](const AlikePlace& a, const AlikePlace& b) { return a.fit() > b.fit(); });
+    if (result.places.empty()) return result;
+    const AlikePlace& best = result.places.front();
+    const bool alone = result.places.size() == 1 || result.places[1].fit() < m_how.alike * best.fit();
+    result.sure = alone && others < m_how.alikeFromAbove * best.score;
+    return result;
+}
+
+}  // namespace leitstand

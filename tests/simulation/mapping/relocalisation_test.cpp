@@ -1,0 +1,108 @@
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/mapping/relocalisation/relocaliser.h"
+#include "tests/simulation/mapping/building_sets.h"
+#include "tests/support/latency.h"
+
+namespace leitstand::simulation::test {
+namespace {
+
+/// Robots that were dropped somewhere in a map.
+struct Drops {
+    int all = 0, found = 0, wrong = 0;
+    std::vector<double> errors, seconds;  ///< of those that were found [m]; of all [s]
+};
+
+/// A building is mapped on one way around; drops are turns of another way: the other direction, beside the
+/// first one, with other noise.
+void dropIn(const BuildingSettings& settings, std::uint64_t seed, std::size_t count, Drops& drops) {
+    const Building building = std::move(generateBuilding(settings, seed)).value();
+    ScriptSettings script;
+    script.seed = seed;
+    const auto route = eightRoute(building.ways, 2);
+    ScriptedDrive first = scriptedDrive(building.arena, DrivePath(route), script);
+    const MappedDrive mapping = mapped(first.drive, std::move(first.scans));
+    const Pose mapInArena = errorOf(mapping.live).mapInArena;
+    std::vector<Eigen::Vector3d> back(route.rbegin(), route.rend());
+    for (Eigen::Vector3d& corner : back) corner += Eigen::Vector3d(0.25, -0.2, 0.0);
+    script.seed = seed + 1'000;
+    script.scanSpacing = 0.7;
+    const ScriptedDrive second = scriptedDrive(building.arena, DrivePath(back), script);
+    const LiveSettings live;
+    const Relocaliser relocaliser(mapping.map, live);
+    const std::size_t every = std::max<std::size_t>(1, second.scans.size() / count);
+    for (std::size_t i = 0; i < second.scans.size() && i / every < count; i += every) {
+        const LiveScan& scan = second.scans[i];
+        const ReadyScan ready = readyScan(scan, {}, Pose::Identity(), live);
+        const auto began = std::chrono::steady_clock::now();
+        const Relocalisation found = relocaliser.find(*ready.scan, ready.reduced, scan.up);
+        drops.seconds.push_back(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+        ++drops.all;
+        if (!found.sure) continue;
+        const Pose truth =
+            mapInArena.inverse() * second.drive.baseInArena(scan.scan->end) * scan.sensorInBase;
+        const double error = distanceBetween(found.places.front().scanInMap, truth);
+        ++drops.found;
+        drops.errors.push_back(error);
+        if (error > 0.3) {
+            ++drops.wrong;
+            std::printf(
+                "building %llu: drop %zu is %.2f m off, overlap %.2f, filled %.3f, %zu places of %zu\n",
+                static_cast<unsigned long long>(seed), i, error, found.places.front().overlap,
+                found.places.front().filled, found.places.size(), found.tried);
+        }
+    }
+}
+
+void print(const char* name, const Drops& drops) {
+    using leitstand::test::quantile;
+    std::printf("%s: %d drops, %d found, %d wrong, %.3f m off (95 %%), %.2f s (median), %.2f s (95 %%)\n",
+                name, drops.all, drops.found, drops.wrong, quantile(drops.errors, 0.95),
+                quantile(drops.seconds, 0.5), quantile(drops.seconds, 0.95));
+}
+
+int buildings() {
+    const char* told = std::getenv("LEITSTAND_BUILDINGS");
+    return told == nullptr ? 10 : std::atoi(told);
+}
+
+BuildingSettings smallBuilding() {
+    BuildingSettings settings;
+    settings.width = 30.0;
+    settings.depth = 20.0;
+    return settings;
+}
+
+/// Wanted are 95 %; rooms that look alike keep it from being sure of more.
+TEST(RelocalisationLong, DroppedRobotsAreFoundInTenBuildings) {
+    Drops drops;
+    for (int i = 0; i < buildings(); ++i) {
+        dropIn(smallBuilding(), 401 + static_cast<std::uint64_t>(i), 100, drops);
+        print("so far", drops);
+    }
+    print("relocalisation", drops);
+    EXPECT_GE(drops.found, 0.5 * drops.all);
+    EXPECT_EQ(drops.wrong, 0);
+    EXPECT_LE(leitstand::test::quantile(drops.errors, 0.95), 0.10);
+    EXPECT_LE(leitstand::test::quantile(drops.seconds, 0.95), 2.0);
+}
+
+TEST(RelocalisationLong, AmongTwinsNoneIsTakenForAnother) {
+    BuildingSettings settings = smallBuilding();
+    settings.twins = true;
+    Drops drops;
+    for (int i = 0; i < buildings(); ++i) dropIn(settings, 501 + static_cast<std::uint64_t>(i), 50, drops);
+    print("relocalisation among twins", drops);
+    EXPECT_EQ(drops.wrong, 0);
+}
+
+}  // namespace
+}  // namespace leitstand::simulation::test
