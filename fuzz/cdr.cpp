@@ -48,7 +48,7 @@ constexpr auto Checks =
            leitstand_msgs::Sightings, leitstand_msgs::Victim, leitstand_msgs::KeyScan,
            leitstand_msgs::ScanPoses, leitstand_msgs::Checkpoint, leitstand_msgs::Grant,
            leitstand_msgs::StopCommand, leitstand_msgs::Alarm, leitstand_msgs::MapCrop,
-           leitstand_msgs::ScanLinks>();
+           leitstand_msgs::ScanLinks, leitstand_msgs::ScanBodies>();
 
 }  // namespace
 

@@ -1602,6 +1602,10 @@ Die blaue Linie ist der Horizont.</translation>
         <source>a place told from another</source>
         <translation>eine Stelle, die von einer anderen unterschieden wurde</translation>
     </message>
+    <message>
+        <source>the tidied map</source>
+        <translation>die aufgeräumte Karte</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -5381,6 +5385,14 @@ F1 listet alle Tasten</translation>
         <source>Click where %1 stands, drag its heading · right button: not at all</source>
         <translation>Anklicken, wo %1 steht, Richtung ziehen · rechte Taste: abbrechen</translation>
     </message>
+    <message>
+        <source>F&amp;ind the robot in the whole map</source>
+        <translation>Roboter in der ganzen Karte s&amp;uchen</translation>
+    </message>
+    <message>
+        <source>Looks by the newest 3D scan of the selected robot for where it stands, anywhere in the map: for one that was carried or is lost</source>
+        <translation>Sucht mit dem neuesten 3D-Scan des gewählten Roboters, wo er steht, überall in der Karte: für einen, der getragen wurde oder verloren ist</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightFeature</name>
@@ -7531,6 +7543,42 @@ F1 listet alle Tasten</translation>
     <message>
         <source>nothing is asked about the map</source>
         <translation>zur Karte ist nichts gefragt</translation>
+    </message>
+    <message>
+        <source>{}: expected a map of ours, found no key scans</source>
+        <translation>{}: eine Karte von uns erwartet, keine Schlüsselscans gefunden</translation>
+    </message>
+    <message>
+        <source>cancelled: the map is as it was</source>
+        <translation>abgebrochen: die Karte ist, wie sie war</translation>
+    </message>
+    <message>
+        <source>{}: its map was not tidied</source>
+        <translation>{}: die Karte wurde nicht aufgeräumt</translation>
+    </message>
+    <message>
+        <source>{}: expected the mission&apos;s folder</source>
+        <translation>{}: der Ordner der Mission wird erwartet</translation>
+    </message>
+    <message>
+        <source>{}: somebody wrote into it meanwhile; try again</source>
+        <translation>{}: inzwischen hat jemand hineingeschrieben; noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>{}: the tidied map went on since; it stays</source>
+        <translation>{}: die aufgeräumte Karte ging seither weiter; sie bleibt</translation>
+    </message>
+    <message>
+        <source>{} places of the map look like where it is: put it to where it stands</source>
+        <translation>{} Stellen der Karte sehen aus wie dort, wo er ist: ihn dorthin setzen, wo er steht</translation>
+    </message>
+    <message>
+        <source>its newest 3D scan is for sure nowhere in the map: put it to where it stands</source>
+        <translation>sein neuester 3D-Scan passt nirgends sicher in die Karte: ihn dorthin setzen, wo er steht</translation>
+    </message>
+    <message>
+        <source>found in the whole map, where {} % of what it sees fits; its next scan tells whether it stands there</source>
+        <translation>in der ganzen Karte gefunden, wo {} % von dem passen, was er sieht; sein nächster Scan sagt, ob er dort steht</translation>
     </message>
 </context>
 <context>

@@ -1602,6 +1602,10 @@ The blue line is the horizon.</source>
         <source>a place told from another</source>
         <translation>別の場所と判断した場所</translation>
     </message>
+    <message>
+        <source>the tidied map</source>
+        <translation>整えた地図</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
@@ -5381,6 +5385,14 @@ F1 でキー一覧</translation>
         <source>Click where %1 stands, drag its heading · right button: not at all</source>
         <translation>%1 の位置をクリック、ドラッグで向きを指定 · 右ボタン: 中止</translation>
     </message>
+    <message>
+        <source>F&amp;ind the robot in the whole map</source>
+        <translation>ロボットを地図全体から探す(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Looks by the newest 3D scan of the selected robot for where it stands, anywhere in the map: for one that was carried or is lost</source>
+        <translation>選択中のロボットの最新の 3D スキャンで、地図のどこにいるかを探します。運ばれたときや見失ったときに</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightFeature</name>
@@ -7531,6 +7543,42 @@ F1 でキー一覧</translation>
     <message>
         <source>nothing is asked about the map</source>
         <translation>地図についての質問はありません</translation>
+    </message>
+    <message>
+        <source>{}: expected a map of ours, found no key scans</source>
+        <translation>{}: 本ソフトの地図が必要ですが、キースキャンがありません</translation>
+    </message>
+    <message>
+        <source>cancelled: the map is as it was</source>
+        <translation>中止しました: 地図は元のままです</translation>
+    </message>
+    <message>
+        <source>{}: its map was not tidied</source>
+        <translation>{}: 地図は整えられていません</translation>
+    </message>
+    <message>
+        <source>{}: expected the mission&apos;s folder</source>
+        <translation>{}: ミッションのフォルダが必要です</translation>
+    </message>
+    <message>
+        <source>{}: somebody wrote into it meanwhile; try again</source>
+        <translation>{}: その間に書き込みがありました。もう一度実行してください</translation>
+    </message>
+    <message>
+        <source>{}: the tidied map went on since; it stays</source>
+        <translation>{}: 整えた地図はその後変わったため、そのままです</translation>
+    </message>
+    <message>
+        <source>{} places of the map look like where it is: put it to where it stands</source>
+        <translation>地図の {} か所が似ています: 実際の位置に置いてください</translation>
+    </message>
+    <message>
+        <source>its newest 3D scan is for sure nowhere in the map: put it to where it stands</source>
+        <translation>最新の 3D スキャンが確実に合う場所が地図にありません: 実際の位置に置いてください</translation>
+    </message>
+    <message>
+        <source>found in the whole map, where {} % of what it sees fits; its next scan tells whether it stands there</source>
+        <translation>地図全体から発見。見えているものの {} % が合います。次のスキャンで確認します</translation>
     </message>
 </context>
 <context>

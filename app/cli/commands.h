@@ -30,6 +30,8 @@ void addReport(CLI::App& app, int& exitCode);
 void addExport(CLI::App& app, int& exitCode);
 /// `thin`: writes a small copy of a mission.
 void addThin(CLI::App& app, int& exitCode);
+/// `tidy`: relaxes the map of a mission.
+void addTidy(CLI::App& app, int& exitCode);
 /// `probe`: tells who is on a domain and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 

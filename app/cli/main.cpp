@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     leitstand::cli::addReport(app, exitCode);
     leitstand::cli::addExport(app, exitCode);
     leitstand::cli::addThin(app, exitCode);
+    leitstand::cli::addTidy(app, exitCode);
     leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);

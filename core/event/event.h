@@ -28,7 +28,7 @@ using Sample =
                  ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
                  KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
                  CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
-                 MapCropSample, ScanLinksSample>;
+                 MapCropSample, ScanLinksSample, ScanBodiesSample>;
 
 /// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
 struct Event {

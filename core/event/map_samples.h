@@ -76,6 +76,32 @@ struct MapCropSample {
     double ceiling = std::numeric_limits<double>::infinity();  ///< what is higher stays out, map frame [m]
 };
 
+/// Where another robot was, or may have been, at a moment of a key scan.
+struct BodyInScan {
+    std::string robot;
+    std::vector<Eigen::Vector2d> footprint;  ///< of that robot, its base frame, counter-clockwise [m]
+    double height = 0.0;                     ///< of that robot [m]
+    Pose baseInScan = Pose::Identity();      ///< in the frame of the scan's points
+    double margin = 0.0;                     ///< it may be so far from there [m]
+    friend bool operator==(const BodyInScan& a, const BodyInScan& b) {
+        return a.robot == b.robot && a.footprint == b.footprint && a.height == b.height &&
+               a.baseInScan.matrix() == b.baseInScan.matrix() && a.margin == b.margin;
+    }
+};
+
+/// Other robots that a key scan has points of, which do not belong into the map.
+struct BodiesOfScan {
+    std::uint64_t scan = 0;          ///< KeyScanSample::id
+    std::vector<BodyInScan> bodies;  ///< all that are known; empty: none after all
+};
+
+/// In place of what was known of these scans before: a robot may be placed long after it was scanned.
+struct ScanBodiesSample {
+    Time stamp{};  ///< station's clock
+    std::string station;
+    std::vector<BodiesOfScan> scans;
+};
+
 /// Where a robot was placed in the map that another one's scans made, and how its laser keeps it there.
 struct RobotPlaceSample {
     enum class Cause : std::uint8_t {

@@ -15,6 +15,7 @@ inline constexpr std::string_view Candidates = "/leitstand/candidates";       //
 inline constexpr std::string_view KeyScans = "/leitstand/key_scans";          ///< KeyScan
 inline constexpr std::string_view ScanPoses = "/leitstand/scan_poses";        ///< ScanPoses
 inline constexpr std::string_view ScanLinks = "/leitstand/scan_links";        ///< ScanLinks
+inline constexpr std::string_view ScanBodies = "/leitstand/scan_bodies";      ///< ScanBodies
 inline constexpr std::string_view MapCrop = "/leitstand/map_crop";            ///< MapCrop
 inline constexpr std::string_view RobotPlaces = "/leitstand/robot_places";    ///< RobotPlace
 inline constexpr std::string_view Clock = "/leitstand/clock";                 ///< MissionClock

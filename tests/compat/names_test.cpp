@@ -113,6 +113,7 @@ TEST_F(CompatNames, JsonOfFilesHasItsKeys) {
     writeDrive(m_folder / "drive", 2);
     addKeys("info ", ctl({"info", "--json", m_mission.string()}), names);
     addKeys("register ", ctl({"register", "--json", (m_folder / "drive").string()}), names);
+    addKeys("register ", ctl({"register", "--close-loops", "--json", (m_folder / "drive").string()}), names);
     addKeys("export ",
             ctl({"export", "--json", m_mission.string(), "--out", (m_folder / "map.xyz").string()}), names);
     addKeys("report ",

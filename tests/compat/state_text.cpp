@@ -114,6 +114,16 @@ void put(const Lines& to, const Link& link) {
 void put(const Lines& to, const ScanLinksSample& links) {
     to("stamp", links.stamp), to("station", links.station), to("links", links.links);
 }
+void put(const Lines& to, const BodyInScan& body) {
+    to("robot", body.robot), to("footprint", body.footprint), to("height", body.height),
+        to("baseInScan", body.baseInScan), to("margin", body.margin);
+}
+void put(const Lines& to, const BodiesOfScan& bodies) {
+    to("scan", bodies.scan), to("bodies", bodies.bodies);
+}
+void put(const Lines& to, const ScanBodiesSample& bodies) {
+    to("stamp", bodies.stamp), to("station", bodies.station), to("scans", bodies.scans);
+}
 void put(const Lines& to, const KeyScanEntry& scan) {
     to("id", scan.id), to("robot", scan.robot), to("stamp", scan.stamp),
         to("sensorInBase", scan.sensorInBase);

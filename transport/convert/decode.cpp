@@ -72,6 +72,7 @@ const std::vector<Entry>& entries() {
         entry<leitstand_msgs::KeyScan>(),
         entry<leitstand_msgs::ScanPoses>(),
         entry<leitstand_msgs::ScanLinks>(),
+        entry<leitstand_msgs::ScanBodies>(),
         entry<leitstand_msgs::MapCrop>(),
         entry<leitstand_msgs::RobotPlace>(),
         entry<leitstand_msgs::MissionClock>(),

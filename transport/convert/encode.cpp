@@ -89,6 +89,7 @@ const std::vector<Entry>& entries() {
         entry<KeyScanSample, leitstand_msgs::KeyScan>(),
         entry<ScanPosesSample, leitstand_msgs::ScanPoses>(),
         entry<ScanLinksSample, leitstand_msgs::ScanLinks>(),
+        entry<ScanBodiesSample, leitstand_msgs::ScanBodies>(),
         entry<MapCropSample, leitstand_msgs::MapCrop>(),
         entry<RobotPlaceSample, leitstand_msgs::RobotPlace>(),
         entry<ClockSample, leitstand_msgs::MissionClock>(),

@@ -12,7 +12,7 @@ struct StationType {
     std::string_view topic, type;
     bool shared = false;  ///< said by MissionSharing, and taken from others
 };
-inline constexpr std::array<StationType, 12> StationTypes = {{
+inline constexpr std::array<StationType, 13> StationTypes = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},
     {station_topic::Victims, "leitstand_msgs/msg/Victim", true},
     {station_topic::Candidates, "leitstand_msgs/msg/Candidate", true},
@@ -20,6 +20,7 @@ inline constexpr std::array<StationType, 12> StationTypes = {{
     {station_topic::KeyScans, "leitstand_msgs/msg/KeyScan", true},
     {station_topic::ScanPoses, "leitstand_msgs/msg/ScanPoses", true},
     {station_topic::ScanLinks, "leitstand_msgs/msg/ScanLinks", true},
+    {station_topic::ScanBodies, "leitstand_msgs/msg/ScanBodies", true},
     {station_topic::MapCrop, "leitstand_msgs/msg/MapCrop", true},
     {station_topic::RobotPlaces, "leitstand_msgs/msg/RobotPlace", true},
     {station_topic::Clock, "leitstand_msgs/msg/MissionClock", true},

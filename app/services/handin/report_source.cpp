@@ -89,7 +89,7 @@ void ReportSource::readState() {
 
 void ReportSource::readKeyScans(const Progress& progress) {
     const auto& known = *m_input.state.keyScans;
-    const auto crop = cropOf(m_input.state);
+    const MapCrop crop = cropOf(m_input.state).value_or(MapCrop{});
     for (KeyScanSample& sample : keyScansOf(*m_bag)) {
         m_hasKeyScans = true;
         const auto state = known.find(sample.id);
@@ -99,8 +99,12 @@ void ReportSource::readKeyScans(const Progress& progress) {
             continue;
         }
         ScanPtr scan = std::move(sample.scan);
-        // Spectators may have been scanned before the area was drawn.
-        if (crop) scan = insideCrop(scan, *crop, state->second.pose.scanInMap);
+        // Spectators may have been scanned before the area was drawn, other robots before they were placed.
+        const auto bodies = m_input.state.bodies->find(sample.id);
+        std::vector<PlacedBody> others;
+        if (bodies != m_input.state.bodies->end())
+            others = placed(bodies->second, state->second.pose.scanInMap);
+        scan = insideCrop(scan, crop, state->second.pose.scanInMap, others);
         m_input.scans.push_back({.id = sample.id,
                                  .scan = std::move(scan),
                                  .scanInMap = state->second.pose.scanInMap,

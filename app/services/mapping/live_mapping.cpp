@@ -58,6 +58,15 @@ LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSetting
     return settings;
 }
 
+void restore(LiveMapper& mapper, const EarlierMap& earlier) {
+    for (const KeyScanSample& scan : earlier.scans) mapper.restore(scan);
+    if (earlier.scans.empty()) return;
+    for (const ScanLinksSample& links : earlier.links) mapper.restore(links);
+    mapper.followLoops(earlier.loops);
+    mapper.follow(earlier.poses);
+    for (const auto& [scan, bodies] : earlier.bodies) mapper.leaveOut(scan, bodies);
+}
+
 LiveMapping::Robot::Robot(const RobotDescription& description, const std::string& station)
     : poses(description), tracker(description.name), laser(tracker, station) {
     // They know the motion before the first slice.
@@ -71,16 +80,14 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
                          const EarlierMap& earlier)
     : m_descriptions(robots),
       m_listener(std::move(listener)),
-      m_mapper(station, settingsOf(robots, settings)) {
+      m_settings(settingsOf(robots, settings)),
+      m_mapper(station, m_settings) {
     for (const RobotDescription& robot : m_descriptions) {
         m_robots.try_emplace(robot.name, robot, station).first->second.laser.setCrop(settings.crop);
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
     }
-    for (const KeyScanSample& scan : earlier.scans) m_mapper.restore(scan);
+    restore(m_mapper, earlier);
     if (!earlier.scans.empty()) {
-        for (const ScanLinksSample& links : earlier.links) m_mapper.restore(links);
-        m_mapper.followLoops(earlier.loops);
-        m_mapper.follow(earlier.poses);
         if (earlier.shared) m_mapper.beginBlock();
         for (auto& [name, robot] : m_robots) {
             const auto place = earlier.places.find(name);
@@ -188,6 +195,8 @@ void LiveMapping::registerDone(Time now) {
                 const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now, bodiesIn(*scan.scan));
                 if (update.ready) matched(name, now);
+                if (update.ready)
+                    robot.newest = std::make_shared<const SeenScan>(SeenScan{scan, update.ready});
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
@@ -278,7 +287,7 @@ void LiveMapping::run(const std::stop_token& stop) {
         }
         registerDone(stationTime());
         solveLoops();
-        if (leaveOutPlaced()) tellMap();
+        if (leaveOutPlaced(stationTime())) tellMap();
         tellRobots();
     }
 }

@@ -22,6 +22,7 @@
 #include "core/mapping/map.h"
 #include "core/mapping/motion/scan_cutter.h"
 #include "core/mapping/placement/laser_robot.h"
+#include "core/mapping/relocalisation/relocaliser.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
@@ -32,6 +33,10 @@ struct LiveMappingListener {
         {};                                               ///< likewise, of robots that do not make the map
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
     std::function<void(const Settled&)> onSettled = {};   ///< likewise, after a loop closed or was taken back
+    /// Likewise, without a station: other robots in a scan that entered before they were placed.
+    std::function<void(ScanBodiesSample)> onBodies = {};
+    /// A robot was looked for in the whole map in vain: so many places look as what it sees, or none.
+    std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
     std::function<bool()> makesMap = {};                ///< whether scans stand where we say; empty: they do
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };
@@ -44,7 +49,11 @@ struct EarlierMap {
     bool shared = false;                                  ///< another station had a part in it
     std::vector<ScanLinksSample> links = {};              ///< between the scans, as they were said
     std::vector<Link> loops = {};                         ///< of those, what closes loops, as it is now
+    std::map<std::uint64_t, std::vector<BodyInScan>> bodies = {};  ///< of other robots, by scan
 };
+
+/// Gives @p mapper, which is empty, the map that @p earlier has; not where robots are in it.
+void restore(LiveMapper& mapper, const EarlierMap& earlier);
 
 /// @p settings as the files of @p robots want them.
 [[nodiscard]] LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings);
@@ -69,26 +78,38 @@ public:
     /// What another station, which makes the map, added to it, and where its scans and robots are now.
     void adopt(const KeyScanSample& keyScan);
     void adopt(const ScanLinksSample& links);
+    void adopt(const ScanBodiesSample& bodies);
     void follow(std::vector<ScanPose> poses);
     void follow(const RobotPlaceSample& place);
     /// A 3D scan of @p robot came in, which another station lays onto the map.
     void heard(const std::string& robot, Time received);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
+    /// Looks for @p robot, by name one of ours, in the whole map, by its newest 3D scan; on a thread beside.
+    void lookFor(const std::string& robot);
     /// Where the robots are; never null.
     [[nodiscard]] RobotsInMapPtr robots() const;
 
 private:
+    /// A scan as it came, and as it would enter the map.
+    struct SeenScan {
+        LiveScan live;
+        ScanPtr ready;
+    };
     struct Robot {
         Robot(const RobotDescription& description, const std::string& station);
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
         RobotTracker tracker;
-        LaserRobot laser;                  ///< corrects the tracker while no 3D scan of its own does
-        std::chrono::nanoseconds ahead{};  ///< its clock, of the station's
-        std::optional<Time> matched;       ///< RobotInMap::matched
-        std::optional<RobotFix> followed;  ///< that the tracker was corrected by last
-        bool certain = false;              ///< its place was, when scans were looked through for it last
+        LaserRobot laser;                        ///< corrects the tracker while no 3D scan of its own does
+        std::chrono::nanoseconds ahead{};        ///< its clock, of the station's
+        std::optional<Time> matched;             ///< RobotInMap::matched
+        std::optional<RobotFix> followed;        ///< that the tracker was corrected by last
+        std::shared_ptr<const SeenScan> newest;  ///< its newest scan
+        std::uint64_t put = 0;                   ///< how often somebody said where it stands
+        bool certain = false;                    ///< its place is
+        std::optional<Time> wasSure;             ///< when it was last, station's clock; empty: never
+        std::optional<Pose> wasSureBy;           ///< where its odometry lay in the map then
     };
     using Task = std::function<void(LiveMapper&)>;
     using Work = std::variant<Event, Task>;
@@ -107,11 +128,19 @@ private:
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
+    /// It was looked for, with @p scan, in @p map: goes on from where it was found.
+    void lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
+                   const Relocalisation& found);
     void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
-    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan) const;
-    /// A robot's place became certain: it is left out of what was scanned before, as far back as its odometry
-    /// tells where it was. Whether the map has changed.
-    bool leaveOutPlaced();
+    /// Robots that @p scan, of another one, may have points of; of robot @p only where it is named.
+    [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan, const std::string& only = {}) const;
+    /// A robot whose place became certain is left out of what was scanned while it was not, as far back as
+    /// its odometry tells where it was. Whether the map has changed.
+    bool leaveOutPlaced(Time now);
+    /// ... robot @p name, out of what entered @p since (station's clock; empty: ever); adds to @p found what
+    /// is left out of those scans now.
+    void leaveOut(const std::string& name, const std::optional<Time>& since,
+                  std::map<std::uint64_t, std::vector<BodyInScan>>& found);
     [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
     void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();
@@ -121,6 +150,7 @@ private:
 
     const std::vector<RobotDescription> m_descriptions;
     const LiveMappingListener m_listener;
+    const LiveSettings m_settings;
     LiveMapper m_mapper;                    ///< of the thread, as the robots
     LiveMapPtr m_map;                       ///< newest; likewise, null before there is one
     std::map<std::string, Robot> m_robots;  ///< fixed

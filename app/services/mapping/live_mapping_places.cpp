@@ -4,13 +4,24 @@
 
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
+#include "app/services/places/mission_map.h"
 #include "core/mapping/sighting/other_bodies.h"
 #include "core/mapping/sighting/seen_bodies.h"
 
 namespace leitstand {
 namespace {
 
-constexpr double AboutARobot = 0.1;  ///< so much about its corners may be of a robot, too [m]
+constexpr double AboutARobot = 0.1;      ///< so much about its corners may be of a robot, too [m]
+constexpr std::size_t MostBodies = 500;  ///< in a scan
+constexpr double Jumped = 0.5,
+                 JumpedAngle = degrees(15);  ///< more than odometry errs between two fixes [m], [rad]
+
+/// Whether a robot at @p baseInMap, whose odometry lies at @p after in the map, is elsewhere than @p before
+/// had it.
+bool jumped(const Pose& before, const Pose& after, const Pose& baseInMap) {
+    const Pose was = before * after.inverse() * baseInMap;
+    return distanceBetween(was, baseInMap) > Jumped || angleBetween(was, baseInMap) > JumpedAngle;
+}
 
 }  // namespace
 
@@ -28,12 +39,12 @@ std::vector<Disc> LiveMapping::othersThan(const Robot& robot, bool certain) cons
     return others;
 }
 
-std::vector<PlacedBody> LiveMapping::bodiesIn(const Scan& scan) const {
+std::vector<PlacedBody> LiveMapping::bodiesIn(const Scan& scan, const std::string& only) const {
     std::vector<PlacedBody> bodies;
     const Robot& seeing = m_robots.at(scan.robot);
     for (const RobotDescription& description : m_descriptions) {
         const Robot& other = m_robots.at(description.name);
-        if (&other == &seeing) continue;
+        if (&other == &seeing || (!only.empty() && description.name != only)) continue;
         const auto later = other.ahead - seeing.ahead;
         addBodies(bodies, other.tracker, {description.footprint, description.height}, scan.start + later,
                   scan.end + later);
@@ -41,21 +52,87 @@ std::vector<PlacedBody> LiveMapping::bodiesIn(const Scan& scan) const {
     return bodies;
 }
 
-bool LiveMapping::leaveOutPlaced() {
-    bool becameCertain = false;
+bool LiveMapping::leaveOutPlaced(Time now) {
+    const bool ours = !m_listener.makesMap || m_listener.makesMap();  // else who makes it says so
+    std::map<std::uint64_t, std::vector<BodyInScan>> found;
     for (auto& [name, robot] : m_robots) {
         const bool certain = robot.tracker.now().certain;
-        becameCertain = becameCertain || (certain && !robot.certain);
+        const auto& odomInMap = robot.tracker.odomInMap();
+        if (certain && !robot.certain && ours && m_map) {
+            // One whose laser alone told where it is, and that stands somewhere else than its odometry had
+            // it, was not where it was taken for; one with scans of its own was carried.
+            const bool goesOn =
+                robot.wasSure && odomInMap && robot.wasSureBy &&
+                (m_mapper.fix(name) || !jumped(*robot.wasSureBy, *odomInMap, robot.tracker.now().baseInMap));
+            leaveOut(name, goesOn ? robot.wasSure : std::nullopt, found);
+        }
         robot.certain = certain;
+        if (!certain) continue;
+        robot.wasSure = now;
+        robot.wasSureBy = odomInMap;
     }
-    if (!becameCertain || !m_map) return false;
-    bool changed = false;
+    if (found.empty()) return false;
+    if (m_listener.onBodies) {
+        for (ScanBodiesSample& sample : inSamples(std::move(found), now))
+            m_listener.onBodies(std::move(sample));
+    }
+    return true;
+}
+
+void LiveMapping::leaveOut(const std::string& name, const std::optional<Time>& since,
+                           std::map<std::uint64_t, std::vector<BodyInScan>>& found) {
     for (const LiveKeyScan& one : m_map->scans) {
-        if (one.odometryFrame < 0 || !m_robots.contains(one.scan->robot)) continue;
-        std::vector<PlacedBody> bodies = bodiesIn(*one.scan);
-        if (!bodies.empty() && m_mapper.leaveOut(one.id, std::move(bodies))) changed = true;
+        const bool ofThisRun = one.odometryFrame >= 0 && m_robots.contains(one.scan->robot);
+        if (!ofThisRun || one.scan->robot == name || (since && one.entered < *since)) continue;
+        const auto here = inScan(name, bodiesIn(*one.scan, name), one.pose.scanInMap);
+        std::vector<BodyInScan> bodies = m_mapper.bodiesIn(one.id);
+        if (here.empty() || bodies.size() + here.size() > MostBodies) continue;
+        bodies.insert(bodies.end(), here.begin(), here.end());  // beside where it may have been as well
+        if (m_mapper.leaveOut(one.id, bodies)) found[one.id] = std::move(bodies);
     }
-    return changed;
+}
+
+void LiveMapping::lookFor(const std::string& name) {
+    post([this, name](LiveMapper&) {
+        Robot& robot = m_robots.at(name);
+        const std::uint64_t put = ++robot.put;
+        if (!robot.newest || !m_map) {
+            if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
+            return;
+        }
+        m_solving.submit([this, name, put, scan = robot.newest, map = m_map](const std::stop_token& stop) {
+            const Progress progress{{}, stop};
+            const Relocaliser relocaliser(map, m_settings, {}, progress);
+            const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
+                                                scan->live.up, progress);
+            if (stop.stop_requested()) return;
+            post([this, name, put, scan, map, found](LiveMapper&) {
+                if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found);
+            });
+        });
+    });
+}
+
+void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
+                            const Relocalisation& found) {
+    if (m_listener.makesMap && !m_listener.makesMap()) return;
+    if (!found.sure) {
+        if (m_listener.onLookedFor) m_listener.onLookedFor(name, found.places.size());
+        return;
+    }
+    Robot& robot = m_robots.at(name);
+    const AlikePlace& place = found.places.front();
+    const Pose baseThen = place.scanInMap * scan.live.sensorInBase.inverse();
+    // The map may have moved meanwhile, and the robot by its odometry.
+    const Pose then = MovedPlaces(*map, *m_map).at(baseThen.translation()) * baseThen;
+    const Time end = scan.live.scan->end;
+    const auto fix = m_mapper.fix(name);
+    const Time newest = fix ? fix->stamp : end;
+    const MotionBuffer& motion = robot.tracker.motion();
+    const auto before = motion.at(end), here = motion.at(newest);
+    const bool goesOn = before && here && motion.frameAt(end) == motion.frameAt(newest);
+    m_mapper.place(name, goesOn ? then * before->baseInOdom.inverse() * here->baseInOdom : then);
+    tellPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
 }
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {
@@ -113,6 +190,12 @@ void LiveMapping::adopt(const ScanLinksSample& links) {
     post([links](LiveMapper& mapper) { mapper.restore(links); });
 }
 
+void LiveMapping::adopt(const ScanBodiesSample& bodies) {
+    post([bodies](LiveMapper& mapper) {
+        for (const BodiesOfScan& one : bodies.scans) mapper.leaveOut(one.scan, one.bodies);
+    });
+}
+
 void LiveMapping::heard(const std::string& robot, Time received) {
     const std::lock_guard lock(m_mutex);
     m_heard[robot] = received;
@@ -138,6 +221,7 @@ void LiveMapping::follow(const RobotPlaceSample& place) {
 void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
     post([this, name, baseInMap](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);
+        ++robot.put;
         if (const auto fix = mapper.fix(name)) {
             mapper.place(name, baseInMap);
             return tellPlace(robot.laser.putUntilScan(baseInMap, fix->stamp, stationTime()));

@@ -1,8 +1,11 @@
 #include "app/services/places/mission_map.h"
 
 #include <map>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <variant>
 
 #include "core/event/station_topics.h"
@@ -11,49 +14,75 @@
 
 namespace leitstand {
 
+namespace {
+
+/// Gives @p take what @p bag has on @p topic of the stations, in order; what makes no sense is passed over.
+template <class Kind, class Take>
+void read(BagReader& bag, std::string_view topic, const Take& take) {
+    BagQuery query;
+    query.topics = {std::string(topic)};
+    BagCursor cursor = bag.read(query);
+    while (const auto raw = cursor.next()) {
+        auto event = decodeStationEvent(*raw);
+        if (!event) continue;
+        if (auto* sample = std::get_if<Kind>(&event->sample)) take(std::move(*sample));
+    }
+}
+
+/// The log of the mission @p folder; null where there is no mission yet, or none that can be read, of which
+/// LiveMission tells.
+std::unique_ptr<BagReader> bagOf(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored)) return nullptr;
+    auto bag = BagReader::open(folder);
+    return bag ? std::move(bag).value() : nullptr;
+}
+
+}  // namespace
+
 std::vector<KeyScanSample> keyScansOf(BagReader& bag) {
     std::vector<KeyScanSample> scans;
     std::map<std::uint64_t, std::size_t> places;  // by id
-    BagQuery query;
-    query.topics = {std::string(station_topic::KeyScans)};
-    BagCursor cursor = bag.read(query);
-    while (const auto raw = cursor.next()) {
-        const auto event = decodeStationEvent(*raw);
-        if (!event) continue;
-        const auto* scan = std::get_if<KeyScanSample>(&event->sample);
-        if (scan == nullptr) continue;
+    read<KeyScanSample>(bag, station_topic::KeyScans, [&](KeyScanSample scan) {
         // The newest of a number counts, as in the fold.
-        const auto [at, fresh] = places.try_emplace(scan->id, scans.size());
+        const auto [at, fresh] = places.try_emplace(scan.id, scans.size());
         if (fresh)
-            scans.push_back(*scan);
+            scans.push_back(std::move(scan));
         else
-            scans[at->second] = *scan;
-    }
+            scans[at->second] = std::move(scan);
+    });
     return scans;
 }
 
 std::vector<KeyScanSample> keyScansOf(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder, ignored)) return {};
-    const auto bag = BagReader::open(folder);
-    return bag ? keyScansOf(**bag) : std::vector<KeyScanSample>();  // LiveMission says why
+    const auto bag = bagOf(folder);
+    return bag ? keyScansOf(*bag) : std::vector<KeyScanSample>();
 }
 
 std::vector<ScanLinksSample> scanLinksOf(const std::filesystem::path& folder) {
     std::vector<ScanLinksSample> links;
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder, ignored)) return links;
-    const auto bag = BagReader::open(folder);
-    if (!bag) return links;  // LiveMission says why
-    BagQuery query;
-    query.topics = {std::string(station_topic::ScanLinks)};
-    BagCursor cursor = (*bag)->read(query);
-    while (const auto raw = cursor.next()) {
-        auto event = decodeStationEvent(*raw);
-        if (!event) continue;
-        if (auto* sample = std::get_if<ScanLinksSample>(&event->sample)) links.push_back(std::move(*sample));
+    if (const auto bag = bagOf(folder)) {
+        read<ScanLinksSample>(*bag, station_topic::ScanLinks,
+                              [&](ScanLinksSample sample) { links.push_back(std::move(sample)); });
     }
     return links;
+}
+
+std::vector<ScanBodiesSample> inSamples(std::map<std::uint64_t, std::vector<BodyInScan>> bodies, Time now) {
+    constexpr std::size_t MostBodies = 1'000, MostScans = 200;
+    std::vector<ScanBodiesSample> samples;
+    std::size_t held = 0;
+    for (auto& [scan, known] : bodies) {
+        const bool full = !samples.empty() &&
+                          (held + known.size() > MostBodies || samples.back().scans.size() >= MostScans);
+        if (samples.empty() || full) {
+            samples.push_back({now, {}, {}});
+            held = 0;
+        }
+        held += known.size();
+        samples.back().scans.push_back({scan, std::move(known)});
+    }
+    return samples;
 }
 
 std::vector<ScanPose> posesOf(const MissionState& mission) {

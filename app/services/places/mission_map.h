@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/event/map_samples.h"
@@ -13,6 +15,9 @@ namespace leitstand {
 
 class BagReader;
 
+/// Who says what a tidying of the map says: no station, so that nobody takes it back who did not ask for it.
+inline constexpr std::string_view TidyingStation = "tidying";
+
 /// Key scans that @p bag holds, the newest of each number.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);
 /// Key scans in the log of the mission @p folder; none where there is no mission yet.
@@ -20,6 +25,10 @@ class BagReader;
 
 /// What the key scans of the mission @p folder were registered against, as it was said.
 [[nodiscard]] std::vector<ScanLinksSample> scanLinksOf(const std::filesystem::path& folder);
+
+/// What is known of other robots in key scans, in samples of a size that is sent at once; without a station.
+[[nodiscard]] std::vector<ScanBodiesSample> inSamples(std::map<std::uint64_t, std::vector<BodyInScan>> bodies,
+                                                      Time now);
 
 /// Where the key scans of @p mission are now.
 [[nodiscard]] std::vector<ScanPose> posesOf(const MissionState& mission);

@@ -78,6 +78,8 @@ LiveMapPtr scansOf(const MissionState& state, const ReviewIndex& index, CroppedS
         scan.pose = kept.pose;
         scan.matched = kept.entry.matched;
         scan.entered = kept.entry.stamp;
+        const auto bodies = state.bodies->find(id);
+        cropped.setBodies(id, bodies != state.bodies->end() ? bodies->second : std::vector<BodyInScan>());
         cropped.fit(scan);
         map->scans.push_back(std::move(scan));
     }
@@ -145,8 +147,8 @@ void ReviewScene::showMap(const MissionState& state) {
     const auto saidCrop = [](const MissionState& mission) {
         return mission.crop ? mission.crop->sequence : 0;
     };
-    const bool same =
-        m_map && &*m_mapped.keyScans == &*state.keyScans && saidCrop(m_mapped) == saidCrop(state);
+    const bool same = m_map && &*m_mapped.keyScans == &*state.keyScans &&
+                      &*m_mapped.bodies == &*state.bodies && saidCrop(m_mapped) == saidCrop(state);
     if (same) return;
     m_mapped = state;  // keeps the scans that the comparison is with
     m_scans = scansOf(state, m_index, m_cropped);

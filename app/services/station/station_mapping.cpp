@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -78,6 +79,7 @@ struct StationMapping::State {
     [[nodiscard]] Result<void> known(std::uint64_t scan) const;
     [[nodiscard]] Result<void> granted() const;
     void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
+    [[nodiscard]] Result<void> placeable(const std::string& robot) const;
     [[nodiscard]] Result<void> takeBack(Undoing undoing, const std::string& nothing);
 };
 
@@ -145,7 +147,8 @@ void StationMapping::State::log(const RobotPlaceSample& place) {
     if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
     using Cause = RobotPlaceSample::Cause;
     const std::string how = placement_says::inWindowsLanguage(place.how);
-    if (place.how == placement_says::PutUntilScan)
+    if (place.how == placement_says::PutUntilScan ||
+        place.how == fmt::format(placement_says::FoundByScan, std::lround(100.0 * place.overlap)))
         return tell(fmt::format("{}: {}", titleOf(place.robot), how));
     const std::string what =
         place.cause == Cause::Tracked
@@ -191,6 +194,10 @@ void StationMapping::State::hear(const Event& event) {
     if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) return hear(*scan);
     if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
         if (place->station != station) mapping->follow(*place);
+        return;
+    }
+    if (const auto* bodies = std::get_if<ScanBodiesSample>(&event.sample)) {
+        if (bodies->station != station) mapping->adopt(*bodies);
         return;
     }
     const auto* links = std::get_if<ScanLinksSample>(&event.sample);
@@ -291,6 +298,22 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
     listening.onSettled = [&state](const Settled& settled) { state.log(settled); };
+    listening.onBodies = [&state](ScanBodiesSample bodies) {
+        bodies.station = state.station;
+        if (const auto kept = state.mission.say(bodies, station_topic::ScanBodies); !kept)
+            state.tell(kept.error().text);
+    };
+    listening.onLookedFor = [&state](const std::string& robot, std::size_t alike) {
+        const std::string what =
+            alike > 1
+                ? leitstand::fill(translate("leitstand::Station",
+                                            "{} places of the map look like where it is: put it to where it "
+                                            "stands"),
+                                  alike)
+                : translate("leitstand::Station",
+                            "its newest 3D scan is for sure nowhere in the map: put it to where it stands");
+        state.tell(fmt::format("{}: {}", state.titleOf(robot), what));
+    };
     listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
@@ -298,10 +321,11 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     EarlierMap earlier{std::move(setup.earlier), posesOf(*before)};
     earlier.links = std::move(setup.earlierLinks);
     earlier.loops = loopsOf(*before);
+    earlier.bodies = *before->bodies;
     earlier.shared =
         std::any_of(before->decisions->begin(), before->decisions->end(), [&](const Decision& one) {
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
-            return poses != nullptr && poses->station != setup.station;
+            return poses != nullptr && poses->station != setup.station && poses->station != TidyingStation;
         });
     for (const auto& [name, robot] : before->robots) {
         // One that was looked for in vain is nowhere: its place was a guess.
@@ -425,14 +449,26 @@ MapCrop StationMapping::crop() const {
     return m_state->crop;
 }
 
-Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
-    if (auto may = m_state->granted(); !may) return may;
-    if (!m_state->titles.contains(robot))
+Result<void> StationMapping::State::placeable(const std::string& robot) const {
+    if (auto may = granted(); !may) return may;
+    if (!titles.contains(robot))
         return Error{leitstand::fill(
             translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
-    if (scans()->scans.empty())
+    const std::lock_guard lock(mutex);
+    if (scans->scans.empty())
         return Error{translate("leitstand::Station", "there is no map yet to put a robot into")};
+    return {};
+}
+
+Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
+    if (auto may = m_state->placeable(robot); !may) return may;
     m_state->mapping->place(robot, baseInMap);
+    return {};
+}
+
+Result<void> StationMapping::lookFor(const std::string& robot) {
+    if (auto may = m_state->placeable(robot); !may) return may;
+    m_state->mapping->lookFor(robot);
     return {};
 }
 

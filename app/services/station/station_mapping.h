@@ -83,6 +83,9 @@ public:
     /// scan, is looked for about there. Without that it is placed by itself beside the robot that makes the
     /// map. What came of it shows in robots() and is told as a message.
     Result<void> place(const std::string& robot, const Pose& baseInMap);
+    /// Looks for a robot in the whole map by its newest 3D scan, and puts it to where it is found: its next
+    /// scan tells whether it stands there. The listener is told what came of it.
+    Result<void> lookFor(const std::string& robot);
 
     [[nodiscard]] LiveMapPtr scans() const;       ///< never null
     [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null

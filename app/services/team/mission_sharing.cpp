@@ -246,6 +246,10 @@ void MissionSharing::tellMap(const MissionState& mission) {
               station_topic::ScanPoses);
     if (std::vector<Link> loops = loopsOf(mission); !loops.empty())
         write(ScanLinksSample{now, m_setup.station, std::move(loops)}, station_topic::ScanLinks);
+    for (ScanBodiesSample& bodies : inSamples(*mission.bodies, now)) {
+        bodies.station = m_setup.station;
+        write(bodies, station_topic::ScanBodies);
+    }
     if (mission.crop) {
         MapCropSample crop = mission.crop->sample;
         crop.station = m_setup.station;

@@ -19,8 +19,9 @@ constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whate
 /// Whether it lies in the map of whom it is from.
 bool isOfMap(const Sample& sample) {
     return std::holds_alternative<KeyScanSample>(sample) || std::holds_alternative<ScanPosesSample>(sample) ||
-           std::holds_alternative<ScanLinksSample>(sample) || std::holds_alternative<MapCropSample>(sample) ||
-           std::holds_alternative<RobotPlaceSample>(sample);
+           std::holds_alternative<ScanLinksSample>(sample) ||
+           std::holds_alternative<ScanBodiesSample>(sample) ||
+           std::holds_alternative<MapCropSample>(sample) || std::holds_alternative<RobotPlaceSample>(sample);
 }
 
 bool isPlacedInMap(const Sample& sample) {
@@ -56,6 +57,8 @@ std::vector<std::uint64_t> scansOf(const Sample& sample) {
         for (const ScanPose& pose : poses->poses) scans.push_back(pose.scan);
     } else if (const auto* links = std::get_if<ScanLinksSample>(&sample)) {
         for (const Link& link : links->links) scans.insert(scans.end(), {link.from, link.to});
+    } else if (const auto* bodies = std::get_if<ScanBodiesSample>(&sample)) {
+        for (const BodiesOfScan& one : bodies->scans) scans.push_back(one.scan);
     }
     return scans;
 }
@@ -121,6 +124,7 @@ bool SharedIntake::wants(const Event& event, Other& other) {
     if (other.map == Map::Other && isPlacedInMap(sample)) return false;
     if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
     if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return wants(*links);
+    if (const auto* bodies = std::get_if<ScanBodiesSample>(&sample)) return wants(*bodies);
     if (const auto* find = std::get_if<VictimSample>(&sample)) return wants(*find);
     if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
     const auto known = knownStamp(*m_setup.mission(), sample);
@@ -131,6 +135,14 @@ bool SharedIntake::wants(const ScanLinksSample& sample) const {
     return std::any_of(sample.links.begin(), sample.links.end(), [this](const Link& link) {
         const auto known = m_links.find(link.id);
         return known == m_links.end() || known->second != link.active;
+    });
+}
+
+bool SharedIntake::wants(const ScanBodiesSample& sample) const {
+    const MissionStatePtr mission = m_setup.mission();
+    return std::any_of(sample.scans.begin(), sample.scans.end(), [&](const BodiesOfScan& one) {
+        const auto known = mission->bodies->find(one.scan);
+        return known == mission->bodies->end() ? !one.bodies.empty() : known->second != one.bodies;
     });
 }
 

@@ -89,6 +89,7 @@ private:
     [[nodiscard]] bool wants(const Event& event, Other& other);
     [[nodiscard]] bool wants(const KeyScanSample& scan, Other& other);
     [[nodiscard]] bool wants(const ScanLinksSample& sample) const;
+    [[nodiscard]] bool wants(const ScanBodiesSample& sample) const;
     [[nodiscard]] bool wants(const VictimSample& find);
     [[nodiscard]] bool wants(const ClockSample& clock) const;
     [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;

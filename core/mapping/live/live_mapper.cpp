@@ -124,15 +124,23 @@ void LiveMapper::setCrop(MapCrop crop) {
     m_state->localStale = true;
 }
 
-bool LiveMapper::leaveOut(std::uint64_t id, std::vector<PlacedBody> others) {
+bool LiveMapper::leaveOut(std::uint64_t id, std::vector<BodyInScan> bodies) {
     LiveKeyScan* const scan = m_state->find(id);
     if (scan == nullptr) return false;
-    const ScanPtr before = scan->scan;
-    m_state->cropped.setOthers(id, std::move(others));
+    const std::vector<BodyInScan> before = m_state->cropped.bodies(id);
+    if (before == bodies) return false;
+    // Also what the area hides now is in the map once that is wider.
+    const ScanPtr whole = scan->kept ? scan->kept->whole() : scan->scan;
+    const std::vector<bool> on = onOthers(whole->points, placed(bodies, Pose::Identity()), Pose::Identity());
+    if (before.empty() && std::find(on.begin(), on.end(), true) == on.end()) return false;
+    m_state->cropped.setBodies(id, std::move(bodies));
     m_state->cropped.fit(*scan, m_state->clouds);
-    const bool changed = scan->scan->points.size() != before->points.size();
-    m_state->localStale = m_state->localStale || changed;
-    return changed;
+    m_state->localStale = true;
+    return true;
+}
+
+std::vector<BodyInScan> LiveMapper::bodiesIn(std::uint64_t id) const {
+    return m_state->cropped.bodies(id);
 }
 
 void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {

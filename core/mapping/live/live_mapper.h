@@ -84,9 +84,12 @@ public:
     /// Of all scans, also those that are in the map: a wider area brings back what an earlier one left out of
     /// them, though not what never came in.
     void setCrop(MapCrop crop);
-    /// It is known now that other robots were at @p others, in the map, while the key scan @p id was taken:
-    /// what of it is on them is left out. Whether something was.
-    bool leaveOut(std::uint64_t id, std::vector<PlacedBody> others);
+    /// It is known now that other robots were where @p bodies say while the key scan @p id was taken: what of
+    /// it is on them is left out, in place of what was left out for other robots before. Whether it has, or
+    /// had, points of them; else nothing is kept.
+    bool leaveOut(std::uint64_t id, std::vector<BodyInScan> bodies);
+    /// Other robots that are left out of the key scan @p id since it entered.
+    [[nodiscard]] std::vector<BodyInScan> bodiesIn(std::uint64_t id) const;
     /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
 

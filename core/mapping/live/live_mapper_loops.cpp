@@ -15,7 +15,9 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     for (const std::uint64_t id : against) {
         if (const LiveKeyScan* const other = find(id)) others.push_back(*other);
     }
-    std::vector<Link> links = loops.add({key, robot.key == 0 ? nullptr : find(robot.key), others, match});
+    // One that was put somewhere may have been carried, of which its odometry knows nothing.
+    const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
+    std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);

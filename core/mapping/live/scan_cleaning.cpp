@@ -140,6 +140,24 @@ std::vector<bool> onOthers(std::span<const Eigen::Vector3f> points, std::span<co
     return found;
 }
 
+std::vector<PlacedBody> placed(std::span<const BodyInScan> bodies, const Pose& scanInMap) {
+    std::vector<PlacedBody> there;
+    there.reserve(bodies.size());
+    for (const BodyInScan& body : bodies)
+        there.push_back({{body.footprint, body.height}, scanInMap * body.baseInScan, body.margin});
+    return there;
+}
+
+std::vector<BodyInScan> inScan(const std::string& robot, std::span<const PlacedBody> bodies,
+                               const Pose& scanInMap) {
+    std::vector<BodyInScan> there;
+    there.reserve(bodies.size());
+    for (const PlacedBody& one : bodies)
+        there.push_back(
+            {robot, one.body.footprint, one.body.height, scanInMap.inverse() * one.baseInMap, one.margin});
+    return there;
+}
+
 void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap) {
     if (others.empty()) return;
     const std::vector<bool> on = onOthers(scan.points, others, scanInMap);

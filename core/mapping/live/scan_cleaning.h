@@ -2,12 +2,14 @@
 
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
 #include "core/cloud/scan.h"
+#include "core/event/map_samples.h"
 
 namespace leitstand {
 
@@ -25,6 +27,12 @@ struct PlacedBody {
     Pose baseInMap = Pose::Identity();
     double margin = Certain;  ///< it may be so far from there; more than Certain: its place is doubted [m]
 };
+
+/// Where the robots of @p bodies are in the map while the scan is at @p scanInMap.
+[[nodiscard]] std::vector<PlacedBody> placed(std::span<const BodyInScan> bodies, const Pose& scanInMap);
+/// @p bodies of @p robot, as a scan at @p scanInMap has them.
+[[nodiscard]] std::vector<BodyInScan> inScan(const std::string& robot, std::span<const PlacedBody> bodies,
+                                             const Pose& scanInMap);
 
 /// What of the world belongs into the map: spectators stand around it.
 struct MapCrop {

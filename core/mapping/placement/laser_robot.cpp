@@ -195,6 +195,15 @@ RobotPlaceSample LaserRobot::putUntilScan(const Pose& baseInMap, Time measured, 
     return sample;
 }
 
+RobotPlaceSample LaserRobot::foundByScan(const Pose& baseInMap, Time measured, double overlap,
+                                         Time now) const {
+    RobotPlaceSample sample = putUntilScan(baseInMap, measured, now);
+    sample.cause = RobotPlaceSample::Cause::FoundAgain;
+    sample.overlap = overlap;  // certain once its next scan fits there
+    sample.how = fmt::format(placement_says::FoundByScan, std::lround(100.0 * overlap));
+    return sample;
+}
+
 void LaserRobot::restore(const RobotPlaceSample& place) {
     m_resumed = place;
     m_tracker.correct({place.measured, place.baseInMap, 0.0, false, placement_says::WhereLeft});

@@ -48,6 +48,10 @@ public:
     /// The same for the log only: the operator put it there, its own next 3D scan tells where it stands.
     /// @p measured: the newest scan's moment, its clock.
     [[nodiscard]] RobotPlaceSample putUntilScan(const Pose& baseInMap, Time measured, Time now) const;
+    /// Likewise, where it was looked for in the whole map: its 3D scan of @p measured fits there and nowhere
+    /// else.
+    [[nodiscard]] RobotPlaceSample foundByScan(const Pose& baseInMap, Time measured, double overlap,
+                                               Time now) const;
     /// What belongs into the map: once it is placed, what its laser sees outside says nothing of where it is.
     void setCrop(MapCrop crop) { m_crop = std::move(crop); }
     /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its

@@ -30,6 +30,9 @@ constexpr auto PutBlindly =
     translatable("leitstand::Station", "put there by the operator; its laser says nothing");
 constexpr auto PutUntilScan =
     translatable("leitstand::Station", "put there by the operator; its next scan tells where it stands");
+constexpr auto FoundByScan = translatable(
+    "leitstand::Station",
+    "found in the whole map, where {} % of what it sees fits; its next scan tells whether it stands there");
 constexpr auto PutBut = translatable("leitstand::Station", "put there by the operator, but {}");
 constexpr auto WhereLeftBut =
     translatable("leitstand::Station", "where it was when the station was left: {}");
@@ -41,9 +44,9 @@ constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry b
 
 /// The most special first.
 inline constexpr auto All = std::to_array<const char*>(
-    {FoundAgain,   PutBut,    WhereLeftBut,  SeenBy,        TooFewPoints, FromGuess,  TooLittle,
-     LittleInMap,  OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere,    AgainstMap, PutBlindly,
-     PutUntilScan, WhereLeft, OdometryAnew,  Because,       InMap,        LaserInMap});
+    {FoundByScan, FoundAgain,   PutBut,    WhereLeftBut,  SeenBy,        TooFewPoints, FromGuess,
+     TooLittle,   LittleInMap,  OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere,    AgainstMap,
+     PutBlindly,  PutUntilScan, WhereLeft, OdometryAnew,  Because,       InMap,        LaserInMap});
 
 /// @p how in the window's language; what is not known stays as it is.
 [[nodiscard]] std::string inWindowsLanguage(const std::string& how);

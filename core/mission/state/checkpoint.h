@@ -13,7 +13,7 @@
 namespace leitstand {
 
 /// CheckpointSample::version of the bytes that this program writes ...
-inline constexpr std::uint32_t CheckpointVersion = 7;
+inline constexpr std::uint32_t CheckpointVersion = 8;
 /// ... and of the oldest that it reads: what was added since stands behind what they have.
 inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 

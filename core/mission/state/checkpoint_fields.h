@@ -194,6 +194,18 @@ void describe(A& a, MapCropSample& v) {
     a(v.stamp, v.station, v.polygon, v.ceiling);
 }
 template <class A>
+void describe(A& a, BodyInScan& v) {
+    a(v.robot, v.footprint, v.height, v.baseInScan, v.margin);
+}
+template <class A>
+void describe(A& a, BodiesOfScan& v) {
+    a(v.scan, v.bodies);
+}
+template <class A>
+void describe(A& a, ScanBodiesSample& v) {
+    a(v.stamp, v.station, v.scans);
+}
+template <class A>
 void describe(A& a, KeyScanEntry& v) {
     a(v.id, v.robot, v.stamp, v.sensorInBase, v.scanInMap, v.sensorInOdom, v.matched, v.points);
 }
@@ -243,7 +255,8 @@ void describe(A& a, SharedValue<T>& v) {
 }
 template <class A>
 void describe(A& a, MissionState& v) {
-    // Victims, key scans, loops, notes and the area of the map follow from the decisions.
+    // Victims, key scans, loops, bodies of robots in scans, notes and the area of the map follow from the
+    // decisions.
     a(v.sequence, v.events, v.first, v.last, v.robots, v.ownTopics, v.decisions, v.grants, v.alarms,
       v.sessions, v.remarks, v.clock, v.candidates, v.info);
 }

@@ -31,6 +31,7 @@ private:
     }
 
     void effect(const Decision& decision, const KeyScanEntry& entry) {
+        if (m_state.bodies->contains(entry.id)) m_state.bodies.edit().erase(entry.id);  // of another scan
         KeyScanState& scan = m_state.keyScans.edit()[entry.id];
         scan.sequence = scan.poseSequence = decision.sequence;
         scan.entry = entry;
@@ -60,6 +61,11 @@ private:
     void effect(const Decision& decision, const ScanLinksSample& sample) {
         auto& loops = m_state.loops.edit();
         for (const Link& link : sample.links) loops[link.id] = {decision.sequence, link};
+    }
+
+    void effect(const Decision&, const ScanBodiesSample& sample) {
+        auto& bodies = m_state.bodies.edit();
+        for (const BodiesOfScan& one : sample.scans) bodies[one.scan] = one.bodies;
     }
 
     void effect(const Decision&, const UndoSample&) {}
@@ -126,6 +132,7 @@ void reconsider(MissionState& state) {
     state.victims.edit().clear();
     state.keyScans.edit().clear();
     state.loops.edit().clear();
+    state.bodies.edit().clear();
     state.notes.edit().clear();
     state.crop.reset();
     Effects effects(state);

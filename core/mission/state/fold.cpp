@@ -178,6 +178,7 @@ private:
     void handle(const NoteSample& sample) { decided(sample); }
     void handle(const ScanPosesSample& sample) { decided(sample); }
     void handle(const MapCropSample& sample) { decided(sample); }
+    void handle(const ScanBodiesSample& sample) { decided(sample); }
     void handle(const ScanLinksSample& sample) {
         // What a scan was registered against goes with it; only loops are taken back.
         ScanLinksSample loops = sample;

@@ -44,7 +44,7 @@ struct Decision {
     bool undone = false;  ///< an undo that is not undone itself names it
     /// ScanLinksSample: of its links, those that close loops.
     std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
-                 ScanLinksSample>
+                 ScanLinksSample, ScanBodiesSample>
         content;
 };
 
@@ -127,15 +127,16 @@ struct MissionState {
     std::uint64_t events = 0;
     Time first{}, last{};  ///< receive times of the first and of the last event
 
-    std::map<std::string, SharedValue<RobotState>> robots;            ///< by name
-    SharedValue<std::map<std::string, StreamState>> ownTopics;        ///< the stations' own topics
-    SharedValue<std::vector<Decision>> decisions;                     ///< rising sequences
-    SharedValue<std::map<FindKey, VictimState>> victims;              ///< and other finds
-    SharedValue<std::map<std::uint32_t, CandidateState>> candidates;  ///< by id
-    SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;      ///< by id
-    SharedValue<std::map<std::uint64_t, LoopState>> loops;            ///< by id of the link
-    SharedValue<std::vector<Latest<NoteSample>>> notes;               ///< that are not undone
-    std::optional<Latest<MapCropSample>> crop;                        ///< newest that is not undone
+    std::map<std::string, SharedValue<RobotState>> robots;                 ///< by name
+    SharedValue<std::map<std::string, StreamState>> ownTopics;             ///< the stations' own topics
+    SharedValue<std::vector<Decision>> decisions;                          ///< rising sequences
+    SharedValue<std::map<FindKey, VictimState>> victims;                   ///< and other finds
+    SharedValue<std::map<std::uint32_t, CandidateState>> candidates;       ///< by id
+    SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;           ///< by id
+    SharedValue<std::map<std::uint64_t, LoopState>> loops;                 ///< by id of the link
+    SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< of others, by key scan's id
+    SharedValue<std::vector<Latest<NoteSample>>> notes;                    ///< that are not undone
+    std::optional<Latest<MapCropSample>> crop;                             ///< newest that is not undone
     SharedValue<std::map<GrantKey, GrantState>> grants;
     SharedValue<std::map<AlarmKey, AlarmState>> alarms;
     SharedValue<std::vector<SessionState>> sessions;

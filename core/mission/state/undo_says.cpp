@@ -30,6 +30,7 @@ constexpr auto UndoSentences = std::to_array<UndoSentence>({
     {Thing::Tried, false, "{} scans tried"},
     {Thing::Crop, false, "what belongs into the map"},
     {Thing::Loop, false, "a closed loop"},
+    {Thing::TidiedMap, false, "the tidied map"},
     {Thing::RefusedLoop, false, "a place told from another"},
     {Thing::ReviewNote, false, "a note of a review"},
     {Thing::ReviewedFind, false, "{} as corrected in a review"},

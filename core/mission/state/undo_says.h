@@ -14,6 +14,7 @@ struct UndoneThing {
         Tried,         ///< scans were registered again
         Crop,          ///< what of the world belongs into the map
         Loop,          ///< the map was brought together where it meets itself
+        TidiedMap,     ///< all scans that overlap were put to where they fit each other
         RefusedLoop,   ///< ... or was not: it is another place
         Find,          ///< the newest entry on a find
         ReviewedFind,  ///< likewise, of a review

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/services/handin/report_source.h"
 #include "app/services/thinning/mission_thinning.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
@@ -136,6 +137,34 @@ TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
     EXPECT_EQ(scene.at(Mission::at(12.0))->map, scene.at(Mission::at(13.0))->map) << "not made anew";
     scene.show(ReviewMap::Finished);
     EXPECT_THAT(points(12.0), ElementsAre(whole[0], whole[0], whole[0]));
+}
+
+TEST_F(ReviewSceneTest, ARobotThatWasPlacedLaterIsInTheMapOnlyUntilThen) {
+    const auto folder = m_folder / "placed later";
+    {
+        WrittenMission mission(folder);
+        mission.sayKeyScan(5.0, 1, 0.0);
+        BodyInScan all{
+            "crawler", {{9.0, 9.0}, {-9.0, 9.0}, {-9.0, -9.0}, {9.0, -9.0}}, 3.0, Pose::Identity(), 0.1};
+        all.baseInScan.translation() = Eigen::Vector3d(10.0, 0.0, -1.5);
+        mission.say(9.0, std::string(station_topic::ScanBodies),
+                    ScanBodiesSample{Mission::at(9.0), "test", {{1, {all}}}});
+    }
+    const auto log = ReviewLog::open(folder).value();
+    const auto index = indexOf(*log);
+    ReviewScene scene(*log, *index);
+    const auto points = [&](double seconds) {
+        return scene.at(Mission::at(seconds))->scans->scans.front().scan->points.size();
+    };
+    const std::size_t whole = points(6.0);
+    EXPECT_LT(points(9.5), whole);
+    EXPECT_EQ(points(6.0), whole) << "it was not known yet";
+    scene.show(ReviewMap::Finished);
+    EXPECT_LT(points(6.0), whole);
+    const auto report = ReportSource::open(folder);
+    ASSERT_TRUE(report) << report.error().text;
+    ASSERT_EQ(report->input().scans.size(), 1U);
+    EXPECT_EQ(report->input().scans.front().scan->points.size(), points(6.0)) << "the report has it, too";
 }
 
 TEST_F(ReviewSceneTest, TheTrailHasAGapWhereNothingWasHeardOfTheRobot) {

@@ -128,6 +128,7 @@ protected:
         if (const auto* some = std::get_if<ScanPosesSample>(&sample))
             return "poses of " + std::to_string(some->poses.size());
         if (std::holds_alternative<RobotPlaceSample>(sample)) return "place";
+        if (std::holds_alternative<ScanBodiesSample>(sample)) return "bodies";
         if (std::holds_alternative<VictimSample>(sample)) return "victim";
         if (std::holds_alternative<ClockSample>(sample)) return "clock";
         if (std::holds_alternative<GrantSample>(sample)) return "grant";

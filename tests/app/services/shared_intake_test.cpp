@@ -21,6 +21,27 @@ TEST_F(SharedIntakeTest, PosesAndPlacesWaitForTheScansThatTheyLieOn) {
     EXPECT_THAT(*m_state->remarks, IsEmpty());
 }
 
+TEST_F(SharedIntakeTest, RobotsThatAreLeftOutOfAScanComeAfterItAndOnce) {
+    begin();
+    const auto standing = [](double x) {
+        BodyInScan body{"crawler", {{0.2, 0.0}, {0.0, 0.2}, {-0.2, 0.0}}, 0.4, Pose::Identity(), 0.1};
+        body.baseInScan.translation().x() = x;
+        return ScanBodiesSample{at(100), "other", {{2, {body}}}};
+    };
+    hear(keyScan(1));
+    hear(standing(1.0), station_topic::ScanBodies);
+    EXPECT_THAT(entered(), ElementsAre("scan 1"));
+    hear(keyScan(2));
+    hear(standing(1.0), station_topic::ScanBodies);  // told again, for a station that came late
+    EXPECT_THAT(entered(), ElementsAre("scan 2", "bodies"));
+    hear(standing(1.5), station_topic::ScanBodies);
+    EXPECT_THAT(entered(), ElementsAre("bodies"));
+    EXPECT_EQ(m_state->bodies->at(2).front().baseInScan.translation().x(), 1.5);
+    m_holdsMap = true;
+    hear(standing(2.0), station_topic::ScanBodies);
+    EXPECT_THAT(entered(), IsEmpty()) << "who makes the map says so itself";
+}
+
 TEST_F(SharedIntakeTest, WhatWasSaidLaterNeverEntersBefore) {
     begin();
     hear(keyScan(1));

@@ -85,7 +85,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
         const double x = below(1'000) * 0.01;
         const auto text = std::to_string(below(100));
         Sample sample;
-        switch (below(24)) {
+        switch (below(25)) {
             case 0:
                 sample = victim(1 + below(5), text);
                 break;
@@ -192,6 +192,13 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 break;
             case 22:
                 sample = linked(1 + below(20), static_cast<LinkKind>(below(LinkKindCount)), below(3) != 0);
+                break;
+            case 23:
+                sample = ScanBodiesSample{
+                    .stamp = at(1),
+                    .station = "s",
+                    .scans = {{1 + below(5),
+                               {{robot, {{x, 0.0}, {0.0, 1.0}, {-1.0, 0.0}}, 0.4, shifted(x), 0.1}}}}};
                 break;
             case 20:
                 sample = MissionInfoSample{.stamp = at(1), .team = text};

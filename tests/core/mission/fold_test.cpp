@@ -241,6 +241,26 @@ TEST(Fold, TheMapsAreaIsTheNewestThatIsNotTakenBack) {
     EXPECT_THAT(folded(events).crop->sample.polygon, IsEmpty());
 }
 
+TEST(Fold, OfOtherRobotsInAScanTheNewestIsKnownAndGoesWithTheScan) {
+    const auto shifted = [](double x) { return poseFrom({x, 0.0, 0.0}, 0, 0, 0); };
+    const auto standing = [&](std::uint64_t scan, double x) {
+        return ScanBodiesSample{
+            {}, "s", {{scan, {{"crawler", {{0.2, 0.0}, {0.0, 0.2}, {-0.2, 0.0}}, 0.4, shifted(x), 0.1}}}}};
+    };
+    std::vector<Event> events = {event(1, keyScan(1, 0.0)), event(2, standing(1, 1.0)),
+                                 event(3, keyScan(2, 0.0)), event(4, standing(2, 2.0)),
+                                 event(5, standing(1, 3.0))};
+    ASSERT_THAT(folded(events).bodies->at(1), SizeIs(1));
+    EXPECT_TRUE(folded(events).bodies->at(1)[0].baseInScan.isApprox(shifted(3.0)));
+    EXPECT_EQ(folded(events).bodies->at(2)[0].robot, "crawler");
+    events.push_back(event(6, moved(1, 1.0)));
+    events.push_back(event(7, undo(6)));
+    EXPECT_TRUE(folded(events).bodies->at(1)[0].baseInScan.isApprox(shifted(3.0))) << "undo is of the poses";
+    events.push_back(event(8, keyScan(1, 0.5)));
+    EXPECT_FALSE(folded(events).bodies->contains(1)) << "another scan by that number";
+    EXPECT_TRUE(folded(events).bodies->contains(2));
+}
+
 TEST(Fold, GrantsFollowTheHigherTerm) {
     GrantSample hold{.stamp = {},
                      .station = "a",

@@ -27,6 +27,7 @@ TEST(UndoSays, WhatIsWrittenIsReadAgain) {
         {{.kind = Undone::Crop}, "undo: what belongs into the map"},
         {{.kind = Undone::Crop, .again = true}, "redo: what belongs into the map"},
         {{.kind = Undone::Loop}, "undo: a closed loop"},
+        {{.kind = Undone::TidiedMap}, "undo: the tidied map"},
         {{.kind = Undone::RefusedLoop}, "undo: a place told from another"},
         {{.kind = Undone::Loop, .again = true}, "redo: a closed loop"},
         {{.kind = Undone::Find, .find = "H12"}, "undo: H12"},

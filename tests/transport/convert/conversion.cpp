@@ -51,8 +51,9 @@ const std::vector<Entry>& allEntries() {
                 lm::Bumper, lm::Bumps, lm::Sighting, lm::Sightings, lm::StopState, lm::Pong, lm::StopCommand,
                 lm::ModeCommand, lm::StreamCommand, lm::Ping, lm::Grant, lm::VictimSign, lm::VictimEvidence,
                 lm::Victim, lm::Cue, lm::Candidate, lm::MissionInfo, lm::KeyScan, lm::ScanPose, lm::ScanPoses,
-                lm::ScanLink, lm::ScanLinks, lm::MapCrop, lm::RobotPlace, lm::MissionClock, lm::ClockOffset,
-                lm::Undo, lm::Checkpoint, lm::Note, lm::Session, lm::Alarm>();
+                lm::ScanLink, lm::ScanLinks, lm::BodyInScan, lm::BodiesOfScan, lm::ScanBodies, lm::MapCrop,
+                lm::RobotPlace, lm::MissionClock, lm::ClockOffset, lm::Undo, lm::Checkpoint, lm::Note,
+                lm::Session, lm::Alarm>();
     return all;
 }
 

@@ -78,6 +78,24 @@ TEST(ScanLinks, AreRigidAndAsSureAsTheySay) {
     EXPECT_THAT(error([](auto& m) { m.links.resize(10'001, m.links[0]); }), HasSubstr("at most 10000"));
 }
 
+TEST(ScanBodies, AreFootprintsOfAScan) {
+    const auto error = [](auto change) { return errorAfter<lm::ScanBodies>(change); };
+    EXPECT_EQ(error([](auto&) {}), "none");
+    EXPECT_EQ(error([](auto& m) { m.scans[0].bodies.clear(); }), "none") << "none after all";
+    const auto body = [&](auto change) { return error([&](auto& m) { change(m.scans[0].bodies[1]); }); };
+    EXPECT_THAT(error([](auto& m) { m.scans[1].scan = 0; }), HasSubstr("scans.scan"));
+    EXPECT_THAT(body([](auto& b) { b.footprint.pop_back(); }), HasSubstr("found 2"));
+    EXPECT_THAT(body([](auto& b) { b.footprint.resize(65); }), HasSubstr("bodies.footprint"));
+    EXPECT_THAT(body([](auto& b) { b.footprint[0].x = 10.1; }), HasSubstr("bodies.footprint"));
+    EXPECT_THAT(body([](auto& b) { b.footprint[0].y = NaN; }), HasSubstr("bodies.footprint"));
+    EXPECT_THAT(body([](auto& b) { b.height = NaN; }), HasSubstr("bodies.height"));
+    EXPECT_THAT(body([](auto& b) { b.margin = 1.1; }), HasSubstr("bodies.margin"));
+    EXPECT_THAT(body([](auto& b) { b.base_in_scan.orientation.w = 5; }), HasSubstr("quaternion"));
+    EXPECT_THAT(error([](auto& m) { m.scans[0].bodies.resize(4'001, m.scans[0].bodies[0]); }),
+                HasSubstr("at most 4000"));
+    EXPECT_THAT(error([](auto& m) { m.scans.resize(4'001, m.scans[1]); }), HasSubstr("at most 4000"));
+}
+
 TEST(MapCrops, AreAnAreaUnderACeilingOrEverything) {
     const auto error = [](auto change) { return errorAfter<lm::MapCrop>(change); };
     EXPECT_EQ(error([](auto&) {}), "none");

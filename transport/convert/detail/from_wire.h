@@ -56,6 +56,7 @@ MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&,
 RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks);
 ScanPosesSample fromWire(const wire::leitstand_msgs::ScanPoses& from, const Source&, Checks& checks);
 ScanLinksSample fromWire(const wire::leitstand_msgs::ScanLinks& from, const Source&, Checks& checks);
+ScanBodiesSample fromWire(const wire::leitstand_msgs::ScanBodies& from, const Source&, Checks& checks);
 ClockSample fromWire(const wire::leitstand_msgs::MissionClock& from, const Source&, Checks& checks);
 ClockOffsetSample fromWire(const wire::leitstand_msgs::ClockOffset& from, const Source&, Checks& checks);
 UndoSample fromWire(const wire::leitstand_msgs::Undo& from, const Source&, Checks& checks);

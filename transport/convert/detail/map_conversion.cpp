@@ -15,6 +15,9 @@ namespace {
 using wire::geometry_msgs::Point;
 constexpr int MostRows = 65'536;            // rows and columns of any scanner
 constexpr std::size_t MostCorners = 1'000;  // of the area that a map is of
+constexpr std::size_t MostBodies = 4'000;   // of other robots in all scans of a message
+constexpr std::size_t MostBodyCorners = 64;
+constexpr double LargestBody = 10.0, LargestMargin = 1.0;  // [m]
 
 /// The lists of a scan fit its points and its grid.
 void checkScan(const Scan& scan, Checks& checks) {
@@ -195,6 +198,86 @@ void toWire(const ScanLinksSample& from, wire::leitstand_msgs::ScanLinks& to, Bu
                 one.information[next++] = link.information(row, column);
         }
         to.links.push_back(one);
+    }
+}
+
+namespace {
+
+template <class Scans>
+void checkBodies(const Scans& scans, Checks& checks) {
+    std::size_t bodies = 0;
+    for (const auto& one : scans) {
+        checks.require(one.scan > 0, "scans.scan", "expected a number from 1");
+        bodies += one.bodies.size();
+    }
+    checks.require(scans.size() <= MostBodies, "scans", "expected at most {}, found {}", MostBodies,
+                   scans.size());
+    checks.require(bodies <= MostBodies, "scans.bodies", "expected at most {}, found {}", MostBodies, bodies);
+}
+
+void checkBody(const BodyInScan& body, Checks& checks) {
+    const std::size_t corners = body.footprint.size();
+    const bool inside = std::all_of(body.footprint.begin(), body.footprint.end(), [](const auto& corner) {
+        return corner.cwiseAbs().maxCoeff() <= LargestBody;
+    });
+    checks.require(corners >= 3 && corners <= MostBodyCorners && inside, "scans.bodies.footprint",
+                   "expected 3 to {} corners within {} m, found {}", MostBodyCorners, LargestBody, corners);
+    checks.require(body.height >= 0.0 && body.height <= LargestBody, "scans.bodies.height",
+                   "expected 0 to {} m", LargestBody);
+    checks.require(body.margin >= 0.0 && body.margin <= LargestMargin, "scans.bodies.margin",
+                   "expected 0 to {} m", LargestMargin);
+}
+
+BodyInScan bodyFrom(const wire::leitstand_msgs::BodyInScan& from, Checks& checks) {
+    BodyInScan body{from.robot,
+                    {},
+                    from.height,
+                    checks.pose("scans.bodies.base_in_scan", from.base_in_scan),
+                    from.margin};
+    for (const Point& corner : from.footprint)
+        body.footprint.emplace_back(checks.vector("scans.bodies.footprint", corner).head<2>());
+    checkBody(body, checks);
+    return body;
+}
+
+wire::leitstand_msgs::BodyInScan wireBody(const BodyInScan& body, Checks& checks) {
+    checkBody(body, checks);
+    wire::leitstand_msgs::BodyInScan to;
+    to.robot = body.robot;
+    for (const Eigen::Vector2d& corner : body.footprint)
+        to.footprint.push_back(
+            checks.wireVector<Point>("scans.bodies.footprint", {corner.x(), corner.y(), 0.0}));
+    to.height = body.height;
+    to.base_in_scan = checks.wirePose("scans.bodies.base_in_scan", body.baseInScan);
+    to.margin = body.margin;
+    return to;
+}
+
+}  // namespace
+
+ScanBodiesSample fromWire(const wire::leitstand_msgs::ScanBodies& from, const Source&, Checks& checks) {
+    checkBodies(from.scans, checks);
+    ScanBodiesSample to{checks.time("stamp", from.stamp), from.station, {}};
+    for (const auto& one : from.scans) {
+        if (!checks.ok()) return to;
+        BodiesOfScan& scan = to.scans.emplace_back();
+        scan.scan = one.scan;
+        for (const auto& body : one.bodies) {
+            scan.bodies.push_back(bodyFrom(body, checks));
+            if (!checks.ok()) return to;
+        }
+    }
+    return to;
+}
+
+void toWire(const ScanBodiesSample& from, wire::leitstand_msgs::ScanBodies& to, Buffer&, Checks& checks) {
+    checkBodies(from.scans, checks);
+    to.stamp = checks.wireTime("stamp", from.stamp);
+    to.station = from.station;
+    for (const BodiesOfScan& one : from.scans) {
+        wire::leitstand_msgs::BodiesOfScan& scan = to.scans.emplace_back();
+        scan.scan = one.scan;
+        for (const BodyInScan& body : one.bodies) scan.bodies.push_back(wireBody(body, checks));
     }
 }
 

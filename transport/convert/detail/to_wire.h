@@ -53,6 +53,7 @@ void toWire(const MapCropSample& from, wire::leitstand_msgs::MapCrop& to, Buffer
 void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks);
 void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Buffer&, Checks& checks);
 void toWire(const ScanLinksSample& from, wire::leitstand_msgs::ScanLinks& to, Buffer&, Checks& checks);
+void toWire(const ScanBodiesSample& from, wire::leitstand_msgs::ScanBodies& to, Buffer&, Checks& checks);
 void toWire(const ClockSample& from, wire::leitstand_msgs::MissionClock& to, Buffer&, Checks& checks);
 void toWire(const ClockOffsetSample& from, wire::leitstand_msgs::ClockOffset& to, Buffer&, Checks& checks);
 void toWire(const UndoSample& from, wire::leitstand_msgs::Undo& to, Buffer&, Checks& checks);

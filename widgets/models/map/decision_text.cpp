@@ -32,6 +32,8 @@ QString undoneText(const UndoneThing& thing) {
             return Say::tr("what belongs into the map");
         case Kind::Loop:
             return Say::tr("a closed loop");
+        case Kind::TidiedMap:
+            return Say::tr("the tidied map");
         case Kind::RefusedLoop:
             return Say::tr("a place told from another");
         case Kind::ReviewedFind:

@@ -27,6 +27,22 @@ PlaceRobot::PlaceRobot(const LiveContext& context, MapGestures& gestures, Robots
            .keys = QKeySequence(Qt::SHIFT | Qt::Key_O),
            .checkable = true})) {
     connect(m_action, &QAction::triggered, this, &PlaceRobot::arm);
+    QAction& look = context.commands.add(
+        {.id = "map.findRobot",
+         .menu = CommandMenu::Map,
+         .text = tr("F&ind the robot in the whole map"),
+         .hint =
+             tr("Looks by the newest 3D scan of the selected robot for where it stands, anywhere in the map: "
+                "for one that was carried or is lost"),
+         .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)});
+    connect(&look, &QAction::triggered, this, &PlaceRobot::lookFor);
+}
+
+void PlaceRobot::lookFor() {
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr) return;
+    const auto looking = m_context.bridge.station().mapping().lookFor(robot->name);
+    if (!looking) emit told(QString::fromStdString(looking.error().text));
 }
 
 void PlaceRobot::arm(bool on) {

@@ -25,6 +25,7 @@ signals:
 
 private:
     void arm(bool on);
+    void lookFor();
     void place(const std::string& robot, const GroundPose& pose);
 
     LiveContext m_context;

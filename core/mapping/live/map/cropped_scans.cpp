@@ -63,19 +63,26 @@ void CroppedScans::setCrop(MapCrop crop) {
     for (auto& [id, fitted] : m_fitted) fitted.stale = true;
 }
 
-void CroppedScans::setOthers(std::uint64_t id, std::vector<PlacedBody> others) {
-    if (others.empty()) {
-        m_others.erase(id);
+void CroppedScans::setBodies(std::uint64_t id, std::vector<BodyInScan> bodies) {
+    const auto before = m_bodies.find(id);
+    if (before == m_bodies.end() ? bodies.empty() : before->second == bodies) return;
+    if (bodies.empty()) {
+        m_bodies.erase(id);
     } else {
-        m_others[id] = std::move(others);
+        m_bodies[id] = std::move(bodies);
     }
     if (const auto known = m_fitted.find(id); known != m_fitted.end()) known->second.stale = true;
 }
 
+std::vector<BodyInScan> CroppedScans::bodies(std::uint64_t id) const {
+    const auto known = m_bodies.find(id);
+    return known != m_bodies.end() ? known->second : std::vector<BodyInScan>();
+}
+
 void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto known = m_fitted.find(scan.id);
-    const auto placed = m_others.find(scan.id);
-    if (m_crop.open() && placed == m_others.end()) {
+    const auto bodies = m_bodies.find(scan.id);
+    if (m_crop.open() && bodies == m_bodies.end()) {
         if (known == m_fitted.end()) return;
         known->second.scan->putAllBack();
         scan.scan = known->second.scan->inside();
@@ -91,7 +98,8 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     }
     const Pose& here = scan.pose.scanInMap;
     if (fitted.stale || fitted.scanInMap.matrix() != here.matrix()) {
-        const auto others = placed == m_others.end() ? std::vector<PlacedBody>() : placed->second;
+        std::vector<PlacedBody> others;
+        if (bodies != m_bodies.end()) others = placed(bodies->second, here);
         fitted.stale = false;
         fitted.scanInMap = here;
         const ScanPtr whole = fitted.scan->whole();

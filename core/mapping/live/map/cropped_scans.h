@@ -23,15 +23,17 @@ class CroppedScans {
 public:
     void setCrop(MapCrop crop);
     [[nodiscard]] const MapCrop& crop() const { return m_crop; }
-    /// Other robots were at @p others, in the map, while the key scan @p id was taken.
-    void setOthers(std::uint64_t id, std::vector<PlacedBody> others);
+    /// Other robots were where @p bodies say while the key scan @p id was taken.
+    void setBodies(std::uint64_t id, std::vector<BodyInScan> bodies);
+    /// What was said of the key scan @p id.
+    [[nodiscard]] std::vector<BodyInScan> bodies(std::uint64_t id) const;
     /// Puts into @p scan what of it is inside, from where it stands now: its points, and what is matched of
     /// them, where it has that, which is one of @p clouds then. The same key scan at the same place gets the
     /// same pointers again, and one of which all is inside is whole, point for point.
     void fit(LiveKeyScan& scan, const MatchedClouds& clouds = MatchedClouds());
 
     /// The key scan @p id is no more: the next of its number is another.
-    void forget(std::uint64_t id) { m_fitted.erase(id), m_others.erase(id); }
+    void forget(std::uint64_t id) { m_fitted.erase(id), m_bodies.erase(id); }
 
 private:
     /// A key scan that was looked at.
@@ -44,7 +46,7 @@ private:
 
     MapCrop m_crop;
     std::map<std::uint64_t, Fitted> m_fitted;  ///< by key scan; those of which something may be missing
-    std::map<std::uint64_t, std::vector<PlacedBody>> m_others;  ///< by key scan
+    std::map<std::uint64_t, std::vector<BodyInScan>> m_bodies;  ///< by key scan
 };
 
 }  // namespace leitstand

@@ -76,6 +76,20 @@ TEST(LiveMapperLoops, EachScanSaysWhatItWasRegisteredAgainst) {
     EXPECT_FALSE(room.mapper.problem()) << "nothing met itself";
 }
 
+TEST(LiveMapperLoops, OfARobotThatWasPutSomewhereOdometryHoldsNothing) {
+    MappedRoom room(closing());
+    (void)room.add(poseFrom({-1.0, 0, 0.9}, 0, 0, 0));
+    (void)room.add(poseFrom({-0.6, 0, 0.9}, 0, 0, 0));
+    const Pose there = poseFrom({0.6, 0.5, 0}, 0, 0, degrees(60));
+    room.mapper.place("kurt3d", poseFrom({-1.0, 0, 0.9}, 0, 0, 0).inverse() * there);
+    // Carried: its odometry stands where it was.
+    const Pose sensor = there * poseFrom({0, 0, 0.9}, 0, 0, 0);
+    const MapUpdate update = room.add(sensor, sensor.inverse() * poseFrom({-0.6, 0, 0.9}, 0, 0, 0));
+    ASSERT_EQ(update.localisation.trust, ScanTrust::Certain);
+    ASSERT_TRUE(update.links);
+    for (const Link& link : update.links->links) EXPECT_EQ(link.kind, LinkKind::Match);
+}
+
 TEST(LiveMapperLoops, WhereTheMapMeetsItselfScansMoveTogether) {
     ClosedRoom room;
     ASSERT_TRUE(room.loop) << "after " << room.scans << " scans";

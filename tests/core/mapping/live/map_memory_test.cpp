@@ -56,10 +56,10 @@ TEST(MapMemory, NorDoesOneInWhichAnotherRobotStood) {
     MappedRoom room;
     ASSERT_TRUE(room.add(withIntensities(scanAt(poseFrom({-1.4, 0.0, 0.9}, 0, 0, 0), 1))).keyScan);
     const std::weak_ptr<const Scan> whole = room.mapper.map()->scans.front().scan;
-    const Pose wall = room.mapper.map()->scans.front().pose.scanInMap *
-                      Eigen::Translation3d(whole.lock()->points.front().cast<double>());
-    const RobotBody wide{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, 3.0};
-    ASSERT_TRUE(room.mapper.leaveOut(1, {{wide, wall * Eigen::Translation3d(0, 0, -1.0)}}));
+    const Eigen::Vector3d wall = whole.lock()->points.front().cast<double>();
+    const Pose there = poseFrom(wall - Eigen::Vector3d(0, 0, 1.0), 0, 0, 0);
+    ASSERT_TRUE(room.mapper.leaveOut(
+        1, {{"crawler", {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, 3.0, there, PlacedBody::Certain}}));
     EXPECT_TRUE(whole.expired()) << "all its points are kept beside those that are left";
 }
 

@@ -92,7 +92,7 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     key.scan = whole;
     cropped.fit(key);
     EXPECT_EQ(key.scan, whole);
-    cropped.setOthers(3, {{Crawler, key.pose.scanInMap * Place}});
+    cropped.setBodies(3, {{"crawler", Crawler.footprint, Crawler.height, Place, PlacedBody::Certain}});
     cropped.fit(key);
     EXPECT_EQ(leftOf(scene.robot, *key.scan), 0U);
     EXPECT_EQ(leftOf(scene.wall, *key.scan), scene.wall.size());
@@ -110,7 +110,7 @@ TEST(OtherRobots, ThatWerePlacedLaterAreTakenOutOfEarlierKeyScansAndComeBackAsTh
     EXPECT_EQ(leftOf(scene.ceiling, *key.scan), 0U);
     EXPECT_EQ(leftOf(scene.robot, *key.scan), 0U) << "both hold";
     cropped.setCrop({});
-    cropped.setOthers(3, {});
+    cropped.setBodies(3, {});
     cropped.fit(key);
     EXPECT_EQ(key.scan->points, whole->points);
     EXPECT_EQ(key.scan->labels, whole->labels);

@@ -1,0 +1,231 @@
+#include "app/services/review/map_tidying.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/live_mission.h"
+#include "app/services/log/mission_robots.h"
+#include "app/services/log/replay/bag_history.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/mapping/live_mapping.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/recorded/review_log.h"
+#include "core/base/words.h"
+#include "core/event/station_topics.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/mapping/graph/scan_graph.h"
+#include "core/mission/state/fold.h"
+#include "core/mission/state/undo_says.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::string_view Tidying = TidyingStation;
+constexpr std::size_t LinksAtOnce = 5'000;  ///< in an event
+
+/// A mission as it was read.
+struct ReadMission {
+    std::filesystem::path folder;
+    std::unique_ptr<BagReader> bag;
+    std::vector<RobotDescription> robots;
+    MissionState state;
+};
+
+Result<ReadMission> readMission(const std::filesystem::path& folder) {
+    ReadMission read;
+    auto bag = BagReader::open(folder);
+    if (!bag) return bag.error();
+    if (!std::filesystem::is_directory(folder))
+        return Error{
+            fill(translate("leitstand::Station", "{}: expected the mission's folder"), folder.string())};
+    if (isOfOthers(folder)) {
+        return Error{fill(translate("leitstand::Station",
+                                    "{}: no station of ours recorded it, so that it stays as it is; "
+                                    "nothing can be written into it"),
+                          folder.string())};
+    }
+    read.folder = folder;
+    read.bag = std::move(bag).value();
+    std::vector<std::string> ignored;
+    read.robots = robotsOf(folder, *read.bag, ignored);
+    EventDecoder decoder(read.robots);
+    BagHistory history(*read.bag, decoder);
+    read.state = stateAt(history, read.bag->lastSequence());
+    return read;
+}
+
+/// A session of @p read, to write into. An error where somebody decided something since.
+Result<std::unique_ptr<LiveMission>> opened(const ReadMission& read, const std::string& version) {
+    LiveMissionSettings settings;
+    settings.folder = read.folder;
+    settings.robots = read.robots;
+    settings.station = Tidying;
+    settings.title = "Tidying";
+    settings.version = version;
+    const auto now = BagReader::open(read.folder);
+    if (!now) return now.error();
+    if ((*now)->lastSequence() != read.bag->lastSequence())
+        return Error{fill(translate("leitstand::Station", "{}: somebody wrote into it meanwhile; try again"),
+                          read.folder.string())};
+    return LiveMission::open(settings);
+}
+
+/// The links of the mission @p folder as they are now, by rising id.
+std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionState& state) {
+    ScanGraph graph;
+    for (const ScanLinksSample& sample : scanLinksOf(folder)) {
+        for (const Link& link : sample.links) graph.add(link);
+    }
+    for (const Link& link : loopsOf(state)) graph.add(link);
+    return graph.links();
+}
+
+/// What is known of @p links from now on, as @p found has it.
+std::vector<Link> changesOf(const std::vector<Link>& links, const Relaxation& found) {
+    std::set<std::uint64_t> ends(found.contradicted.begin(), found.contradicted.end());
+    ends.insert(found.replaced.begin(), found.replaced.end());
+    std::vector<Link> changes;
+    std::uint64_t next = 1;
+    for (const Link& link : links) {
+        next = std::max(next, link.id + 1);
+        if (!link.active || !ends.contains(link.id)) continue;
+        changes.push_back(link);
+        changes.back().active = false;
+    }
+    for (Link link : found.matches) {
+        link.id = next++;
+        changes.push_back(std::move(link));
+    }
+    return changes;
+}
+
+Result<void> say(LiveMission& mission, std::vector<Link> links, Time now) {
+    for (std::size_t first = 0; first < links.size(); first += LinksAtOnce) {
+        const auto begin = links.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end =
+            links.begin() + static_cast<std::ptrdiff_t>(std::min(first + LinksAtOnce, links.size()));
+        ScanLinksSample sample{now, std::string(Tidying), {begin, end}};
+        for (Link& link : sample.links) link.station = Tidying;
+        if (auto said = mission.say(sample, station_topic::ScanLinks); !said) return said;
+    }
+    return {};
+}
+
+/// Poses of @p state that differ noticeably from where @p nodes are.
+std::vector<ScanPose> movedPoses(const MissionState& state, const std::vector<GraphNode>& nodes,
+                                 const LoopSettings& loops) {
+    std::vector<ScanPose> moved;
+    for (const GraphNode& node : nodes) {
+        const auto scan = state.keyScans->find(node.id);
+        if (scan == state.keyScans->end()) continue;
+        const ScanPose& before = scan->second.pose;
+        if (distanceBetween(before.scanInMap, node.pose) <= loops.noticed &&
+            angleBetween(before.scanInMap, node.pose) <= loops.noticedAngle)
+            continue;
+        moved.push_back(before);
+        moved.back().scanInMap = node.pose;
+    }
+    return moved;
+}
+
+/// The newest decision of a tidying that is not taken back.
+const Decision* newestTidying(const MissionState& state) {
+    const auto& all = *state.decisions;
+    const auto found = std::find_if(all.rbegin(), all.rend(), [](const Decision& decision) {
+        const auto* poses = std::get_if<ScanPosesSample>(&decision.content);
+        return poses != nullptr && !decision.undone && poses->station == Tidying;
+    });
+    return found == all.rend() ? nullptr : &*found;
+}
+
+/// Whether scans entered the map after the event of @p sequence, or somebody moved some.
+bool wentOn(const MissionState& state, std::uint64_t sequence) {
+    const bool entered = std::any_of(state.keyScans->begin(), state.keyScans->end(),
+                                     [&](const auto& scan) { return scan.second.sequence > sequence; });
+    return entered || std::any_of(state.decisions->begin(), state.decisions->end(), [&](const Decision& one) {
+               const bool ofMap = std::holds_alternative<ScanPosesSample>(one.content) ||
+                                  std::holds_alternative<ScanLinksSample>(one.content);
+               return ofMap && !one.undone && one.sequence > sequence;
+           });
+}
+
+}  // namespace
+
+Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySettings& settings,
+                          const Progress& progress) {
+    constexpr double Reading = 0.1;  // share of the work
+    const auto read = readMission(folder);
+    if (!read) return read.error();
+    const MissionState& state = read->state;
+    EarlierMap earlier{keyScansOf(*read->bag), posesOf(state)};
+    if (earlier.scans.empty())
+        return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
+                          folder.string())};
+    const std::vector<Link> links = linksOf(folder, state);
+    earlier.bodies = *state.bodies;
+    LiveSettings mapping = settings.mapping;
+    mapping.crop = cropOf(state).value_or(MapCrop{});
+    LiveMapper mapper{std::string(Tidying), mapping};
+    restore(mapper, earlier);
+    earlier.scans.clear();
+    progress.done(Reading);
+    TidiedMap tidied;
+    const LiveMapPtr map = mapper.map();
+    tidied.scans = map->scans.size();
+    tidied.relaxation =
+        relax(*map, links, mapping, settings.relaxation,
+              {[&](double share) { progress.done(Reading + (1.0 - Reading) * share); }, progress.stop});
+    if (progress.cancelled())
+        return Error{translate("leitstand::Station", "cancelled: the map is as it was")};
+    const std::vector<ScanPose> moved = movedPoses(state, tidied.relaxation.nodes, mapping.loops);
+    tidied.moved = moved.size();
+    if (moved.empty()) return tidied;  // it is tidy
+    auto mission = opened(*read, settings.version);
+    if (!mission) return mission.error();
+    const Time now = stationTime();
+    if (auto said = say(**mission, changesOf(links, tidied.relaxation), now); !said) return said.error();
+    const ScanPosesSample poses{now, std::string(Tidying), ScanPosesSample::Cause::LoopClosure, moved};
+    if (auto said = (*mission)->say(poses, station_topic::ScanPoses); !said) return said.error();
+    if (auto closed = (*mission)->close(); !closed) return closed.error();
+    return tidied;
+}
+
+Result<void> untidyMap(const std::filesystem::path& folder, const std::string& version) {
+    const auto read = readMission(folder);
+    if (!read) return read.error();
+    const MissionState& state = read->state;
+    const Decision* const newest = newestTidying(state);
+    if (newest == nullptr)
+        return Error{fill(translate("leitstand::Station", "{}: its map was not tidied"), folder.string())};
+    if (wentOn(state, newest->sequence))
+        return Error{fill(translate("leitstand::Station", "{}: the tidied map went on since; it stays"),
+                          folder.string())};
+    const Time tidied = std::get<ScanPosesSample>(newest->content).stamp;
+    std::map<std::uint64_t, bool> now;  // whether links count
+    for (const Link& link : linksOf(folder, state)) now[link.id] = link.active;
+    std::vector<Link> changes;
+    for (const ScanLinksSample& sample : scanLinksOf(folder)) {
+        if (sample.station != Tidying || sample.stamp != tidied) continue;
+        for (Link link : sample.links) {
+            if (now[link.id] != link.active) continue;  // somebody said otherwise since
+            link.active = !link.active;
+            changes.push_back(std::move(link));
+        }
+    }
+    auto mission = opened(*read, version);
+    if (!mission) return mission.error();
+    const Time stamp = stationTime();
+    if (auto said = say(**mission, std::move(changes), stamp); !said) return said;
+    const UndoSample undo{stamp, std::string(Tidying), newest->sequence,
+                          undoText({.kind = UndoneThing::Kind::TidiedMap})};
+    if (auto said = (*mission)->say(undo, station_topic::Undo); !said) return said;
+    return (*mission)->close();
+}
+
+}  // namespace leitstand
