@@ -101,11 +101,10 @@ std::optional<double> Relocaliser::filledAt(const Scan& scan, const Pose& scanIn
     return most;
 }
 
-std::optional<AlikePlace> Relocaliser::verified(const Scan& scan, const PointCloud& reduced,
-                                                const Eigen::Vector3d& up, const RasterPlace& place,
-                                                double height) const {
-    Pose guess = place.pose.standing(height) * levelled(Pose::Identity(), up, 1.0);
-    double least = std::numeric_limits<double>::infinity();
+std::optional<AlikePlace> Relocaliser::verified(const Sought& sought, const RasterPlace& place,
+                                                const Storey& storey) const {
+    Pose guess = place.pose.standing(storey.height) * sought.level;
+    double least = std::numeric_limits<double>::infinity(), height = storey.height;
     for (const LiveKeyScan& one : m_map->scans) {
         const double distance = mapDistance(one.pose.scanInMap, guess);
         if (!one.counts() || distance >= least) continue;
@@ -115,31 +114,34 @@ std::optional<AlikePlace> Relocaliser::verified(const Scan& scan, const PointClo
     guess.translation().z() = height;
     const LocalMap local = localMap(m_map->scans, guess, m_settings.local);
     const Match found =
-        match(reduced, local, guess, {}, up, m_settings.match, m_settings.fit, m_how.schedule);
+        match(sought.reduced, local, guess, {}, sought.up, m_settings.match, m_settings.fit, m_how.schedule);
     if (found.doubts != 0 || found.icp.overlap < m_how.leastOverlap || found.icp.rms > m_how.mostResidual)
         return std::nullopt;
-    const auto filled = filledAt(scan, found.scanInMap);
+    const auto filled = filledAt(sought.scan, found.scanInMap);
     if (!filled || *filled > m_how.mostFilled) return std::nullopt;
-    return AlikePlace{found.scanInMap, place.score, found.icp.overlap, found.icp.rms, *filled};
+    const FlatPose flat = FlatPose::of(found.scanInMap * sought.level.inverse());
+    return AlikePlace{found.scanInMap, storey.walls.scoreAt(sought.view, flat), found.icp.overlap,
+                      found.icp.rms, *filled};
 }
 
 Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, const Eigen::Vector3d& up,
                                  const Progress& progress) const {
     Relocalisation result;
     const Pose level = levelled(Pose::Identity(), up, 1.0);
-    const std::vector<Eigen::Vector2f> view =
-        thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, m_how.reach));
-    if (view.size() < FewestWalls) return result;
+    const Sought sought{
+        scan, reduced, up, level,
+        thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, m_how.reach))};
+    if (sought.view.size() < FewestWalls) return result;
     struct Candidate {
         RasterPlace place;
-        double height;
+        const Storey* storey;
     };
     std::vector<Candidate> candidates;
     double others = 0.0;  // the best score of what is not tried
     for (const Storey& storey : m_storeys) {
-        const RasterPlaces found = storey.walls.find(view, m_how.search, progress);
+        const RasterPlaces found = storey.walls.find(sought.view, m_how.search, progress);
         if (progress.cancelled()) return {};
-        for (const RasterPlace& place : found.places) candidates.push_back({place, storey.height});
+        for (const RasterPlace& place : found.places) candidates.push_back({place, &storey});
         others = std::max(others, found.others);
     }
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -152,7 +154,7 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
     result.tried = candidates.size();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (progress.cancelled()) return {};
-        const auto place = verified(scan, reduced, up, candidates[i].place, candidates[i].height);
+        const auto place = verified(sought, candidates[i].place, *candidates[i].storey);
         progress.done(double(i + 1) / double(candidates.size()));
         if (!place) continue;
         // Two that looked different from above may lead to the same place.

@@ -32,12 +32,13 @@ struct RelocalisationSettings {
 /// A place of the map that looks as a scan does.
 struct AlikePlace {
     Pose scanInMap = Pose::Identity();
-    double score = 0.0;    ///< RasterPlace::score
+    double score = 0.0;    ///< WallRaster::scoreAt() there
     double overlap = 0.0;  ///< 0 to 1
     double rms = 0.0;      ///< [m]
     double filled = 0.0;   ///< share of points where one of the nearest scans looked through, 0 to 1
-    /// How well it fits, at most 1: what stands in free space speaks against it more than what is missing.
-    [[nodiscard]] double fit() const { return overlap - 3.0 * filled; }
+    /// How well it fits, at most 1, seen from above and registered: what stands in free space speaks against
+    /// it more than what is missing.
+    [[nodiscard]] double fit() const { return score * (overlap - 3.0 * filled); }
 };
 
 /// What came of looking for a scan.
@@ -70,9 +71,16 @@ private:
     /// The share of @p scan's points at @p scanInMap that lie where key scans about there looked through, the
     /// largest of those that can judge enough of them; empty: none can.
     [[nodiscard]] std::optional<double> filledAt(const Scan& scan, const Pose& scanInMap) const;
-    [[nodiscard]] std::optional<AlikePlace> verified(const Scan& scan, const PointCloud& reduced,
-                                                     const Eigen::Vector3d& up, const RasterPlace& place,
-                                                     double height) const;
+    /// What is looked for.
+    struct Sought {
+        const Scan& scan;
+        const PointCloud& reduced;
+        Eigen::Vector3d up;
+        Pose level;                         ///< turns the scan so that up is up
+        std::vector<Eigen::Vector2f> view;  ///< its walls, turned so
+    };
+    [[nodiscard]] std::optional<AlikePlace> verified(const Sought& sought, const RasterPlace& place,
+                                                     const Storey& storey) const;
 
     LiveMapPtr m_map;
     LiveSettings m_settings;

@@ -101,6 +101,16 @@ void WallRaster::pool() {
     }
 }
 
+double WallRaster::scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const {
+    if (m_levels.empty() || view.empty()) return 0.0;
+    double sum = 0.0;
+    for (const Eigen::Vector2f& point : view) {
+        const Eigen::Vector2i cell = cellOf(pose * point.cast<double>());
+        sum += double{at(0, cell.x(), cell.y())};
+    }
+    return sum / (255.0 * static_cast<double>(view.size()));
+}
+
 RasterPlaces WallRaster::find(std::span<const Eigen::Vector2f> view, const RasterSearch& search,
                               const Progress& progress) const {
     constexpr std::size_t MostBlocks = 4'000'000;  // that wait

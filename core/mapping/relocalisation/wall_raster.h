@@ -49,6 +49,9 @@ public:
     [[nodiscard]] RasterPlaces find(std::span<const Eigen::Vector2f> view, const RasterSearch& search = {},
                                     const Progress& progress = {}) const;
 
+    /// RasterPlace::score at any @p pose.
+    [[nodiscard]] double scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const;
+
     static constexpr double Cell = 0.1;                   ///< [m]
     static constexpr double Farthest = 500.0;             ///< from the map's origin, each way [m]
     static constexpr std::size_t MostCells = 16'000'000;  ///< 400 m x 400 m

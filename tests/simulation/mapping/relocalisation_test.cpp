@@ -46,6 +46,15 @@ void dropIn(const BuildingSettings& settings, std::uint64_t seed, std::size_t co
         drops.seconds.push_back(
             std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         ++drops.all;
+        if (!found.sure && found.places.size() > 1 && std::getenv("LEITSTAND_DOUBTS") != nullptr) {
+            const AlikePlace &one = found.places[0], &other = found.places[1];
+            std::printf(
+                "building %llu: drop %zu is in doubt: fits %.2f and %.2f, filled %.3f and %.3f, scores %.2f "
+                "and %.2f, %.2f m and %.0f degrees apart\n",
+                static_cast<unsigned long long>(seed), i, one.fit(), other.fit(), one.filled, other.filled,
+                one.score, other.score, distanceBetween(one.scanInMap, other.scanInMap),
+                inDegrees(angleBetween(one.scanInMap, other.scanInMap)));
+        }
         if (!found.sure) continue;
         const Pose truth =
             mapInArena.inverse() * second.drive.baseInArena(scan.scan->end) * scan.sensorInBase;
@@ -89,7 +98,7 @@ TEST(RelocalisationLong, DroppedRobotsAreFoundInTenBuildings) {
         print("so far", drops);
     }
     print("relocalisation", drops);
-    EXPECT_GE(drops.found, 0.5 * drops.all);
+    EXPECT_GE(drops.found, 0.85 * drops.all);
     EXPECT_EQ(drops.wrong, 0);
     EXPECT_LE(leitstand::test::quantile(drops.errors, 0.95), 0.10);
     EXPECT_LE(leitstand::test::quantile(drops.seconds, 0.95), 2.0);
