@@ -7573,7 +7573,7 @@ F1 listet alle Tasten</translation>
         <translation>{} Stellen der Karte sehen aus wie dort, wo er ist: ihn dorthin setzen, wo er steht</translation>
     </message>
     <message>
-        <source>its newest 3D scan is for sure nowhere in the map: put it to where it stands</source>
+        <source>no place of the map fits its newest 3D scan for sure: put it to where it stands</source>
         <translation>sein neuester 3D-Scan passt nirgends sicher in die Karte: ihn dorthin setzen, wo er steht</translation>
     </message>
     <message>

@@ -7573,7 +7573,7 @@ F1 でキー一覧</translation>
         <translation>地図の {} か所が似ています: 実際の位置に置いてください</translation>
     </message>
     <message>
-        <source>its newest 3D scan is for sure nowhere in the map: put it to where it stands</source>
+        <source>no place of the map fits its newest 3D scan for sure: put it to where it stands</source>
         <translation>最新の 3D スキャンが確実に合う場所が地図にありません: 実際の位置に置いてください</translation>
     </message>
     <message>

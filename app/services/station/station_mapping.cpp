@@ -310,8 +310,9 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
                                             "{} places of the map look like where it is: put it to where it "
                                             "stands"),
                                   alike)
-                : translate("leitstand::Station",
-                            "its newest 3D scan is for sure nowhere in the map: put it to where it stands");
+                : translate(
+                      "leitstand::Station",
+                      "no place of the map fits its newest 3D scan for sure: put it to where it stands");
         state.tell(fmt::format("{}: {}", state.titleOf(robot), what));
     };
     listening.makesMap = [&state] { return state.mayMap(); };
