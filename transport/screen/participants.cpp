@@ -12,7 +12,7 @@ bool contains(const std::vector<Value>& values, const Value& value) {
 
 }  // namespace
 
-WriterWindow* Remote::windowOf(EntityId writer) {
+Remote::Writer* Remote::writerOf(EntityId writer) {
     if (const auto known = writers.find(writer); known != writers.end()) return &known->second;
     if (writers.size() >= endpoints.size() + limits::UnannouncedWindows) return nullptr;
     return &writers[writer];
@@ -23,6 +23,18 @@ Remote::ReaderWindows* Remote::windowsOf(EntityId reader, EntityId ours) {
     if (const auto known = readers.find(both); known != readers.end()) return &known->second;
     if (readers.size() >= 2 * endpoints.size() + limits::UnannouncedWindows) return nullptr;
     return &readers[both];
+}
+
+bool Remote::leads(Voice& voice, const Place& place, Moment now) const {
+    const auto comesFromThere = [&] {
+        return std::any_of(places.begin(), places.end(), [&](const Bound& bound) {
+            return bound.place == *voice.place && now - bound.heard <= limits::Silence;
+        });
+    };
+    const bool takesOver = !voice.place || (place == home && now - voice.heard > limits::Silence);
+    if (!takesOver && place != *voice.place && comesFromThere()) return false;
+    voice = {place, now};
+    return true;
 }
 
 Remote* Participants::find(const Prefix& prefix) {

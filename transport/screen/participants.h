@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -28,17 +29,31 @@ struct Remote {
     std::uint64_t announcement = 0;                          ///< hash of what it announced last
     std::vector<Bound> places;                               ///< where it sends from
     std::unordered_map<EntityId, std::size_t> endpoints;     ///< with the bytes of their announcements
-    std::unordered_map<EntityId, WriterWindow> writers;
+    /// Where a writer or reader speaks from, and when it did last.
+    struct Voice {
+        std::optional<Place> place;
+        Moment heard;
+    };
+    struct Writer {
+        Voice voice;
+        WriterWindow window;
+    };
     struct ReaderWindows {
+        Voice voice;
         CountWindow acknowledgements, fragments;
     };
+    std::unordered_map<EntityId, Writer> writers;
     std::unordered_map<std::uint64_t, ReaderWindows> readers;  ///< by reader and our writer
     Budget unfinished{limits::UnfinishedSamples};
 
-    /// The window of a writer of its, or of a reader that hears a writer of ours. Null for those that it
-    /// never announced, when there are many: the library hears none of them.
-    [[nodiscard]] WriterWindow* windowOf(EntityId writer);
+    /// A writer of its, or a reader that hears a writer of ours. Null for those that it never announced, when
+    /// there are many: the library hears none of them.
+    [[nodiscard]] Writer* writerOf(EntityId writer);
     [[nodiscard]] ReaderWindows* windowsOf(EntityId reader, EntityId ours);
+    /// Whether @p place is where @p voice speaks from: the first place that it was heard from. Another one
+    /// takes that over when nothing at all comes from there any more, or is the participant's home and the
+    /// voice was silent.
+    [[nodiscard]] bool leads(Voice& voice, const Place& place, Moment now) const;
 };
 
 /// Who is in the domain, as far as the screen let them in: bounded for each host and in total. Processes that

@@ -125,12 +125,14 @@ Screen::Verdict Screen::judgeEndpoint(const Submessage& next, Moment now) {
     return {false, Why::TooMany, "more endpoints than a host may have"};
 }
 
-Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, Moment now) {
+Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, const Place& place, Moment now) {
+    bool leads = false;
     if (isFromWriter(next)) {
         if (next.last > limits::MostNumber || next.first > limits::MostNumber)
             return {false, Why::Numbers, "a number that no writer reaches"};
-        if (WriterWindow* const window = remote.windowOf(next.writer); window != nullptr) {
-            const Fault fault = window->admit(next, remote.unfinished, now);
+        if (Remote::Writer* const writer = remote.writerOf(next.writer); writer != nullptr) {
+            leads = remote.leads(writer->voice, place, now);
+            const Fault fault = writer->window.admit(next, leads, remote.unfinished, now);
             if (!fault.empty()) return {false, Why::Numbers, fault};
         }
     }
@@ -138,11 +140,13 @@ Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, Momen
         if (next.last > limits::MostNumber) return {false, Why::Numbers, "a number that no writer reaches"};
         if (auto* const windows = remote.windowsOf(next.reader, next.writer); windows != nullptr) {
             CountWindow& counts = next.kind == Kind::AckNack ? windows->acknowledgements : windows->fragments;
-            if (!counts.admits(next.count, now))
+            if (!counts.admits(next.count, remote.leads(windows->voice, place, now), now))
                 return {false, Why::Numbers, "a count of ACKNACK that jumps"};
         }
     }
-    return announcesEndpoint(next) ? judgeEndpoint(next, now) : Verdict{};
+    if (!announcesEndpoint(next)) return {};
+    if (leads) return judgeEndpoint(next, now);
+    return {false, Why::Impostor, "an endpoint announced from a place that is not its own"};
 }
 
 Screen::Verdict Screen::judgeSpeaker(const Prefix& speaker, const Place& place, Moment now) {
@@ -163,7 +167,7 @@ Screen::Verdict Screen::judgeOne(const Submessage& next, const Place& place, Mom
     if (isFromWriter(next) && next.writer == entity::AuthenticationWriter &&
         !Participants::isHome(*remote, place, now))
         return {false, Why::Impostor, "a proof of identity from a place that is not its own"};
-    return judgeKnown(next, *remote, now);
+    return judgeKnown(next, *remote, place, now);
 }
 
 Screen::Verdict Screen::judge(const Datagram& datagram, const Place& place, Moment now) {

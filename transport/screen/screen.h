@@ -47,7 +47,7 @@ private:
     [[nodiscard]] Verdict judgeSpeaker(const Prefix& speaker, const Place& place, Moment now);
     [[nodiscard]] Verdict judgeOne(const Submessage& next, const Place& place, Moment now);
     [[nodiscard]] Verdict judgeAnnouncement(const Submessage& next, const Place& place, Moment now);
-    [[nodiscard]] Verdict judgeKnown(const Submessage& next, Remote& remote, Moment now);
+    [[nodiscard]] Verdict judgeKnown(const Submessage& next, Remote& remote, const Place& place, Moment now);
     [[nodiscard]] Verdict judgeEndpoint(const Submessage& next, Moment now);
     [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
 

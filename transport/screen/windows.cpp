@@ -4,7 +4,8 @@
 
 namespace leitstand::screen {
 
-bool CountWindow::admits(std::uint32_t count, Moment now) {
+bool CountWindow::admits(std::uint32_t count, bool leads, Moment now) {
+    if (!leads) return m_known && count <= std::uint64_t(m_highest) + limits::Beside;
     if (!m_known) {
         m_known = true;
         m_highest = count;
@@ -16,8 +17,9 @@ bool CountWindow::admits(std::uint32_t count, Moment now) {
     return true;
 }
 
-bool WriterWindow::admitNumber(std::int64_t number, Moment now) {
+bool WriterWindow::admitNumber(std::int64_t number, bool leads, Moment now) {
     if (number > limits::MostNumber) return false;
+    if (!leads) return m_known && number <= m_highest + limits::Beside;
     if (m_known && number <= m_highest) return true;
     if (m_known && !m_numbers.take(double(number - m_highest), now, limits::Numbers)) return false;
     m_known = true;
@@ -42,24 +44,25 @@ Fault WriterWindow::admitFragment(const Submessage& next, Budget& unfinished, Mo
     return {};
 }
 
-Fault WriterWindow::admit(const Submessage& next, Budget& unfinished, Moment now) {
+Fault WriterWindow::admit(const Submessage& next, bool leads, Budget& unfinished, Moment now) {
     constexpr Fault Jump = "a number that the writer cannot have reached";
     switch (next.kind) {
         case Kind::Data:
-            return admitNumber(next.first, now) ? Fault{} : Jump;
+            return admitNumber(next.first, leads, now) ? Fault{} : Jump;
         case Kind::DataFrag:
-            return admitNumber(next.first, now) ? admitFragment(next, unfinished, now) : Jump;
+            return admitNumber(next.first, leads, now) ? admitFragment(next, unfinished, now) : Jump;
         case Kind::Heartbeat:
-            if (!admitNumber(std::max(next.first, next.last), now)) return Jump;
-            return m_heartbeats.admits(next.count, now) ? Fault{} : "a count of HEARTBEAT that jumps";
+            if (!admitNumber(std::max(next.first, next.last), leads, now)) return Jump;
+            return m_heartbeats.admits(next.count, leads, now) ? Fault{} : "a count of HEARTBEAT that jumps";
         case Kind::HeartbeatFrag:
-            if (!admitNumber(next.first, now)) return Jump;
-            return m_fragmentHeartbeats.admits(next.count, now) ? Fault{}
-                                                                : "a count of HEARTBEAT_FRAG that jumps";
+            if (!admitNumber(next.first, leads, now)) return Jump;
+            return m_fragmentHeartbeats.admits(next.count, leads, now)
+                       ? Fault{}
+                       : "a count of HEARTBEAT_FRAG that jumps";
         case Kind::Gap:
             if (next.gapped > limits::LongestGap) return "a GAP that is too long";
             if (!m_gaps.take(double(next.gapped), now, limits::Gaps)) return "GAPs that cover too much";
-            return admitNumber(next.last, now) ? Fault{} : Jump;
+            return admitNumber(next.last, leads, now) ? Fault{} : Jump;
         default:
             return {};
     }

@@ -10,7 +10,9 @@ namespace leitstand::screen {
 /// How far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
 class CountWindow {
 public:
-    [[nodiscard]] bool admits(std::uint32_t count, Moment now);
+    /// @p leads: it comes from where the sender speaks (Remote::leads()). From elsewhere a count is at most a
+    /// few beyond those, and moves nothing.
+    [[nodiscard]] bool admits(std::uint32_t count, bool leads, Moment now);
 
 private:
     bool m_known = false;
@@ -21,7 +23,8 @@ private:
 /// How far the numbers of a writer advance. The first may be any.
 class WriterWindow {
 public:
-    [[nodiscard]] Fault admit(const Submessage& next, Budget& unfinished, Moment now);
+    /// @p leads: as of CountWindow::admits().
+    [[nodiscard]] Fault admit(const Submessage& next, bool leads, Budget& unfinished, Moment now);
 
 private:
     struct Sample {
@@ -29,7 +32,7 @@ private:
         std::uint32_t size = 0;
         std::uint16_t fragmentSize = 0;
     };
-    [[nodiscard]] bool admitNumber(std::int64_t number, Moment now);
+    [[nodiscard]] bool admitNumber(std::int64_t number, bool leads, Moment now);
     [[nodiscard]] Fault admitFragment(const Submessage& next, Budget& unfinished, Moment now);
 
     bool m_known = false;

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/transport/screen/packets.h"
+#include "tests/transport/screen/screen_fixture.h"
 
 namespace leitstand::test {
 namespace {
@@ -13,30 +13,6 @@ using namespace std::chrono_literals;
 using screen::Screen, screen::Moment;
 using Why = ScreenDrop::Kind;
 
-constexpr std::int64_t Huge = std::int64_t(1) << 62;
-
-/// A screen with a clock of its own, and the robot 1 on 10.0.0.7 that it has let in long ago.
-class ScreenTest : public testing::Test {
-protected:
-    explicit ScreenTest(const screen::ScreenSettings& settings = {}) : m_screen(settings) {
-        EXPECT_TRUE(takes(Packet().announce()));
-        EXPECT_TRUE(takes(Packet().announceEndpoint(OdometryWriter)));
-        EXPECT_TRUE(takes(Packet().announceEndpoint(OdometryReader, false)));
-        m_now += 60s;
-        EXPECT_TRUE(takes(Packet().heartbeat(screen::entity::PublicationsWriter, 1, 1)));
-    }
-    bool takes(const Packet& packet, const screen::Place& from = placeOf(7)) {
-        return m_screen.passes(packet.bytes(), from, m_now);
-    }
-    [[nodiscard]] std::uint64_t dropped(Why why) const {
-        std::uint64_t packets = 0;
-        for (const ScreenDrop& drop : m_screen.drops()) packets += drop.kind == why ? drop.packets : 0;
-        return packets;
-    }
-
-    Screen m_screen;
-    Moment m_now = Moment(1h);
-};
 class RelayedScreen : public ScreenTest {
 protected:
     RelayedScreen() : ScreenTest({.relayed = true}) {}
@@ -46,98 +22,6 @@ protected:
     bool takes(const Packet& packet) { return m_screen.passes(packet.bytes(), placeOf(7)); }
     Screen m_screen{screen::ScreenSettings{.encrypted = true}};
 };
-
-TEST_F(ScreenTest, TheFirstHeartbeatMayBeAnywhereAndNoneJumpsFromThere) {
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'000, 1'000'000'100, 77)));
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'050, 1'000'000'150, 78)));
-    for (int i = 0; i < 12; ++i) {
-        EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, Huge, 100)));
-        EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, Huge, Huge, 100)));
-    }
-    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 1'500'000'000, 79)));
-    EXPECT_EQ(dropped(Why::Numbers), 25U);
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1'000'000'060, 1'000'000'160, 79)));
-}
-
-TEST_F(ScreenTest, NoFirstNumberIsOneThatNoWriterReaches) {
-    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, Huge)));
-    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, Huge, Huge)));
-    EXPECT_FALSE(takes(Packet().data(OdometryWriter, Huge, Bytes(8))));
-    EXPECT_FALSE(takes(Packet().gap(OdometryWriter, Huge, Huge + 1)));
-    EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, Huge, 1)));
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5)));
-}
-
-TEST_F(ScreenTest, SmallJumpsDoNotAddUp) {
-    std::int64_t number = 1;
-    ASSERT_TRUE(takes(Packet().data(OdometryWriter, number, Bytes(8))));
-    int passed = 0;
-    for (int i = 0; i < 1000; ++i) {
-        if (takes(Packet().data(OdometryWriter, number += 10'000, Bytes(8)))) ++passed;
-    }
-    EXPECT_LE(passed, 7);
-    EXPECT_GE(passed, 5);
-}
-
-TEST_F(ScreenTest, AGapInTheRadioOfAMinuteAtAKilohertzIsNoJump) {
-    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 100'000, 10)));
-    m_now += 60s;
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 159'000, 160'000, 700)));
-    EXPECT_TRUE(takes(Packet().data(OdometryWriter, 160'001, Bytes(8))));
-}
-
-TEST_F(ScreenTest, GapsAreBoundedOneByOneAndTogether) {
-    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 200'000, 1)));
-    EXPECT_TRUE(takes(Packet().gap(OdometryWriter, 1, 100'000, 8)));
-    EXPECT_FALSE(takes(Packet().gap(OdometryWriter, 1, 200'000)));
-    int passed = 0;
-    for (int i = 0; i < 1000; ++i) passed += takes(Packet().gap(OdometryWriter, 1, 100'000)) ? 1 : 0;
-    EXPECT_LE(passed, 10);
-    m_now += 1s;
-    EXPECT_TRUE(takes(Packet().gap(OdometryWriter, 1, 100'000)));
-}
-
-TEST_F(ScreenTest, CountsDoNotJump) {
-    ASSERT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 3'000'000)));
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 3'000'100)));
-    EXPECT_FALSE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 0xffffffff)));
-    EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 10)));
-    EXPECT_FALSE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 0x7fffffff)));
-    EXPECT_TRUE(
-        takes(Packet().acknowledge(OdometryReader, 0x303, 5, 0x7fffffff)));  // of another writer of ours
-    EXPECT_TRUE(takes(Packet().acknowledge(OdometryReader, 0x203, 5, 11)));
-    EXPECT_TRUE(takes(Packet().heartbeat(OdometryWriter, 1, 5, 2)));  // old: the library's to ignore
-}
-
-TEST_F(ScreenTest, FragmentsOfOneSampleFitEachOther) {
-    const auto fragment = [](std::uint32_t start, unsigned size, std::uint32_t sample) {
-        return Packet().fragments(OdometryWriter, 9, start, 1, size, sample, Bytes(size));
-    };
-    EXPECT_TRUE(takes(fragment(1, 100, 1000)));
-    EXPECT_TRUE(takes(fragment(2, 100, 1000)));
-    EXPECT_FALSE(takes(fragment(3, 200, 1000)));
-    EXPECT_FALSE(takes(fragment(3, 100, 2000)));
-    EXPECT_TRUE(takes(fragment(3, 100, 1000)));
-    EXPECT_FALSE(takes(Packet().fragments(OdometryWriter, 10, 1, 1, 1000, 4'000'000'000, Bytes(1000))));
-}
-
-TEST_F(ScreenTest, SamplesThatAreNeverFinishedTakeBoundedMemory) {
-    constexpr std::uint32_t Large = 16U << 20;
-    int passed = 0;
-    for (std::int64_t i = 1; i <= 100; ++i)
-        passed += takes(Packet().fragments(OdometryWriter, i, 1, 1, 1000, Large, Bytes(1000))) ? 1 : 0;
-    EXPECT_EQ(passed, 4);
-    // Those that are finished cost nothing: 40 MB/s for a minute.
-    m_now += 60s;
-    for (std::int64_t number = 200; number < 800; ++number) {
-        m_now += 100ms;
-        for (std::uint32_t start = 1; start <= 63; start += 3) {
-            ASSERT_TRUE(takes(
-                Packet().fragments(OdometryWriter, number, start, 3, 21'000, 63 * 21'000, Bytes(63'000))))
-                << number << " " << start;
-        }
-    }
-}
 
 TEST_F(ScreenTest, OthersDoNotSpeakInARobotsName) {
     for (const auto& from : {placeOf(8), placeOf(7, 40'001)}) {
@@ -183,6 +67,17 @@ TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsChangesOrProvesIt) {
     ASSERT_TRUE(takes(Packet(4).announce(100, 9), home));
     m_now += 4s;
     EXPECT_TRUE(takes(Packet(4).announce(90, 9), forger)) << "its home is silent: an interface went";
+}
+
+TEST_F(ScreenTest, EndpointsAreAnnouncedAndTakenBackFromOnePlace) {
+    const screen::Place home = placeOf(9), second = placeOf(9, 50'000);
+    const screen::EntityId writer = screen::entity::PublicationsWriter;
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), home));
+    EXPECT_TRUE(takes(Packet(3).announceEndpoint(OdometryWriter), second)) << "announced from another socket";
+    EXPECT_FALSE(takes(Packet(3).end(3, writer, OdometryWriter), home));
+    EXPECT_FALSE(takes(Packet(3).announceEndpoint(OdometryWriter, true, 2), placeOf(9, 50'001)));
+    EXPECT_EQ(dropped(Why::Impostor), 2U);
+    EXPECT_TRUE(takes(Packet(3).end(3, writer, OdometryWriter), second));
 }
 
 TEST_F(ScreenTest, WhoIsTurnedAwayTakesNoHomeOver) {

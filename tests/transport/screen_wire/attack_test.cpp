@@ -53,6 +53,28 @@ protected:
         return bytes;
     }
 
+    /// The robot's writer of what the station hears.
+    [[nodiscard]] screen::EntityId odometryWriter() const {
+        screen::EntityId id = 0;
+        for (const RemoteEndpoint& endpoint : m_station->endpoints()) {
+            if (endpoint.kind != RemoteEndpoint::Kind::Writer || endpoint.topic != "/k/odom") continue;
+            for (std::size_t i = 12; i < 16; ++i) id = id << 8 | endpoint.guid.bytes[i];
+        }
+        return id;
+    }
+    /// The robot's @p writer takes back @p entity of it.
+    [[nodiscard]] Bytes end(screen::EntityId writer, screen::EntityId entity, std::int64_t number) const {
+        const Bytes guid = ByteWriter().prefix(robotsPrefix()).entity(entity).bytes;
+        const Bytes qos = ByteWriter()
+                              .parameter(0x0070, guid)
+                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
+                              .parameter(1, {})
+                              .bytes;
+        ByteWriter content;
+        content.u16(0).u16(16).entity(0).entity(writer).sequenceNumber(number).append(qos);
+        return ofTheRobot(Packet().submessage(0x15, 2, content.bytes));
+    }
+
     const TestDomain m_domain;
     const ChildProcess m_robot{
         program("dds_peer"),
@@ -94,33 +116,33 @@ TEST_F(Attack, HeartbeatsInTheRobotsNameMakeNobodySpin) {
     EXPECT_TRUE(hearsAgain()) << m_robot.out();
 }
 
+TEST_F(Attack, AFewPacketsInTheNameOfANewRobotCostItNoMoreThanAFewSamples) {
+    // In its first seconds a participant may speak from any port of its host.
+    const screen::EntityId odometry = odometryWriter();
+    ASSERT_NE(odometry, 0U);
+    for (int i = 0; i < 17; ++i) {
+        m_attacker.send(ofTheRobot(Packet().gap(odometry, 1, 50'000)));
+        m_attacker.send(ofTheRobot(Packet().heartbeat(odometry, 50'000, 50'100, 10'000)));
+    }
+    EXPECT_TRUE(hearsAgain()) << m_robot.out();
+}
+
 TEST_F(Attack, NobodySendsTheRobotAwayOrTakesItsPlace) {
-    const auto packets = [&] {
-        std::vector<Bytes> all;
-        Packet leave;
-        const Bytes guid = ByteWriter().prefix(robotsPrefix()).entity(0x000001c1).bytes;
-        const Bytes qos = ByteWriter()
-                              .parameter(0x0070, guid)
-                              .parameter(0x0071, ByteWriter(false).u32(3).bytes)
-                              .parameter(1, {})
-                              .bytes;
-        leave.submessage(0x15, 2,
-                         ByteWriter()
-                             .u16(0)
-                             .u16(16)
-                             .entity(0)
-                             .entity(screen::entity::ParticipantWriter)
-                             .sequenceNumber(1'000)
-                             .append(qos)
-                             .bytes);
-        all.push_back(ofTheRobot(leave));
-        all.push_back(ofTheRobot(Packet().announce(0)));
-        return all;
-    }();
+    const std::vector<Bytes> packets = {end(screen::entity::ParticipantWriter, 0x000001c1, 1'000),
+                                        ofTheRobot(Packet().announce(0))};
     for (const Bytes& one : packets) m_attacker.announce(one);
     EXPECT_TRUE(waitUntil([&] { return dropped() >= 2; }));
     EXPECT_TRUE(hearsAgain());
     EXPECT_NE(robotsPrefix(), screen::Prefix{});
+}
+
+TEST_F(Attack, NobodyTakesBackWhatANewRobotAnnouncedOfItsWriters) {
+    const screen::EntityId odometry = odometryWriter();
+    ASSERT_NE(odometry, 0U);
+    for (std::int64_t number = 1; number < 64; ++number)
+        m_attacker.announce(end(screen::entity::PublicationsWriter, odometry, number));
+    EXPECT_TRUE(waitUntil([&] { return dropped() >= 2; }));
+    EXPECT_TRUE(hearsAgain()) << m_robot.out();
 }
 
 TEST_F(Attack, ManyWhoAppearAtOnceHarmNobody) {

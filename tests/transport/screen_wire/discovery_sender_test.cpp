@@ -11,6 +11,7 @@
 
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/screen/packets.h"
+#include "tests/transport/screen_wire/one_locator.h"
 
 namespace leitstand::test {
 namespace {
@@ -18,25 +19,6 @@ namespace {
 using namespace std::chrono_literals;
 namespace rtps = detail::fastdds::rtps;
 using Clock = std::chrono::steady_clock;
-
-/// One locator, to be gone through once.
-class OneLocator final : public rtps::LocatorsIterator {
-public:
-    OneLocator(std::uint32_t port, bool end) : m_end(end) { m_locator.port = port; }
-    rtps::LocatorsIterator& operator++() override {
-        m_end = true;
-        return *this;
-    }
-    bool operator==(const rtps::LocatorsIterator& other) const override {
-        return m_end == static_cast<const OneLocator&>(other).m_end;
-    }
-    bool operator!=(const rtps::LocatorsIterator& other) const override { return !(*this == other); }
-    const rtps::Locator_t& operator*() const override { return m_locator; }
-
-private:
-    rtps::Locator_t m_locator;
-    bool m_end;
-};
 
 /// What a sender sends, and when.
 class DiscoverySenderTest : public testing::Test {

@@ -1,3 +1,6 @@
+#include <mutex>
+#include <thread>
+
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
@@ -6,6 +9,7 @@
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/screen/packets.h"
 #include "tests/transport/screen_wire/mutations.h"
+#include "tests/transport/screen_wire/one_locator.h"
 #include "transport/dds/detail/fastdds.h"
 #include "transport/dds/network/screened_transport.h"
 
@@ -15,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 namespace efd = eprosima::fastdds::dds;
 namespace efr = eprosima::fastdds::rtps;
+namespace rtps = detail::fastdds::rtps;
 
 bool isScreened(const std::shared_ptr<efr::TransportDescriptorInterface>& transport) {
     return std::dynamic_pointer_cast<efr::ChainingTransportDescriptor>(transport) != nullptr;
@@ -39,6 +44,82 @@ TEST(ScreenedTransports, ThoseOfAProfileFileAreScreenedAndTcpIsTold) {
     EXPECT_THAT(warnings, testing::ElementsAre(testing::HasSubstr("TCP is not screened")));
     EXPECT_TRUE(isScreened(qos.transport().user_transports[0]));
     EXPECT_FALSE(isScreened(qos.transport().user_transports[1]));
+}
+
+/// What went out by a way of a transport that sends nothing.
+struct SentByWay {
+    std::mutex mutex;
+    int sent = 0, sentAfterItsEnd = 0;
+    bool ended = false;
+};
+class SilentWay final : public rtps::SenderResource {
+public:
+    explicit SilentWay(std::shared_ptr<SentByWay> sent)
+        : SenderResource(LOCATOR_KIND_UDPv4), m_sent(std::move(sent)) {
+        send_lambda_ = [sent = m_sent](auto&&...) {
+            const std::scoped_lock lock(sent->mutex);
+            ++(sent->ended ? sent->sentAfterItsEnd : sent->sent);
+            return true;
+        };
+    }
+    ~SilentWay() override {
+        const std::scoped_lock lock(m_sent->mutex);
+        m_sent->ended = true;
+    }
+    SilentWay(const SilentWay&) = delete;
+    SilentWay& operator=(const SilentWay&) = delete;
+
+private:
+    std::shared_ptr<SentByWay> m_sent;
+};
+struct SilentDescriptor final : efr::ChainingTransportDescriptor {
+    explicit SilentDescriptor(std::shared_ptr<SentByWay> what)
+        : ChainingTransportDescriptor(std::make_shared<efr::UDPv4TransportDescriptor>()),
+          sent(std::move(what)) {}
+    [[nodiscard]] efr::TransportInterface* create_transport() const override;
+    std::shared_ptr<SentByWay> sent;
+};
+class SilentTransport final : public efr::ChainingTransport {
+public:
+    explicit SilentTransport(const SilentDescriptor& descriptor)
+        : ChainingTransport(descriptor), m_descriptor(descriptor) {}
+    efr::TransportDescriptorInterface* get_configuration() override { return &m_descriptor; }
+    bool OpenOutputChannel(efr::SendResourceList& ways, const rtps::Locator_t&) override {
+        ways.push_back(std::make_unique<SilentWay>(m_descriptor.sent));
+        return true;
+    }
+    bool send(rtps::SenderResource*, detail::fastdds::Outgoing, std::uint32_t, rtps::LocatorsIterator*,
+              rtps::LocatorsIterator*, const std::chrono::steady_clock::time_point&) override {
+        return false;
+    }
+    void receive(efr::TransportReceiverInterface*, const rtps::octet*, std::uint32_t, const rtps::Locator_t&,
+                 const rtps::Locator_t&) override {}
+
+private:
+    SilentDescriptor m_descriptor;
+};
+efr::TransportInterface* SilentDescriptor::create_transport() const {
+    return new SilentTransport(*this);
+}
+
+TEST(ScreenedTransports, WhatIsSentAgainGoesOutBeforeItsWayEnds) {
+    // A participant that ends lets go of its ways before it shuts its transports down.
+    const auto sent = std::make_shared<SentByWay>();
+    const auto descriptor = detail::screened(std::make_shared<SilentDescriptor>(sent), detail::screenFor({}));
+    const std::unique_ptr<efr::TransportInterface> transport(descriptor->create_transport());
+    efr::SendResourceList ways;
+    ASSERT_TRUE(transport->OpenOutputChannel(ways, {}));
+    ASSERT_EQ(ways.size(), 1U);
+    const Bytes announcement = Packet().announce().bytes();
+    OneLocator first(7410, false), last(7410, true);
+    EXPECT_TRUE(ways.front()->send(detail::fastdds::outgoing(announcement),
+                                   static_cast<std::uint32_t>(announcement.size()), &first, &last,
+                                   std::chrono::steady_clock::now() + 1s));
+    ways.clear();
+    std::this_thread::sleep_for(200ms);  // longer than anything waits
+    const std::scoped_lock lock(sent->mutex);
+    EXPECT_EQ(sent->sent, 3);
+    EXPECT_EQ(sent->sentAfterItsEnd, 0);
 }
 
 TEST(ScreenedTransports, ARobotWithAProfileFileWithstands) {

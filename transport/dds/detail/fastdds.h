@@ -44,8 +44,12 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #endif
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -117,6 +121,33 @@ template <class Code>
     return succeeded(writer.write(sample));
 #else
     return writer.write(sample);
+#endif
+}
+
+/// @p bytes as a datagram that a transport is to send.
+[[nodiscard]] inline std::remove_cvref_t<Outgoing> outgoing(std::span<const std::byte> bytes) {
+#if LEITSTAND_FASTDDS_3
+    return {rtps::NetworkBuffer(bytes.data(), static_cast<std::uint32_t>(bytes.size()))};
+#else
+    return reinterpret_cast<Outgoing>(bytes.data());
+#endif
+}
+
+/// What @p datagram of @p size consists of; in @p joined where it has several pieces.
+[[nodiscard]] inline std::span<const std::byte> bytesOf(Outgoing datagram, std::uint32_t size,
+                                                        std::vector<std::byte>& joined) {
+#if LEITSTAND_FASTDDS_3
+    const auto piece = [](const rtps::NetworkBuffer& one) {
+        return std::span(static_cast<const std::byte*>(one.buffer), one.size);
+    };
+    if (datagram.size() == 1) return piece(datagram.front());
+    joined.reserve(size);
+    for (const rtps::NetworkBuffer& one : datagram)
+        joined.insert(joined.end(), piece(one).begin(), piece(one).end());
+    return joined;
+#else
+    static_cast<void>(joined);
+    return std::as_bytes(std::span(datagram, size));
 #endif
 }
 

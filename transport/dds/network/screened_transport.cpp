@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "core/robot/link/screen_report.h"
@@ -18,44 +17,46 @@ namespace {
 namespace efr = eprosima::fastdds::rtps;
 namespace rtps = fastdds::rtps;
 using ScreenPtr = std::shared_ptr<screen::Screen>;
-/// A datagram that is to be sent: its bytes, or the pieces that it consists of.
-using Datagram = std::remove_cvref_t<fastdds::Outgoing>;
-
-[[maybe_unused]] std::span<const std::byte> inOnePiece(const rtps::octet* bytes, uint32_t size,
-                                                       std::vector<std::byte>&) {
-    return std::as_bytes(std::span(bytes, size));
-}
-
-/// In @p joined where there are several.
-template <class Piece>
-std::span<const std::byte> inOnePiece(const std::vector<Piece>& pieces, uint32_t,
-                                      std::vector<std::byte>& joined) {
-    const auto bytesOf = [](const Piece& one) {
-        return std::span(static_cast<const std::byte*>(one.buffer), one.size);
-    };
-    if (pieces.size() == 1) return bytesOf(pieces.front());
-    for (const Piece& one : pieces) {
-        const auto bytes = bytesOf(one);
-        joined.insert(joined.end(), bytes.begin(), bytes.end());
-    }
-    return joined;
-}
-
-template <class Made = Datagram>
-Made datagramOf(std::span<const std::byte> bytes) {
-    if constexpr (std::is_pointer_v<Made>) {
-        return reinterpret_cast<Made>(bytes.data());
-    } else {
-        return {typename Made::value_type(bytes.data(), static_cast<uint32_t>(bytes.size()))};
-    }
-}
-
 struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> low, ScreenPtr before)
         : ChainingTransportDescriptor(std::move(low)), screen(std::move(before)) {}
     [[nodiscard]] efr::TransportInterface* create_transport() const override;
 
     ScreenPtr screen;
+};
+
+/// A way out of the transport below. It sends discovery three times, the last of it at its end: where a
+/// participant ends, its ways go before their transport.
+class ScreenedWay final : public rtps::SenderResource {
+public:
+    ScreenedWay(DiscoverySender& sender, std::unique_ptr<rtps::SenderResource> low)
+        : SenderResource(low->kind()), m_sender(sender), m_low(std::move(low)) {
+        send_lambda_ = [this](fastdds::Outgoing datagram, uint32_t size, rtps::LocatorsIterator* first,
+                              rtps::LocatorsIterator* last, const DiscoverySender::Moment& until) {
+            return send(datagram, size, *first, *last, until);
+        };
+    }
+    ~ScreenedWay() override { m_sender.finish(); }
+    ScreenedWay(const ScreenedWay&) = delete;
+    ScreenedWay& operator=(const ScreenedWay&) = delete;
+
+    void add_locators_to_list(rtps::LocatorList_t& locators) const override {
+        m_low->add_locators_to_list(locators);
+    }
+
+private:
+    bool send(fastdds::Outgoing datagram, uint32_t size, rtps::LocatorsIterator& first,
+              rtps::LocatorsIterator& last, const DiscoverySender::Moment& until) {
+        const auto send = [low = m_low.get()](std::span<const std::byte> what, rtps::LocatorsIterator& to,
+                                              rtps::LocatorsIterator& end, DiscoverySender::Moment atMost) {
+            return low->send(fastdds::outgoing(what), static_cast<uint32_t>(what.size()), &to, &end, atMost);
+        };
+        std::vector<std::byte> joined;
+        return m_sender.send(fastdds::bytesOf(datagram, size, joined), first, last, until, send);
+    }
+
+    DiscoverySender& m_sender;
+    std::unique_ptr<rtps::SenderResource> m_low;
 };
 
 /// A transport whose datagrams pass the screen before the library sees them, and which sends discovery three
@@ -67,19 +68,22 @@ public:
 
     efr::TransportDescriptorInterface* get_configuration() override { return &m_descriptor; }
     void shutdown() override {
-        m_sender.finish();  // what it sends by is gone soon
+        m_sender.finish();
         low_level_transport_->shutdown();
     }
 
+    bool OpenOutputChannel(efr::SendResourceList& ways, const rtps::Locator_t& to) override {
+        const std::size_t known = ways.size();
+        if (!low_level_transport_->OpenOutputChannel(ways, to)) return false;
+        for (std::size_t i = known; i < ways.size(); ++i)
+            ways[i] = std::make_unique<ScreenedWay>(m_sender, std::move(ways[i]));
+        return true;
+    }
+    /// By ways that a ChainingTransport opens itself, of which there are none here.
     bool send(rtps::SenderResource* low, fastdds::Outgoing bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
-        const auto send = [low](std::span<const std::byte> what, rtps::LocatorsIterator& to,
-                                rtps::LocatorsIterator& end, DiscoverySender::Moment atMost) {
-            return low->send(datagramOf(what), static_cast<uint32_t>(what.size()), &to, &end, atMost);
-        };
-        std::vector<std::byte> joined;
-        return m_sender.send(inOnePiece(bytes, size, joined), *first, *last, until, send);
+        return low->send(bytes, size, first, last, until);
     }
 
     void receive(efr::TransportReceiverInterface* next, const rtps::octet* bytes, uint32_t size,
