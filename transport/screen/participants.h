@@ -71,9 +71,8 @@ public:
     /// by all that can be told (see docs/wire.md). Notes that it was heard there.
     [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
     /// Whether @p place is where @p remote announces itself from, or may be because that is silent. What
-    /// changes or ends its announcement, and what proves who it is, has to come from there: in the time in
-    /// which new places are taken anybody on its host could send it away otherwise, with keys, too, since
-    /// these are plain.
+    /// changes or ends its announcement has to come from there: in the time in which new places are taken
+    /// anybody on its host could send it away otherwise, with keys, too, since that is plain.
     [[nodiscard]] static bool isHome(const Remote& remote, const Place& place, Moment now);
     /// Notes that @p remote announced itself from @p place, which is its own.
     static void setHome(Remote& remote, const Place& place, Moment now);

@@ -144,9 +144,13 @@ Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, const
                 return {false, Why::Numbers, "a count of ACKNACK that jumps"};
         }
     }
-    if (!announcesEndpoint(next)) return {};
-    if (leads) return judgeEndpoint(next, now);
-    return {false, Why::Impostor, "an endpoint announced from a place that is not its own"};
+    if (!leads && announcesEndpoint(next))
+        return {false, Why::Impostor, "an endpoint announced from a place that is not its own"};
+    // Plain, too: one forged proof of identity ends the handshake, and the library asks for no other. It need
+    // not come from home: Fast DDS announces itself to the group by other sockets than it speaks to one.
+    if (!leads && isFromWriter(next) && next.writer == entity::AuthenticationWriter)
+        return {false, Why::Impostor, "a proof of identity from a place that is not its own"};
+    return announcesEndpoint(next) ? judgeEndpoint(next, now) : Verdict{};
 }
 
 Screen::Verdict Screen::judgeSpeaker(const Prefix& speaker, const Place& place, Moment now) {
@@ -163,10 +167,6 @@ Screen::Verdict Screen::judgeOne(const Submessage& next, const Place& place, Mom
     if (const Verdict verdict = judgeSpeaker(next.source, place, now); !verdict.passes) return verdict;
     Remote* const remote = m_participants.find(next.source);
     if (remote == nullptr) return {};
-    // Plain, too: one forged proof of identity ends the handshake, and the library asks for no other.
-    if (isFromWriter(next) && next.writer == entity::AuthenticationWriter &&
-        !Participants::isHome(*remote, place, now))
-        return {false, Why::Impostor, "a proof of identity from a place that is not its own"};
     return judgeKnown(next, *remote, place, now);
 }
 

@@ -27,11 +27,17 @@ protected:
         }
     }
 };
+using StartRadioLatency = StartRadio;
 using StartRadioLong = StartRadio;
 using StartStockLong = StartStock;
 
 TEST(StartLatency, RobotRecorderAndStationHearEachOtherInWhateverOrderTheyStart) {
     Starts({.runs = 20}).run();
+}
+
+/// Over loopback all that a participant sends comes from one port, over a network it does not.
+TEST_F(StartRadioLatency, WithKeysTheyHearEachOtherOverANetwork) {
+    Starts({.runs = 4, .seed = 4, .atMost = 5.0, .keys = true, .loss = 0.001}).run();
 }
 
 TEST(StartLong, AHundredTimes) {

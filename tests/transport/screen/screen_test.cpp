@@ -51,22 +51,31 @@ TEST_F(ScreenTest, NobodyEndsAnotherParticipantOrItsEndpoints) {
     EXPECT_TRUE(takes(Packet().announce(), placeOf(9)));  // it may come again from elsewhere
 }
 
-TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsChangesOrProvesIt) {
+TEST_F(ScreenTest, WhileAParticipantIsNewOnlyItsHomeEndsOrChangesIt) {
     const screen::Place home = placeOf(9), forger = placeOf(9, 50'000);
-    const Packet proof = Packet(3).data(screen::entity::AuthenticationWriter, 1, Packet::identityToken());
     ASSERT_TRUE(takes(Packet(3).announce(100, 9), home));
     EXPECT_TRUE(takes(Packet(3).announce(100, 9), forger)) << "the same, from another socket of its";
     EXPECT_TRUE(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), forger));
     EXPECT_FALSE(takes(Packet(3).announce(1, 9), forger));
     EXPECT_FALSE(takes(Packet(3).endParticipant(3), forger));
-    EXPECT_FALSE(takes(proof, forger));
-    EXPECT_EQ(dropped(Why::Impostor), 3U);
-    EXPECT_TRUE(takes(proof, home));
+    EXPECT_EQ(dropped(Why::Impostor), 2U);
     EXPECT_TRUE(takes(Packet(3).announce(90, 9), home));
     EXPECT_TRUE(takes(Packet(3).endParticipant(3), home));
     ASSERT_TRUE(takes(Packet(4).announce(100, 9), home));
     m_now += 4s;
     EXPECT_TRUE(takes(Packet(4).announce(90, 9), forger)) << "its home is silent: an interface went";
+}
+
+TEST_F(ScreenTest, WhoItIsIsProvenFromOnePlaceThatNeedNotBeItsHome) {
+    const screen::Place group = placeOf(9), single = placeOf(9, 50'000), forger = placeOf(9, 50'001);
+    const auto proof = [](std::int64_t number) {
+        return Packet(3).data(screen::entity::AuthenticationWriter, number, Packet::identityToken());
+    };
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), group));
+    EXPECT_TRUE(takes(proof(1), single)) << "as Fast DDS speaks to the group and to one";
+    EXPECT_FALSE(takes(proof(2), forger));
+    EXPECT_EQ(dropped(Why::Impostor), 1U);
+    EXPECT_TRUE(takes(proof(2), single));
 }
 
 TEST_F(ScreenTest, EndpointsAreAnnouncedAndTakenBackFromOnePlace) {
