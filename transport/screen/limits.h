@@ -42,8 +42,8 @@ namespace limits {
 constexpr std::int64_t MostNumber = std::int64_t(1) << 31;
 /// How far a writer's numbers may advance: after 64 s of silence by a million.
 constexpr Budget::Size Numbers = {1 << 20, 1 << 16, 1 << 14};
-/// How far beyond what came from where a participant speaks numbers and counts from its other places may be:
-/// in its first seconds anybody on its host has such a place, and what is passed over is not heard.
+/// Numbers and counts that come from a participant's other places may be so far ahead of those from where it
+/// speaks: in its first seconds anybody on its host has such a place, and what is passed over is not heard.
 constexpr std::int64_t Beside = 32;
 /// What the GAPs of a writer may cover, repeated ones too: the library handles each number.
 constexpr std::int64_t LongestGap = 1 << 17;

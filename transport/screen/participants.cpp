@@ -10,11 +10,18 @@ bool contains(const std::vector<Value>& values, const Value& value) {
     return std::find(values.begin(), values.end(), value) != values.end();
 }
 
+bool isOfEveryParticipant(EntityId writer) {
+    return writer == entity::ParticipantWriter || writer == entity::PublicationsWriter ||
+           writer == entity::SubscriptionsWriter || writer == entity::LivelinessWriter ||
+           writer == entity::AuthenticationWriter;
+}
+
 }  // namespace
 
 Remote::Writer* Remote::writerOf(EntityId writer) {
     if (const auto known = writers.find(writer); known != writers.end()) return &known->second;
-    if (writers.size() >= endpoints.size() + limits::UnannouncedWindows) return nullptr;
+    const bool many = writers.size() >= endpoints.size() + limits::UnannouncedWindows;
+    if (many && !isOfEveryParticipant(writer)) return nullptr;
     return &writers[writer];
 }
 
@@ -25,16 +32,18 @@ Remote::ReaderWindows* Remote::windowsOf(EntityId reader, EntityId ours) {
     return &readers[both];
 }
 
-bool Remote::leads(Voice& voice, const Place& place, Moment now) const {
-    const auto comesFromThere = [&] {
-        return std::any_of(places.begin(), places.end(), [&](const Bound& bound) {
-            return bound.place == *voice.place && now - bound.heard <= limits::Silence;
-        });
-    };
-    const bool takesOver = !voice.place || (place == home && now - voice.heard > limits::Silence);
-    if (!takesOver && place != *voice.place && comesFromThere()) return false;
-    voice = {place, now};
-    return true;
+bool Remote::leads(const Voice& voice, const Place& place, Moment now) const {
+    if (!voice.port || place.port == *voice.port) return true;
+    if (place == home && now - voice.heard > limits::Silence) return true;
+    return std::none_of(places.begin(), places.end(), [&](const Bound& bound) {
+        return bound.place.port == *voice.port && now - bound.heard <= limits::Silence;
+    });
+}
+
+bool Remote::isVoice(const Place& place) const {
+    const auto speaks = [&](const auto& one) { return one.second.voice.port == place.port; };
+    return std::any_of(writers.begin(), writers.end(), speaks) ||
+           std::any_of(readers.begin(), readers.end(), speaks);
 }
 
 Remote* Participants::find(const Prefix& prefix) {
@@ -104,15 +113,22 @@ void Participants::setHome(Remote& remote, const Place& place, Moment now) {
     remote.atHome = now;
 }
 
-void Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {
+bool Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {
     if (remote.places.size() >= limits::PlacesOfParticipant) {
-        const auto oldest = std::min_element(remote.places.begin(), remote.places.end(),
-                                             [](const auto& a, const auto& b) { return a.heard < b.heard; });
+        // Not home, and not where it speaks from: else a handful of ports would drive those out.
+        auto oldest = remote.places.end();
+        for (auto one = remote.places.begin(); one != remote.places.end(); ++one) {
+            const bool silent = now - one->heard > limits::Silence;
+            if (!silent && (one->place == remote.home || remote.isVoice(one->place))) continue;
+            if (oldest == remote.places.end() || one->heard < oldest->heard) oldest = one;
+        }
+        if (oldest == remote.places.end()) return false;
         if (const auto known = m_places.find(oldest->place); --known->second == 0) m_places.erase(known);
         remote.places.erase(oldest);
     }
     remote.places.push_back({place, now, speaks});
     ++m_places[place];
+    return true;
 }
 
 bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now) {
@@ -134,7 +150,7 @@ bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, 
     const bool itsOwn =
         silent || sameHost || isLoopback(place.address) || contains(remote.announced, place.address);
     if (!itsOwn || !(silent || mute || now - remote.first < limits::Introduction)) return false;
-    bind(remote, place, speaks, now);
+    if (!bind(remote, place, speaks, now)) return false;
     remote.heard = now;
     return true;
 }

@@ -29,9 +29,10 @@ struct Remote {
     std::uint64_t announcement = 0;                          ///< hash of what it announced last
     std::vector<Bound> places;                               ///< where it sends from
     std::unordered_map<EntityId, std::size_t> endpoints;     ///< with the bytes of their announcements
-    /// Where a writer or reader speaks from, and when it did last.
+    /// Where a writer or reader speaks from. A port: a participant with several addresses speaks from the
+    /// same one at all of them, and nobody else on its host has that.
     struct Voice {
-        std::optional<Place> place;
+        std::optional<std::uint16_t> port;
         Moment heard;
     };
     struct Writer {
@@ -47,13 +48,15 @@ struct Remote {
     Budget unfinished{limits::UnfinishedSamples};
 
     /// A writer of its, or a reader that hears a writer of ours. Null for those that it never announced, when
-    /// there are many: the library hears none of them.
+    /// there are many: the library hears none of them. Those that every participant has are always there.
     [[nodiscard]] Writer* writerOf(EntityId writer);
     [[nodiscard]] ReaderWindows* windowsOf(EntityId reader, EntityId ours);
     /// Whether @p place is where @p voice speaks from: the first place that it was heard from. Another one
-    /// takes that over when nothing at all comes from there any more, or is the participant's home and the
-    /// voice was silent.
-    [[nodiscard]] bool leads(Voice& voice, const Place& place, Moment now) const;
+    /// takes its place when nothing at all comes from there for a while; home does when nothing of this voice
+    /// does.
+    [[nodiscard]] bool leads(const Voice& voice, const Place& place, Moment now) const;
+    /// Whether a writer or reader speaks from @p place.
+    [[nodiscard]] bool isVoice(const Place& place) const;
 };
 
 /// Who is in the domain, as far as the screen let them in: bounded for each host and in total. Processes that
@@ -96,7 +99,8 @@ private:
     void forget(Remotes::iterator one);
     /// What those of @p host have that were heard lately.
     [[nodiscard]] Use presentUse(const Address& host, Moment now) const;
-    void bind(Remote& remote, const Place& place, bool speaks, Moment now);
+    /// Notes that @p remote sends from @p place; false where it sends from too many.
+    [[nodiscard]] bool bind(Remote& remote, const Place& place, bool speaks, Moment now);
 
     Remotes m_remotes;
     std::unordered_map<Address, Use, BytesHash> m_hosts;

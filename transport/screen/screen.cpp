@@ -25,6 +25,14 @@ bool announcesEndpoint(const Submessage& one) {
            (one.writer == entity::PublicationsWriter || one.writer == entity::SubscriptionsWriter);
 }
 
+/// Whether all of @p writer has to come from one place: what it has to say is who somebody is and which
+/// endpoints he has, and what is passed over or forged there is not mended any more. That need not be a
+/// participant's home: Fast DDS announces itself to the group by other sockets than it speaks to one.
+bool speaksFromOnePlace(EntityId writer) {
+    return writer == entity::PublicationsWriter || writer == entity::SubscriptionsWriter ||
+           writer == entity::AuthenticationWriter;
+}
+
 /// Whether @p one may travel without protection where messages are encrypted: who is there, and how each
 /// proves who he is. Keys are exchanged in submessages that are protected on their own.
 bool mayBePlain(const Submessage& one) {
@@ -126,30 +134,29 @@ Screen::Verdict Screen::judgeEndpoint(const Submessage& next, Moment now) {
 }
 
 Screen::Verdict Screen::judgeKnown(const Submessage& next, Remote& remote, const Place& place, Moment now) {
-    bool leads = false;
     if (isFromWriter(next)) {
         if (next.last > limits::MostNumber || next.first > limits::MostNumber)
             return {false, Why::Numbers, "a number that no writer reaches"};
         if (Remote::Writer* const writer = remote.writerOf(next.writer); writer != nullptr) {
-            leads = remote.leads(writer->voice, place, now);
+            const bool leads = remote.leads(writer->voice, place, now);
+            if (!leads && speaksFromOnePlace(next.writer))
+                return {false, Why::Impostor,
+                        "discovery or a proof of identity from a place that is not its own"};
             const Fault fault = writer->window.admit(next, leads, remote.unfinished, now);
             if (!fault.empty()) return {false, Why::Numbers, fault};
+            if (leads) writer->voice = {place.port, now};
         }
     }
     if (isFromReader(next)) {
         if (next.last > limits::MostNumber) return {false, Why::Numbers, "a number that no writer reaches"};
         if (auto* const windows = remote.windowsOf(next.reader, next.writer); windows != nullptr) {
             CountWindow& counts = next.kind == Kind::AckNack ? windows->acknowledgements : windows->fragments;
-            if (!counts.admits(next.count, remote.leads(windows->voice, place, now), now))
+            const bool leads = remote.leads(windows->voice, place, now);
+            if (!counts.admits(next.count, leads, now))
                 return {false, Why::Numbers, "a count of ACKNACK that jumps"};
+            if (leads) windows->voice = {place.port, now};
         }
     }
-    if (!leads && announcesEndpoint(next))
-        return {false, Why::Impostor, "an endpoint announced from a place that is not its own"};
-    // Plain, too: one forged proof of identity ends the handshake, and the library asks for no other. It need
-    // not come from home: Fast DDS announces itself to the group by other sockets than it speaks to one.
-    if (!leads && isFromWriter(next) && next.writer == entity::AuthenticationWriter)
-        return {false, Why::Impostor, "a proof of identity from a place that is not its own"};
     return announcesEndpoint(next) ? judgeEndpoint(next, now) : Verdict{};
 }
 

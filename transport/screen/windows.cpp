@@ -27,12 +27,13 @@ bool WriterWindow::admitNumber(std::int64_t number, bool leads, Moment now) {
     return true;
 }
 
-Fault WriterWindow::admitFragment(const Submessage& next, Budget& unfinished, Moment now) {
+Fault WriterWindow::admitFragment(const Submessage& next, bool leads, Budget& unfinished, Moment now) {
     constexpr std::size_t Remembered = 32;
     if (next.sampleSize > limits::LargestSample) return "a sample that is too large";
-    unfinished.giveBack(double(next.payload.size()), limits::UnfinishedSamples);
     const auto known = std::find_if(m_samples.begin(), m_samples.end(),
                                     [&](const Sample& one) { return one.number == next.first; });
+    if (known == m_samples.end() && !leads) return "fragments of a sample that the writer did not begin";
+    if (leads) unfinished.giveBack(double(next.payload.size()), limits::UnfinishedSamples);
     if (known != m_samples.end()) {
         const bool same = known->size == next.sampleSize && known->fragmentSize == next.fragmentSize;
         return same ? Fault{} : "fragments of one sample that do not fit each other";
@@ -50,7 +51,7 @@ Fault WriterWindow::admit(const Submessage& next, bool leads, Budget& unfinished
         case Kind::Data:
             return admitNumber(next.first, leads, now) ? Fault{} : Jump;
         case Kind::DataFrag:
-            return admitNumber(next.first, leads, now) ? admitFragment(next, unfinished, now) : Jump;
+            return admitNumber(next.first, leads, now) ? admitFragment(next, leads, unfinished, now) : Jump;
         case Kind::Heartbeat:
             if (!admitNumber(std::max(next.first, next.last), leads, now)) return Jump;
             return m_heartbeats.admits(next.count, leads, now) ? Fault{} : "a count of HEARTBEAT that jumps";
@@ -61,8 +62,11 @@ Fault WriterWindow::admit(const Submessage& next, bool leads, Budget& unfinished
                        : "a count of HEARTBEAT_FRAG that jumps";
         case Kind::Gap:
             if (next.gapped > limits::LongestGap) return "a GAP that is too long";
-            if (!m_gaps.take(double(next.gapped), now, limits::Gaps)) return "GAPs that cover too much";
-            return admitNumber(next.last, leads, now) ? Fault{} : Jump;
+            if (!leads && next.gapped > limits::Beside) return "a GAP that is too long";
+            if (!admitNumber(next.last, leads, now)) return Jump;
+            if (leads && !m_gaps.take(double(next.gapped), now, limits::Gaps))
+                return "GAPs that cover too much";
+            return {};
         default:
             return {};
     }

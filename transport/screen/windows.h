@@ -10,8 +10,8 @@ namespace leitstand::screen {
 /// How far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
 class CountWindow {
 public:
-    /// @p leads: it comes from where the sender speaks (Remote::leads()). From elsewhere a count is at most a
-    /// few beyond those, and moves nothing.
+    /// @p leads: it comes from where the sender speaks (Remote::leads()). What comes from elsewhere is at
+    /// most a little ahead of that, and takes nothing of what the sender may do.
     [[nodiscard]] bool admits(std::uint32_t count, bool leads, Moment now);
 
 private:
@@ -33,7 +33,7 @@ private:
         std::uint16_t fragmentSize = 0;
     };
     [[nodiscard]] bool admitNumber(std::int64_t number, bool leads, Moment now);
-    [[nodiscard]] Fault admitFragment(const Submessage& next, Budget& unfinished, Moment now);
+    [[nodiscard]] Fault admitFragment(const Submessage& next, bool leads, Budget& unfinished, Moment now);
 
     bool m_known = false;
     std::int64_t m_highest = 0;

@@ -133,5 +133,26 @@ TEST_F(ScreenTest, AWriterGoesOnFromElsewhereWhereItsFirstPlaceIsSilent) {
     EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 900, Bytes(8)), third));
 }
 
+TEST_F(ScreenTest, TheSamePortAtAnotherAddressIsTheSameWriter) {
+    ASSERT_TRUE(takes(Packet(2).announce(100, 9), placeOf(8)));  // says that it is at 9, too
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 1, Bytes(8)), placeOf(8)));
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 200, Bytes(8)), placeOf(9))) << "the cable was pulled";
+    EXPECT_TRUE(takes(Packet(2).data(OdometryWriter, 400, Bytes(8)), placeOf(8)));
+}
+
+TEST_F(ScreenTest, FromElsewhereNoFragmentsBeginAndNoAllowanceIsUsed) {
+    const screen::Place own = placeOf(8), other = placeOf(8, 50'000);
+    const auto fragment = [](std::int64_t number, std::uint32_t sample) {
+        return Packet(2).fragments(OdometryWriter, number, 1, 1, 100, sample, Bytes(100));
+    };
+    ASSERT_TRUE(takes(Packet(2).announce(100, 8), own));
+    EXPECT_TRUE(takes(fragment(1, 1'000), own));
+    EXPECT_FALSE(takes(fragment(2, 500), other)) << "the true ones would not fit it";
+    EXPECT_TRUE(takes(fragment(2, 1'000), own));
+    EXPECT_TRUE(takes(fragment(2, 1'000), other)) << "of a sample that the writer began";
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(takes(Packet(2).gap(OdometryWriter, 1, 100'000), other));
+    EXPECT_TRUE(takes(Packet(2).gap(OdometryWriter, 3, 60'000), own)) << "its GAPs are not used up";
+}
+
 }  // namespace
 }  // namespace leitstand::test

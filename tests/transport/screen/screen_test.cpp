@@ -89,6 +89,34 @@ TEST_F(ScreenTest, EndpointsAreAnnouncedAndTakenBackFromOnePlace) {
     EXPECT_TRUE(takes(Packet(3).end(3, writer, OdometryWriter), second));
 }
 
+TEST_F(ScreenTest, ManyMadeUpWritersKeepNoAnnouncementsOut) {
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), placeOf(9)));
+    for (unsigned i = 0; i < 200; ++i)
+        static_cast<void>(takes(Packet(3).heartbeat(0x00100003 + (i << 8), 1, 1), placeOf(9, 50'000)));
+    EXPECT_TRUE(takes(Packet(3).announceEndpoint(OdometryWriter), placeOf(9)));
+}
+
+TEST_F(ScreenTest, ManyPortsDriveNobodyOutFromWhereItSpeaks) {
+    const screen::Place own = placeOf(9, 45'000);
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), placeOf(9)));
+    ASSERT_TRUE(takes(Packet(3).announceEndpoint(OdometryWriter), own));
+    ASSERT_TRUE(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), own));
+    for (int port = 50'000; port < 50'050; ++port)
+        static_cast<void>(takes(Packet(3).data(OdometryWriter, 1, Bytes(8)), placeOf(9, port)));
+    EXPECT_FALSE(takes(Packet(3).gap(OdometryWriter, 1, 50'000), placeOf(9, 50'049)));
+    EXPECT_TRUE(takes(Packet(3).data(OdometryWriter, 500, Bytes(8)), own));
+    EXPECT_TRUE(takes(Packet(3).announce(90, 9), placeOf(9)));
+}
+
+TEST_F(ScreenTest, APacketThatIsRefusedMakesNoPlaceItsOwn) {
+    const screen::Place own = placeOf(9, 45'000), forger = placeOf(9, 50'000);
+    ASSERT_TRUE(takes(Packet(3).announce(100, 9), placeOf(9)));
+    EXPECT_FALSE(takes(Packet(3).gap(screen::entity::PublicationsWriter, 1, 1 << 20), forger));
+    EXPECT_TRUE(takes(Packet(3).announceEndpoint(OdometryWriter), own));
+    EXPECT_FALSE(takes(Packet(3).heartbeat(screen::entity::PublicationsWriter, 1, 1), forger))
+        << "nothing of discovery";
+}
+
 TEST_F(ScreenTest, WhoIsTurnedAwayTakesNoHomeOver) {
     ASSERT_TRUE(takes(Packet(2).announce(100, 8), placeOf(8)));
     ASSERT_TRUE(takes(Packet(2).data(OdometryWriter, 1, Bytes(8)), placeOf(8, 50'000)));

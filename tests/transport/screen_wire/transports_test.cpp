@@ -1,5 +1,4 @@
 #include <mutex>
-#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -52,16 +51,16 @@ struct SentByWay {
     int sent = 0, sentAfterItsEnd = 0;
     bool ended = false;
 };
-class SilentWay final : public rtps::SenderResource {
+class SilentWay final : public detail::fastdds::WayOut {
 public:
-    explicit SilentWay(std::shared_ptr<SentByWay> sent)
-        : SenderResource(LOCATOR_KIND_UDPv4), m_sent(std::move(sent)) {
-        send_lambda_ = [sent = m_sent](auto&&...) {
-            const std::scoped_lock lock(sent->mutex);
-            ++(sent->ended ? sent->sentAfterItsEnd : sent->sent);
-            return true;
-        };
-    }
+    explicit SilentWay(const std::shared_ptr<SentByWay>& sent)
+        : WayOut(LOCATOR_KIND_UDPv4,
+                 [sent](auto&&...) {
+                     const std::scoped_lock lock(sent->mutex);
+                     ++(sent->ended ? sent->sentAfterItsEnd : sent->sent);
+                     return true;
+                 }),
+          m_sent(sent) {}
     ~SilentWay() override {
         const std::scoped_lock lock(m_sent->mutex);
         m_sent->ended = true;
@@ -116,7 +115,7 @@ TEST(ScreenedTransports, WhatIsSentAgainGoesOutBeforeItsWayEnds) {
                                    static_cast<std::uint32_t>(announcement.size()), &first, &last,
                                    std::chrono::steady_clock::now() + 1s));
     ways.clear();
-    std::this_thread::sleep_for(200ms);  // longer than anything waits
+    transport->shutdown();
     const std::scoped_lock lock(sent->mutex);
     EXPECT_EQ(sent->sent, 3);
     EXPECT_EQ(sent->sentAfterItsEnd, 0);

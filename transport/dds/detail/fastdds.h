@@ -44,6 +44,7 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #endif
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -150,6 +151,21 @@ template <class Code>
     return std::as_bytes(std::span(datagram, size));
 #endif
 }
+
+/// A way out of a transport. What it sends by has another name in each version.
+class WayOut : public rtps::SenderResource {
+protected:
+    using Send =
+        std::function<bool(Outgoing, std::uint32_t size, rtps::LocatorsIterator* first,
+                           rtps::LocatorsIterator* last, const std::chrono::steady_clock::time_point& until)>;
+    WayOut(std::int32_t kind, Send send) : SenderResource(kind) {
+#if LEITSTAND_FASTDDS_3
+        send_buffers_lambda_ = std::move(send);
+#else
+        send_lambda_ = std::move(send);
+#endif
+    }
+};
 
 /// Samples between endpoints of this process take the same way as all others.
 inline void turnOffShortcuts() {

@@ -27,15 +27,16 @@ struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
 
 /// A way out of the transport below. It sends discovery three times, the last of it at its end: where a
 /// participant ends, its ways go before their transport.
-class ScreenedWay final : public rtps::SenderResource {
+class ScreenedWay final : public fastdds::WayOut {
 public:
     ScreenedWay(DiscoverySender& sender, std::unique_ptr<rtps::SenderResource> low)
-        : SenderResource(low->kind()), m_sender(sender), m_low(std::move(low)) {
-        send_lambda_ = [this](fastdds::Outgoing datagram, uint32_t size, rtps::LocatorsIterator* first,
-                              rtps::LocatorsIterator* last, const DiscoverySender::Moment& until) {
-            return send(datagram, size, *first, *last, until);
-        };
-    }
+        : WayOut(low->kind(),
+                 [this](fastdds::Outgoing datagram, uint32_t size, rtps::LocatorsIterator* first,
+                        rtps::LocatorsIterator* last, const DiscoverySender::Moment& until) {
+                     return send(datagram, size, *first, *last, until);
+                 }),
+          m_sender(sender),
+          m_low(std::move(low)) {}
     ~ScreenedWay() override { m_sender.finish(); }
     ScreenedWay(const ScreenedWay&) = delete;
     ScreenedWay& operator=(const ScreenedWay&) = delete;
@@ -74,10 +75,10 @@ public:
 
     bool OpenOutputChannel(efr::SendResourceList& ways, const rtps::Locator_t& to) override {
         const std::size_t known = ways.size();
-        if (!low_level_transport_->OpenOutputChannel(ways, to)) return false;
+        const bool opened = low_level_transport_->OpenOutputChannel(ways, to);
         for (std::size_t i = known; i < ways.size(); ++i)
             ways[i] = std::make_unique<ScreenedWay>(m_sender, std::move(ways[i]));
-        return true;
+        return opened;
     }
     /// By ways that a ChainingTransport opens itself, of which there are none here.
     bool send(rtps::SenderResource* low, fastdds::Outgoing bytes, uint32_t size,
