@@ -1765,6 +1765,22 @@ Die blaue Linie ist der Horizont.</translation>
         <source>What is outside the dashed line stays out of the map</source>
         <translation>Was außerhalb der gestrichelten Linie liegt, bleibt aus der Karte</translation>
     </message>
+    <message>
+        <source>Show a place that it &amp;meets</source>
+        <translation>Stelle &amp;zeigen, die er trifft</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot was at the chosen scan by an older part of the map, drag its heading: where it fits there, the map asks whether it is the same place</source>
+        <translation>In die Karte klicken, wo der Roboter beim gewählten Scan nach einem älteren Teil der Karte war, die Richtung ziehen: Wo er dort passt, fragt die Karte, ob es dieselbe Stelle ist</translation>
+    </message>
+    <message>
+        <source>Meets…</source>
+        <translation>Trifft…</translation>
+    </message>
+    <message>
+        <source>Click where the older part of the map has the place of scan %1, drag the robot&apos;s heading · right button: not at all</source>
+        <translation>Klicken, wo der ältere Teil der Karte die Stelle von Scan %1 hat, die Richtung des Roboters ziehen · rechte Taste: gar nicht</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsPanel</name>
@@ -7579,6 +7595,18 @@ F1 listet alle Tasten</translation>
     <message>
         <source>found in the whole map, where {} % of what it sees fits; its next scan tells whether it stands there</source>
         <translation>in der ganzen Karte gefunden, wo {} % von dem passen, was er sieht; sein nächster Scan sagt, ob er dort steht</translation>
+    </message>
+    <message>
+        <source>scan {}: expected one that counts: accept it first</source>
+        <translation>Scan {}: erwartet wird einer, der zählt: Zuerst annehmen</translation>
+    </message>
+    <message>
+        <source>scan {} does not fit there: draw it nearer to where it was, or it is another place</source>
+        <translation>Scan {} passt dort nicht: Näher an die richtige Stelle ziehen, oder es ist eine andere</translation>
+    </message>
+    <message>
+        <source>scan {}: no older part of the map is within {} m of there</source>
+        <translation>Scan {}: Kein älterer Teil der Karte liegt dort im Umkreis von {} m</translation>
     </message>
 </context>
 <context>

@@ -1765,6 +1765,22 @@ The blue line is the horizon.</source>
         <source>What is outside the dashed line stays out of the map</source>
         <translation>破線の外側は地図に含めない</translation>
     </message>
+    <message>
+        <source>Show a place that it &amp;meets</source>
+        <translation>一致する場所を示す(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot was at the chosen scan by an older part of the map, drag its heading: where it fits there, the map asks whether it is the same place</source>
+        <translation>選んだスキャンの時にロボットがいた場所を、地図の古い部分の上でクリックし、向きをドラッグします。そこに合えば、同じ場所かどうかを地図が尋ねます</translation>
+    </message>
+    <message>
+        <source>Meets…</source>
+        <translation>一致…</translation>
+    </message>
+    <message>
+        <source>Click where the older part of the map has the place of scan %1, drag the robot&apos;s heading · right button: not at all</source>
+        <translation>スキャン %1 の場所を地図の古い部分の上でクリックし、ロボットの向きをドラッグ · 右ボタン: 中止</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::DecisionsPanel</name>
@@ -7579,6 +7595,18 @@ F1 でキー一覧</translation>
     <message>
         <source>found in the whole map, where {} % of what it sees fits; its next scan tells whether it stands there</source>
         <translation>地図全体から発見。見えているものの {} % が合います。次のスキャンで確認します</translation>
+    </message>
+    <message>
+        <source>scan {}: expected one that counts: accept it first</source>
+        <translation>スキャン {}: 有効なスキャンが必要です。先に採用してください</translation>
+    </message>
+    <message>
+        <source>scan {} does not fit there: draw it nearer to where it was, or it is another place</source>
+        <translation>スキャン {} はそこに合いません。実際の場所のもっと近くに描いてください。あるいは別の場所です</translation>
+    </message>
+    <message>
+        <source>scan {}: no older part of the map is within {} m of there</source>
+        <translation>スキャン {}: そこから {} m 以内に地図の古い部分はありません</translation>
     </message>
 </context>
 <context>

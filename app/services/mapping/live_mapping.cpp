@@ -227,6 +227,23 @@ void LiveMapping::settle(const MapSolution& solution) {
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
 }
 
+void LiveMapping::seekPlace() {
+    if (m_seeks) return;
+    auto sought = m_mapper.sought();  // also where the map is another station's: later it is of no use
+    if (!sought || (m_listener.makesMap && !m_listener.makesMap())) return;
+    m_seeks = true;
+    m_solving.submit([this, sought = std::move(*sought)](const std::stop_token& stop) {
+        const auto found = recognise(sought, m_settings, {}, Progress{{}, stop});
+        if (stop.stop_requested()) return;
+        post([this, sought, found](LiveMapper& mapper) {
+            m_seeks = false;
+            if (!found || (m_listener.makesMap && !m_listener.makesMap())) return;
+            const auto loop = mapper.recognised(sought, *found, stationTime());
+            if (loop && m_listener.onLoop) m_listener.onLoop(*loop);
+        });
+    });
+}
+
 void LiveMapping::followFixes() {
     for (auto& [name, robot] : m_robots) {
         const auto fix = m_mapper.fix(name);
@@ -287,6 +304,7 @@ void LiveMapping::run(const std::stop_token& stop) {
         }
         registerDone(stationTime());
         solveLoops();
+        seekPlace();
         if (leaveOutPlaced(stationTime())) tellMap();
         tellRobots();
     }

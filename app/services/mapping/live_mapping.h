@@ -22,6 +22,7 @@
 #include "core/mapping/map.h"
 #include "core/mapping/motion/scan_cutter.h"
 #include "core/mapping/placement/laser_robot.h"
+#include "core/mapping/relocalisation/place_recognition.h"
 #include "core/mapping/relocalisation/relocaliser.h"
 #include "core/robot/robot_description.h"
 
@@ -32,7 +33,8 @@ struct LiveMappingListener {
     std::function<void(const RobotPlaceSample&)> onPlace =
         {};                                               ///< likewise, of robots that do not make the map
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
-    std::function<void(const Settled&)> onSettled = {};   ///< likewise, after a loop closed or was taken back
+    std::function<void(const ScanLinksSample&)> onLoop = {};  ///< likewise: a place was recognised far off
+    std::function<void(const Settled&)> onSettled = {};  ///< likewise, after a loop closed or was taken back
     /// Likewise, without a station: other robots in a scan that entered before they were placed.
     std::function<void(ScanBodiesSample)> onBodies = {};
     /// A robot was looked for in the whole map in vain: so many places look as what it sees, or none.
@@ -120,6 +122,7 @@ private:
     void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
     void solveLoops();                                ///< where the map meets itself, on a thread beside
     void settle(const MapSolution& solution);
+    void seekPlace();            ///< where the map may meet itself far off, likewise
     void carryAlong();           ///< robots without scans in the map, with the scans about them
     void followFixes();          ///< robots stand where the mapper says
     void layTrails();            ///< where decisions moved the scans
@@ -160,6 +163,7 @@ private:
     RobotsInMapPtr m_places;              ///< likewise
     std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
     bool m_solves = false;                ///< something is being solved; of the thread
+    bool m_seeks = false;                 ///< a place is being looked for; likewise
     JobQueue m_solving;                   ///< by the solver
     std::jthread m_solver;
     std::jthread m_thread;  ///< last: joined first

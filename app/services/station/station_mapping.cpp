@@ -65,6 +65,7 @@ struct StationMapping::State {
         if (const auto kept = say(sample, topic); !kept) tell(kept.error().text);
     }
     void log(const MapUpdate& update);
+    void logLoop(const ScanLinksSample& loop);
     void log(const Settled& settled);
     void log(const RobotPlaceSample& place);
     void hear(const Event& event);
@@ -117,9 +118,12 @@ void StationMapping::State::log(const MapUpdate& update) {
     }
     if (update.links) sayOrTell(*update.links, station_topic::ScanLinks);
     if (update.poses) sayOrTell(*update.poses, station_topic::ScanPoses);
-    if (!update.loop) return;
-    sayOrTell(*update.loop, station_topic::ScanLinks);
-    const bool closes = update.loop->links.front().active;
+    if (update.loop) logLoop(*update.loop);
+}
+
+void StationMapping::State::logLoop(const ScanLinksSample& loop) {
+    sayOrTell(loop, station_topic::ScanLinks);
+    const bool closes = loop.links.front().active;
     loopClosed = loopClosed || closes;
     if (!closes)
         tell(translate(
@@ -297,6 +301,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     setup.settings.crop = state.crop = state.cropInLog();
     LiveMappingListener listening;
     listening.onUpdate = [&state](const MapUpdate& update) { state.log(update); };
+    listening.onLoop = [&state](const ScanLinksSample& loop) { state.logLoop(loop); };
     listening.onSettled = [&state](const Settled& settled) { state.log(settled); };
     listening.onBodies = [&state](ScanBodiesSample bodies) {
         bodies.station = state.station;
@@ -403,6 +408,16 @@ Result<void> StationMapping::undo() {
 Result<void> StationMapping::redo() {
     return m_state->takeBack(
         &redoOnMap, translate("leitstand::Station", "nothing to be done again: nothing was taken back last"));
+}
+
+Result<void> StationMapping::propose(std::uint64_t scan, const Pose& scanInMap) {
+    if (auto may = m_state->known(scan); !may) return may;
+    m_state->mapping->post([&state = *m_state, scan, scanInMap](LiveMapper& mapper) {
+        const auto loop = mapper.propose(scan, scanInMap, stationTime());
+        if (!loop) return state.tell(loop.error().text);
+        state.sayOrTell(*loop, station_topic::ScanLinks);
+    });
+    return {};
 }
 
 Result<void> StationMapping::answerLoop(bool same) {

@@ -63,6 +63,9 @@ public:
     /// Says that something of ours is taken back that is no decision on the map: the log of the map counts
     /// it.
     Result<void> takeBack(const UndoSample& undo);
+    /// Shows that the key scan @p scan was taken at about @p scanInMap, by what an older part of the map has
+    /// there: where it fits, openLoop() asks whether it does. The listener is told where it does not.
+    Result<void> propose(std::uint64_t scan, const Pose& scanInMap);
     /// Answers openLoop() of the mission: the two are one place, and the map is brought together there, or
     /// they are not, and it is not asked about again. undo() takes the answer back.
     Result<void> answerLoop(bool same);

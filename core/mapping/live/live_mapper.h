@@ -12,6 +12,7 @@
 #include "core/event/scan_links.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/loops/map_problem.h"
+#include "core/mapping/live/loops/sought_place.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/registration/icp.h"
@@ -126,6 +127,19 @@ public:
 
     /// Links that the newest decision made, once: for the log, before its poses. Empty: none.
     [[nodiscard]] std::optional<ScanLinksSample> takeLinks();
+
+    /// The newest scan that is to be looked for in the map's earlier part: by recognise(), on any thread;
+    /// where that finds it, then comes recognised(). Empty: there is none.
+    [[nodiscard]] std::optional<SoughtPlace> sought();
+    /// It sees what was seen from @p scanInMap. Links of a loop once enough of them agree, for the log, as
+    /// MapUpdate::loop: a question. Empty: not yet, or the map moved meanwhile.
+    [[nodiscard]] std::optional<ScanLinksSample> recognised(const SoughtPlace& sought, const Pose& scanInMap,
+                                                            Time now);
+
+    /// The operator shows that the key scan @p id was taken at about @p scanInMap, by what an older part of
+    /// the map has there: a question for the log, as MapUpdate::loop. Errors, in words, also where it does
+    /// not fit.
+    [[nodiscard]] Result<ScanLinksSample> propose(std::uint64_t id, const Pose& scanInMap, Time now);
 
     /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
     /// settle(). Empty: nothing, or somebody is at it.

@@ -63,6 +63,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
     for (const ScanPose& pose : poses) {
         LiveKeyScan* scan = find(pose.scan);
         if (scan == nullptr || same(scan->pose, pose)) continue;
+        if (!scan->pose.scanInMap.isApprox(pose.scanInMap)) loops.moved();
         scan->pose = pose;
         cropped.fit(*scan, clouds);
         localStale = true;

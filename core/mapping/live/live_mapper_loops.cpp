@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/words.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/live_mapper_state.h"
 
@@ -21,7 +22,10 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);
-    if (loop.empty()) return;
+    if (loop.empty()) {
+        if (loops.seeks(key, map)) sought = key.id;
+        return;
+    }
     unsolved = unsolved || loop.front().active;
     update.loop = ScanLinksSample{now, station, std::move(loop)};
 }
@@ -52,6 +56,43 @@ void LiveMapper::followLoops(std::span<const Link> loops) {
     if (!m_state->loops.follow(loops)) return;
     ++m_state->revision;
     m_state->unsolved = true;
+}
+
+std::optional<SoughtPlace> LiveMapper::sought() {
+    State& state = *m_state;
+    const std::uint64_t id = std::exchange(state.sought, 0);
+    const LiveKeyScan* const scan = id == 0 ? nullptr : state.find(id);
+    if (scan == nullptr || !scan->counts()) return std::nullopt;
+    return SoughtPlace{id, map(), state.loops.sameAge(id)};
+}
+
+std::optional<ScanLinksSample> LiveMapper::recognised(const SoughtPlace& sought, const Pose& scanInMap,
+                                                      Time now) {
+    State& state = *m_state;
+    const LiveKeyScan* const scan = state.find(sought.scan);
+    if (scan == nullptr || !scan->counts()) return std::nullopt;
+    // Where the map moved meanwhile the place is looked for again with a later scan.
+    for (const LiveKeyScan& before : sought.map->scans) {
+        const LiveKeyScan* const after = state.find(before.id);
+        if (after == nullptr || before.pose.trust != after->pose.trust ||
+            !before.pose.scanInMap.isApprox(after->pose.scanInMap))
+            return std::nullopt;
+    }
+    std::vector<Link> loop = state.loops.closeFar(*scan, scanInMap, state.map);
+    if (loop.empty()) return std::nullopt;
+    state.unsolved = state.unsolved || loop.front().active;
+    return ScanLinksSample{now, state.station, std::move(loop)};
+}
+
+Result<ScanLinksSample> LiveMapper::propose(std::uint64_t id, const Pose& scanInMap, Time now) {
+    State& state = *m_state;
+    const LiveKeyScan* const scan = state.find(id);
+    if (scan == nullptr || !scan->counts())
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "scan {}: expected one that counts: accept it first"), id)};
+    auto link = state.loops.propose(*scan, scanInMap, state.map);
+    if (!link) return link.error();
+    return ScanLinksSample{now, state.station, {*link}};
 }
 
 std::optional<MapProblem> LiveMapper::problem() {

@@ -85,6 +85,7 @@ struct LiveMapper::State {
         0;  ///< of what solutions are for: decisions, and what other stations say, change it
     std::optional<ScanLinksSample> madeLinks;  ///< by the newest decision
     bool unsolved = false;                     ///< since a loop closed or was taken back
+    std::uint64_t sought = 0;  ///< newest scan that is to be looked for in the whole map; 0: none
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan
     LocalMap local;

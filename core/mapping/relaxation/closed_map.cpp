@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/mapping/live/live_mapper.h"
+#include "core/mapping/relocalisation/place_recognition.h"
 
 namespace leitstand {
 namespace {
@@ -48,7 +49,7 @@ public:
         m_given.assign(given.begin(), given.end());
     }
 
-    void add(std::size_t place) {
+    void add(std::size_t place, const Progress& progress) {
         const MapScan& entry = m_map.scans[place];
         LiveScan live;
         Scan scan = *entry.scan;
@@ -67,6 +68,7 @@ public:
         if (update.links)
             m_links.insert(m_links.end(), update.links->links.begin(), update.links->links.end());
         if (update.loop) found(*update.loop);
+        seek(progress);
         for (const GivenLink& one : m_given) {
             if (one.toInFrom && std::max(one.from, one.to) == place) keep(one);
         }
@@ -142,6 +144,13 @@ private:
         }
         return distanceBetween(from * link.pose, to);
     }
+    /// Where the way may meet itself far from where it stands.
+    void seek(const Progress& progress) {
+        const auto sought = m_mapper.sought();
+        const auto place = sought ? recognise(*sought, m_settings, {}, {{}, progress.stop}) : std::nullopt;
+        if (!place) return;
+        if (const auto loop = m_mapper.recognised(*sought, *place, m_now)) found(*loop);
+    }
     void settle() {
         const auto problem = m_mapper.problem();
         if (!problem) return;
@@ -182,7 +191,7 @@ Result<ClosedMap> closeLoops(const Map& map, std::span<const GivenLink> given, c
     Closing closing(map, given, settings);
     for (std::size_t i = 0; i < map.scans.size(); ++i) {
         if (progress.cancelled()) return ClosedMap{};
-        closing.add(i);
+        closing.add(i, progress);
         progress.done(ClosingShare * double(i + 1) / double(map.scans.size()));
     }
     const Progress relaxing{

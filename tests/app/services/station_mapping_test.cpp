@@ -435,5 +435,28 @@ TEST_F(StationMappingTest, WhereTheMapErredTooMuchItIsAskedAndTheAnswerTakenBack
     EXPECT_TRUE(mapIsAsLogged());
 }
 
+TEST_F(StationMappingTest, TheOperatorShowsAPlaceThatAScanMeetsAndIsAskedBeforeTheMapMoves) {
+    closeLoops();
+    begin();
+    ASSERT_TRUE(closesOne()) << words();
+    ASSERT_TRUE(m_mapping->undoLoop().ok());
+    ASSERT_TRUE(waitUntil([&] { return m_mission->state()->loops->empty(); })) << words();
+    const LiveMapPtr map = m_mapping->scans();
+    const ScanPose last = map->scans.back().pose;
+    EXPECT_FALSE(m_mapping->propose(last.scan + 1, last.scanInMap).ok()) << "there is no such scan";
+    ASSERT_TRUE(m_mapping->propose(last.scan, poseFrom({40, 40, 0}, 0, 0, 0)).ok());
+    ASSERT_TRUE(waitUntil([&] { return words().find("no older part of the map") != std::string::npos; })) << words();
+    ASSERT_TRUE(m_mapping->propose(last.scan, last.scanInMap).ok());
+    const auto asked = [&] { return openLoop(*m_mission->state()).has_value(); };
+    ASSERT_TRUE(waitUntil(asked)) << words();
+    EXPECT_FALSE(m_mapping->loop().has_value()) << "nothing moves yet";
+    const auto before = posesInLog();
+    ASSERT_TRUE(m_mapping->answerLoop(true).ok());
+    ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), before.back()) > 1e-6; }, 60s))
+        << words();
+    EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Loop);
+    EXPECT_TRUE(mapIsAsLogged());
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -28,23 +28,27 @@ LoopScore scoreIn(const BuildingSettings& settings, const OdometryErrors& odomet
     return loopScore(mapped(made.drive, std::move(made.scans), mapping), made.drive);
 }
 
+void print(const std::string& name, const LoopScore& score) {
+    std::printf("%s: %d links, %d wrong, %d asked, %d of those wrong, %d of %d revisits closed\n",
+                name.c_str(), score.links, score.wrong, score.asked, score.misled, score.closed,
+                score.revisits);
+}
+
 LoopScore total(const char* name, const BuildingSettings& settings, const OdometryErrors& odometry,
                 std::uint64_t first) {
     LoopScore sum;
     for (int i = 0; i < buildings(); ++i) {
         const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
         const LoopScore one = scoreIn(settings, odometry, seed);
-        std::printf("%s %llu: %d links, %d wrong, %d asked, %d of %d revisits closed\n", name,
-                    static_cast<unsigned long long>(seed), one.links, one.wrong, one.asked, one.closed,
-                    one.revisits);
+        print(name + std::string(" ") + std::to_string(seed), one);
         sum.links += one.links;
         sum.wrong += one.wrong;
         sum.asked += one.asked;
+        sum.misled += one.misled;
         sum.revisits += one.revisits;
         sum.closed += one.closed;
     }
-    std::printf("%s: %d links, %d wrong, %d asked, %d of %d revisits closed\n", name, sum.links, sum.wrong,
-                sum.asked, sum.closed, sum.revisits);
+    print(name, sum);
     return sum;
 }
 
@@ -56,6 +60,7 @@ TEST(BuildingLoopsLong, NoneIsWrongWhereRoomsAndCorridorsAreAlike) {
     settings.troubles = false;
     const LoopScore score = total("twins", settings, {}, 201);
     EXPECT_EQ(score.wrong, 0);
+    EXPECT_EQ(score.misled, 0);
     EXPECT_GT(score.links, 0);
 }
 
@@ -69,6 +74,7 @@ TEST(BuildingLoopsLong, RevisitsAreClosedWithOdometryThatErrsByATenth) {
     odometry.headingBias = degrees(0.16);
     const LoopScore score = total("drift", settings, odometry, 301);
     EXPECT_EQ(score.wrong, 0);
+    EXPECT_EQ(score.misled, 0);
     EXPECT_GE(score.closed, 0.95 * score.revisits);
 }
 

@@ -34,7 +34,7 @@ LoopScore loopScore(const MappedDrive& mapped, const RecordedDrive& drive) {
         const bool right =
             distanceBetween(between, link.pose) <= Off && angleBetween(between, link.pose) <= OffAngle;
         ++(link.active ? score.links : score.asked);
-        if (link.active && !right) ++score.wrong;
+        if (!right) ++(link.active ? score.wrong : score.misled);
         if (!link.active && right) graph.setActive(link.id, true);
     }
     const auto earlier = [&](std::size_t i) -> std::optional<std::size_t> {

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mapping/relocalisation/place_recognition.h"
+
 namespace leitstand::simulation::test {
 namespace {
 
@@ -95,6 +97,14 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
         for (const auto* said : {&update.links, &update.loop}) {
             if (!*said) continue;
             for (const Link& link : (*said)->links) result.graph.add(link);
+        }
+        if (const auto sought = mapper.sought()) {
+            const double began = processorTime();
+            const auto found = recognise(*sought, settings);
+            result.seeking.push_back(processorTime() - began);
+            const auto loop =
+                found ? mapper.recognised(*sought, *found, live.scan->end) : std::optional<ScanLinksSample>{};
+            for (const Link& link : loop ? loop->links : std::vector<Link>{}) result.graph.add(link);
         }
         if (const auto problem = mapper.problem()) {
             const double began = processorTime();

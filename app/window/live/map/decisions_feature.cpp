@@ -20,6 +20,21 @@
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
+namespace {
+
+/// Where @p scan was taken by the operator's word: as it is, but at @p pose on the ground.
+Pose drawnPose(const LiveKeyScan& scan, const GroundPose& pose) {
+    const Pose was = scan.pose.scanInMap * scan.sensorInBase.inverse();
+    Eigen::Vector3d place = pose.place;
+    place.z() = was.translation().z();
+    const double turn = pose.heading.value_or(headingOf(was)) - headingOf(was);
+    Pose base = was;  // keeps its tilt
+    base.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * was.linear();
+    base.translation() = place;
+    return base * scan.sensorInBase;
+}
+
+}  // namespace
 
 DecisionsFeature::DecisionsFeature(const LiveContext& context, MapView& view, MapGestures& gestures,
                                    RobotsOnMap& robots, QObject* parent)
@@ -77,6 +92,11 @@ void DecisionsFeature::addDecisions() {
             tr("Click on the map where the robot was, drag its heading: the chosen scan is registered "
                "again from there"),
             QKeySequence(Qt::SHIFT | Qt::Key_R), true);
+    QAction& loop = add(
+        "loop.draw", tr("Show a place that it &meets"),
+        tr("Click on the map where the robot was at the chosen scan by an older part of the map, drag its "
+           "heading: where it fits there, the map asks whether it is the same place"),
+        QKeySequence(Qt::SHIFT | Qt::Key_M), true);
     QAction& back = add("scan.rewind", tr("Re&wind to here"),
                         tr("Sets aside all scans that entered after the chosen one"),
                         QKeySequence(Qt::CTRL | Qt::Key_Delete));
@@ -91,6 +111,7 @@ void DecisionsFeature::addDecisions() {
             [this, &mapping] { answer(mapping.reject(m_panel->chosen())); });
     connect(&again, &QAction::triggered, this, &DecisionsFeature::retry);
     connect(&drag, &QAction::triggered, this, &DecisionsFeature::dragForRetry);
+    connect(&loop, &QAction::triggered, this, &DecisionsFeature::dragForLoop);
     connect(&back, &QAction::triggered, this, &DecisionsFeature::rewind);
     connect(&undo, &QAction::triggered, this, [this, &mapping] { answer(mapping.undo()); });
     connect(&redo, &QAction::triggered, this, [this, &mapping] { answer(mapping.redo()); });
@@ -99,12 +120,13 @@ void DecisionsFeature::addDecisions() {
     reject.setIconText(tr("Reject"));
     again.setIconText(tr("Retry"));
     drag.setIconText(tr("From pose"));
+    loop.setIconText(tr("Meets…"));
     back.setIconText(tr("Rewind"));
     for (QAction* one : {&undo, &redo}) one->setEnabled(false);
     undo.setIconText(tr("Undo"));
     redo.setIconText(tr("Redo"));
-    for (QAction* one : {&accept, &reject, &again, &drag, &back}) m_onChosen[one->objectName()] = one;
-    m_panel->setDecisions({&next, &undo, &accept, &reject, &again, &drag, &back, &redo});
+    for (QAction* one : {&accept, &reject, &again, &drag, &loop, &back}) m_onChosen[one->objectName()] = one;
+    m_panel->setDecisions({&next, &undo, &accept, &reject, &again, &drag, &loop, &back, &redo});
 }
 
 void DecisionsFeature::addArea() {
@@ -158,32 +180,40 @@ void DecisionsFeature::retry() {
 
 void DecisionsFeature::dragForRetry(bool on) {
     if (!on) return m_gestures.disarm();
+    dragChosen(QStringLiteral("scan.retryFromPose"),
+               tr("Click where the robot was at scan %1, drag its heading · right button: not at all"),
+               [this](std::uint64_t id, const Pose& scanInMap) {
+                   RetrySettings settings;
+                   settings.match.wide = m_panel->retrySchedule();
+                   settings.guessInMap = scanInMap;
+                   answer(m_context.bridge.station().mapping().retry(id, settings));
+               });
+}
+
+void DecisionsFeature::dragForLoop(bool on) {
+    if (!on) return m_gestures.disarm();
+    dragChosen(
+        QStringLiteral("loop.draw"),
+        tr("Click where the older part of the map has the place of scan %1, drag the robot's heading · "
+           "right button: not at all"),
+        [this](std::uint64_t id, const Pose& scanInMap) {
+            answer(m_context.bridge.station().mapping().propose(id, scanInMap));
+        });
+}
+
+void DecisionsFeature::dragChosen(const QString& command, const QString& text,
+                                  const std::function<void(std::uint64_t, const Pose&)>& drawn) {
     const std::uint64_t id = m_panel->chosen();
     const LiveKeyScan* const scan = m_scans.scanAt(m_scans.rowOf(id));
     if (scan == nullptr) return m_gestures.disarm();
     RobotMark ghost = m_robots.mark(scan->scan->robot);
     ghost.baseInMap = scan->pose.scanInMap * scan->sensorInBase.inverse();
     m_view.setHighlighted(id);
-    m_gestures.armPose(
-        *m_onChosen.at(QStringLiteral("scan.retryFromPose")), ghost,
-        tr("Click where the robot was at scan %1, drag its heading · right button: not at all").arg(id),
-        [this, id](const GroundPose& pose) { retryFrom(id, pose); });
-}
-
-void DecisionsFeature::retryFrom(std::uint64_t id, const GroundPose& pose) {
-    const LiveKeyScan* const scan = m_scans.scanAt(m_scans.rowOf(id));
-    if (scan == nullptr) return;
-    const Pose was = scan->pose.scanInMap * scan->sensorInBase.inverse();
-    Eigen::Vector3d place = pose.place;
-    place.z() = was.translation().z();
-    const double turn = pose.heading.value_or(headingOf(was)) - headingOf(was);
-    Pose base = was;  // keeps its tilt
-    base.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * was.linear();
-    base.translation() = place;
-    RetrySettings settings;
-    settings.match.wide = m_panel->retrySchedule();
-    settings.guessInMap = base * scan->sensorInBase;
-    answer(m_context.bridge.station().mapping().retry(id, settings));
+    m_gestures.armPose(*m_onChosen.at(command), ghost, text.arg(id),
+                       [this, id, drawn](const GroundPose& pose) {
+                           const LiveKeyScan* const now = m_scans.scanAt(m_scans.rowOf(id));
+                           if (now != nullptr) drawn(id, drawnPose(*now, pose));
+                       });
 }
 
 void DecisionsFeature::rewind() {

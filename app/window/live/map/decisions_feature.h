@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 
 #include <QKeySequence>
@@ -20,7 +21,6 @@ class DecisionsPanel;
 class MapGestures;
 class MapView;
 class RobotsOnMap;
-struct GroundPose;
 struct MissionState;
 
 /// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
@@ -45,7 +45,10 @@ private:
     void toNextUncertain();
     void retry();
     void dragForRetry(bool on);
-    void retryFrom(std::uint64_t id, const GroundPose& pose);
+    void dragForLoop(bool on);
+    /// Lets the operator draw where the robot was at the chosen scan.
+    void dragChosen(const QString& command, const QString& text,
+                    const std::function<void(std::uint64_t, const Pose&)>& drawn);
     void rewind();
     void drawArea(bool on);
     void follow(const MissionState& mission);

@@ -1,9 +1,11 @@
 #include "core/mapping/live/loops/loop_closer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/base/words.h"
 #include "core/mapping/live/loops/free_space.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
@@ -97,43 +99,57 @@ double LoopCloser::deviation(std::uint64_t from, std::uint64_t to) const {
     return way ? m_settings.driftAtLeast + *way : std::numeric_limits<double>::infinity();
 }
 
-std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const LiveMap& map) const {
+const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& guess,
+                                       const LiveMap& map) const {
     const std::map<std::uint64_t, double> near = sameAge(entered.id);
     const LiveKeyScan* nearest = nullptr;
     double least = m_settings.reach;
     for (const LiveKeyScan& scan : map.scans) {
         if (!scan.counts() || near.contains(scan.id) || scan.id == entered.id) continue;
-        const double distance = mapDistance(scan.pose.scanInMap, entered.pose.scanInMap);
+        const double distance = mapDistance(scan.pose.scanInMap, guess);
         if (distance < least) {
             least = distance;
             nearest = &scan;
         }
     }
-    if (nearest == nullptr || wasRefused(nearest->id, entered.id)) return std::nullopt;
-    const std::map<std::uint64_t, double> about = m_graph.within(nearest->id, m_settings.about);
+    return nearest;
+}
+
+std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const Pose& guess,
+                                                  const LiveMap& map) const {
+    const LiveKeyScan* const older = olderAt(entered, guess, map);
+    if (older == nullptr || wasRefused(older->id, entered.id)) return std::nullopt;
+    return look(entered, *older, guess, map);
+}
+
+std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                                  const Pose& guess, const LiveMap& map) const {
+    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    const std::map<std::uint64_t, double> about = m_graph.within(older.id, m_settings.about);
     std::vector<LiveKeyScan> others;
     for (const LiveKeyScan& scan : map.scans) {
         if (scan.counts() && about.contains(scan.id) && !near.contains(scan.id)) others.push_back(scan);
     }
-    const LocalMap local = localMap(others, nearest->pose.scanInMap);
+    const LocalMap local = localMap(others, older.pose.scanInMap);
     Step step;
     step.measured = true;
     step.way = m_settings.reach / std::max(m_match.odometry.share, 0.01);  // far off, maybe
     step.turn = 1.0;
-    const Match match = leitstand::match(entered.reduced->unpacked(), local, entered.pose.scanInMap, step,
-                                         entered.up, m_match, m_fit, m_match.wide);
+    const Match match = leitstand::match(entered.reduced->unpacked(), local, guess, step, entered.up, m_match,
+                                         m_fit, m_match.wide);
     if (match.doubts != 0 || match.icp.overlap < m_settings.leastOverlap ||
         match.icp.rms > m_settings.mostResidual)
         return std::nullopt;
-    const Pose inNearest = nearest->pose.scanInMap.inverse() * match.scanInMap;
-    if (filledShare(*nearest->scan, *entered.scan, inNearest) > m_settings.mostFilled) return std::nullopt;
+    const Pose inOlder = older.pose.scanInMap.inverse() * match.scanInMap;
+    if (filledShare(*older.scan, *entered.scan, inOlder) > m_settings.mostFilled) return std::nullopt;
     Found found;
     LiveKeyScan there = entered;
     there.pose.scanInMap = match.scanInMap;
-    found.link = linkBetween(*nearest, there, LinkKind::Loop);
+    found.link = linkBetween(older, there, LinkKind::Loop);
     found.link.information = informationOf(match.icp, match.scanInMap, m_settings, m_match);
     found.correction = match.scanInMap * entered.pose.scanInMap.inverse();
     found.at = entered.pose.scanInMap.translation();
+    found.robot = entered.scan->robot;
     return found;
 }
 
@@ -144,32 +160,122 @@ bool LoopCloser::agree(const Found& a, const Found& b) const {
            Eigen::AngleAxisd(difference.linear()).angle() <= m_settings.agreeWithinAngle;
 }
 
-std::vector<Link> LoopCloser::close(const LiveKeyScan& entered, const LiveMap& map) {
-    std::optional<Found> found = look(entered, map);
-    if (!found) return {};
-    std::erase_if(m_pending, [&](const Found& other) {
-        return (other.at - found->at).norm() > m_settings.pendingWithin;
+bool LoopCloser::tooFar(const Found& found) const {
+    const double shift = (found.correction * found.at - found.at).norm();
+    return shift > m_settings.farBeyond * deviation(found.link.from, found.link.to) ||
+           Eigen::AngleAxisd(found.correction.linear()).angle() > m_settings.farTurn;
+}
+
+bool LoopCloser::wasAsked(const Found& found, const LiveMap& map) const {
+    const auto poseOf = [&](std::uint64_t id) -> std::optional<Pose> {
+        for (const LiveKeyScan& scan : map.scans) {
+            if (scan.id == id) return scan.pose.scanInMap;
+        }
+        return std::nullopt;
+    };
+    return std::any_of(m_graph.links().begin(), m_graph.links().end(), [&](const Link& link) {
+        if (link.active || !closesLoop(link.kind)) return false;
+        const auto from = poseOf(link.from), to = poseOf(link.to);
+        if (!from || !to) return false;
+        const Pose correction = *from * link.pose * to->inverse();
+        const double apart = (correction * found.at - found.correction * found.at).norm();
+        return apart < m_settings.reach && angleBetween(correction, found.correction) < degrees(15);
     });
-    std::vector<Link> links;
+}
+
+std::vector<Link> LoopCloser::meet(Found found) {
+    std::vector<const Found*> agreeing;
     for (const Found& other : m_pending) {
-        if (agree(other, *found)) links.push_back(other.link);
+        const bool all = std::all_of(agreeing.begin(), agreeing.end(),
+                                     [&](const Found* one) { return agree(*one, other); });
+        if (other.robot == found.robot && agree(other, found) && (all || !found.far))
+            agreeing.push_back(&other);
     }
-    if (links.empty()) {
+    if (agreeing.size() + 1 < (found.far ? m_settings.farAgree : 2)) {
         const bool apart = std::all_of(m_pending.begin(), m_pending.end(), [&](const Found& other) {
-            return (other.at - found->at).norm() >= 0.5 * m_settings.apart;
+            return (other.at - found.at).norm() >= 0.5 * m_settings.apart;
         });
-        if (apart) m_pending.push_back(std::move(*found));
+        if (apart) m_pending.push_back(std::move(found));
         return {};
     }
-    links.push_back(found->link);
-    const double shift = (found->correction * found->at - found->at).norm();
-    const bool expected = shift <= m_settings.askBeyond * deviation(found->link.from, found->link.to);
+    std::vector<Link> links;
+    for (const Found* const one : agreeing) links.push_back(one->link);
+    links.push_back(found.link);
+    const double shift = (found.correction * found.at - found.at).norm();
+    const bool expected =
+        !found.far && shift <= m_settings.askBeyond * deviation(found.link.from, found.link.to);
     for (Link& link : links) {
         link.active = expected;
         link = m_graph.add(std::move(link));
     }
     m_pending.clear();
     return links;
+}
+
+std::vector<Link> LoopCloser::close(const LiveKeyScan& entered, const LiveMap& map) {
+    const Eigen::Vector3d here = entered.pose.scanInMap.translation();
+    const std::string& robot = entered.scan->robot;
+    std::erase_if(m_pending, [&](const Found& other) {
+        return other.robot == robot && (other.at - here).norm() > m_settings.pendingWithin;
+    });
+    std::optional<Found> found = look(entered, entered.pose.scanInMap, map);
+    if (found) return meet(std::move(*found));
+    const auto far = std::find_if(m_pending.rbegin(), m_pending.rend(),
+                                  [&](const Found& other) { return other.far && other.robot == robot; });
+    if (far == m_pending.rend()) return {};
+    return closeFar(entered, far->correction * entered.pose.scanInMap, map);
+}
+
+std::vector<Link> LoopCloser::closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
+                                       const LiveMap& map) {
+    std::optional<Found> found = look(entered, scanInMap, map);
+    if (!found || tooFar(*found) || wasAsked(*found, map)) return {};
+    found->far = true;
+    return meet(std::move(*found));
+}
+
+bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
+    if (m_settings.seekEvery <= 0.0) return false;
+    std::uint64_t& sought = m_sought[entered.scan->robot];
+    if (sought != 0 && m_graph.within(entered.id, m_settings.seekEvery).contains(sought)) return false;
+    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    const auto earliest = std::find_if(map.scans.begin(), map.scans.end(), [&](const LiveKeyScan& scan) {
+        return scan.counts() && !near.contains(scan.id);
+    });
+    if (earliest == map.scans.end() ||
+        m_settings.farBeyond * deviation(earliest->id, entered.id) <= m_settings.reach)
+        return false;
+    sought = entered.id;
+    return true;
+}
+
+Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map) {
+    // Heights may have drifted: that of the storey counts which is nearest.
+    const std::map<std::uint64_t, double> near = sameAge(scan.id);
+    const double height = guess.translation().z();
+    double least = std::numeric_limits<double>::infinity();
+    for (const LiveKeyScan& other : map.scans) {
+        const Eigen::Vector3d there = other.pose.scanInMap.translation();
+        const bool about = (there - guess.translation()).head<2>().norm() < m_settings.reach;
+        if (!other.counts() || near.contains(other.id) || !about || std::abs(there.z() - height) >= least)
+            continue;
+        least = std::abs(there.z() - height);
+        guess.translation().z() = there.z();
+    }
+    const LiveKeyScan* const older = olderAt(scan, guess, map);
+    if (older == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "scan {}: no older part of the map is within {} m of there"),
+            scan.id, m_settings.reach)};
+    const std::optional<Found> found = look(scan, *older, guess, map);
+    if (!found)
+        return Error{leitstand::fill(
+            translate("leitstand::Station",
+                      "scan {} does not fit there: draw it nearer to where it was, or it is another place"),
+            scan.id)};
+    Link link = found->link;
+    link.active = false;
+    return m_graph.add(std::move(link));
 }
 
 }  // namespace leitstand

@@ -4,9 +4,11 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/base/result.h"
 #include "core/mapping/graph/scan_graph.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/loops/found_links.h"
@@ -41,6 +43,17 @@ public:
     /// Looks for a loop at the scan @p entered, which counts; its links where there is one, which are taken
     /// into the graph: not active where the map would have erred so much that the operator is to be asked.
     [[nodiscard]] std::vector<Link> close(const LiveKeyScan& entered, const LiveMap& map);
+    /// Whether the scan @p entered, where nothing closed, is to be looked for in the whole map: so much way
+    /// after the one before, and where the map may err by more than is looked for anyway.
+    [[nodiscard]] bool seeks(const LiveKeyScan& entered, const LiveMap& map);
+    /// The same as close() for a scan that was found at @p scanInMap, far from where it stands.
+    [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
+                                             const LiveMap& map);
+
+    /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
+    /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not
+    /// fit.
+    [[nodiscard]] Result<Link> propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map);
 
     [[nodiscard]] const ScanGraph& graph() const { return m_graph; }
 
@@ -50,11 +63,27 @@ private:
         Link link;
         Pose correction = Pose::Identity();  ///< to put before poses, in the map
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
+        std::string robot;
+        bool far = false;  ///< it was not looked for where the map has it
     };
-    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveMap& map) const;
+    /// The nearest scan within reach of @p guess that does not hang together with @p entered; null: none.
+    [[nodiscard]] const LiveKeyScan* olderAt(const LiveKeyScan& entered, const Pose& guess,
+                                             const LiveMap& map) const;
+    /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen.
+    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                            const Pose& guess, const LiveMap& map) const;
+    /// The same with olderAt(), unless the operator said no there.
+    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const Pose& guess,
+                                            const LiveMap& map) const;
+    /// The links of @p found where others agree with it; else it is kept for those to come. Far ones ask.
+    [[nodiscard]] std::vector<Link> meet(Found found);
+    /// Whether the map cannot have erred by so much.
+    [[nodiscard]] bool tooFar(const Found& found) const;
     [[nodiscard]] bool agree(const Found& a, const Found& b) const;
     /// How far the map is expected to err from the one scan to the other [m].
     [[nodiscard]] double deviation(std::uint64_t from, std::uint64_t to) const;
+    /// Whether a question, or what was taken back, would move the map as @p found does.
+    [[nodiscard]] bool wasAsked(const Found& found, const LiveMap& map) const;
     [[nodiscard]] bool wasRefused(std::uint64_t from, std::uint64_t to) const;
 
     LoopSettings m_settings;
@@ -62,6 +91,7 @@ private:
     FitSettings m_fit;
     ScanGraph m_graph;
     std::vector<Found> m_pending;
+    std::map<std::string, std::uint64_t> m_sought;  ///< newest scan that seeks() was true of, by robot
 };
 
 }  // namespace leitstand

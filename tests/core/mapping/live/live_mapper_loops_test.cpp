@@ -11,6 +11,7 @@ namespace leitstand::test {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::SizeIs;
 
 /// Scans hang together over so little way that a circle of 6 m meets itself.
@@ -286,6 +287,138 @@ TEST(LiveMapperLoops, WhereTheOperatorHadAScanRegisteredAgainItStaysWhenTheMapIs
     const auto back = room.mapper.problem();
     ASSERT_TRUE(back);
     EXPECT_LT(distanceBetween(solve(*back).nodes.back().pose, doubted.poses->poses.front().scanInMap), 0.02);
+}
+
+/// A room of which the second half of the way stands 5 m and 30 degrees off, and no place is within reach.
+struct TornRoom : MappedRoom {
+    static LiveSettings settings(double drift) {
+        LiveSettings settings = closing();
+        settings.loops.reach = 0.5;
+        settings.loops.seekEvery = 0.3;
+        settings.loops.drift = settings.loops.openDrift = drift;
+        return settings;
+    }
+    explicit TornRoom(double drift) : MappedRoom(settings(drift)) {
+        for (; scans < 9; ++scans) (void)addAt(scans);
+        std::vector<ScanPose> poses = this->poses();
+        for (ScanPose& one : poses) {
+            if (one.scan > 5) one.scanInMap = torn * one.scanInMap;
+        }
+        mapper.follow(poses);
+        for (; scans < 16; ++scans) (void)addAt(scans);
+        (void)mapper.sought();  // of where nothing was before
+    }
+    MapUpdate addAt(int place) {
+        const double angle = 0.4 * place;
+        return add(poseFrom({-std::cos(angle), -std::sin(angle), 0.9}, 0, 0, angle - M_PI / 2));
+    }
+    /// The next scan, and where the first part of the map has it.
+    std::optional<ScanLinksSample> recogniseNext() {
+        const MapUpdate update = addAt(scans++);
+        if (update.loop) return update.loop;
+        const auto sought = mapper.sought();
+        if (!sought) return std::nullopt;
+        ++asked;
+        return mapper.recognised(*sought, torn.inverse() * update.scanInMap, now);
+    }
+
+    const Pose torn = poseFrom({4.0, 3.0, 0}, 0, 0, degrees(30));
+    int scans = 0, asked = 0;
+};
+
+TEST(LiveMapperLoops, APlaceThatIsRecognisedFarOffClosesWhereThreeAgreeAndIsAskedAbout) {
+    TornRoom room(0.25);
+    std::optional<ScanLinksSample> loop;
+    int tries = 0;
+    for (; !loop && tries < 6; ++tries) loop = room.recogniseNext();
+    ASSERT_TRUE(loop);
+    EXPECT_GE(tries, 3) << "one or two may look alike by chance";
+    EXPECT_GE(room.asked, 1);
+    ASSERT_GE(loop->links.size(), 3U);
+    for (Link& link : loop->links) {
+        EXPECT_EQ(link.kind, LinkKind::Loop);
+        EXPECT_FALSE(link.active) << "that far off the operator is asked";
+        link.active = true;
+    }
+    EXPECT_FALSE(room.mapper.problem());
+    room.mapper.followLoops(loop->links);  // "it is the same place"
+    ASSERT_TRUE(room.solveAll());
+    const std::vector<ScanPose> poses = room.poses();
+    const Pose again = poses.front().scanInMap.inverse() * poses.at(16).scanInMap;
+    const double angle = 0.4 * 16;
+    const Pose first = poseFrom({-1.0, 0, 0.9}, 0, 0, -M_PI / 2);
+    const Pose expected =
+        first.inverse() * poseFrom({-std::cos(angle), -std::sin(angle), 0.9}, 0, 0, angle - M_PI / 2);
+    EXPECT_LT(distanceBetween(again, expected), 0.05);
+}
+
+TEST(LiveMapperLoops, WhatIsFartherOffThanTheMapCanHaveErredIsNoLoop) {
+    TornRoom room(0.05);
+    for (int i = 0; i < 4; ++i) EXPECT_FALSE(room.recogniseNext()) << i;
+    EXPECT_GE(room.asked, 3);
+}
+
+TEST(LiveMapperLoops, NothingIsSoughtWhereTheMapCannotHaveErredByMoreThanIsLookedForAnyway) {
+    TornRoom room(0.005);
+    for (int i = 0; i < 4; ++i) EXPECT_FALSE(room.recogniseNext()) << i;
+    EXPECT_EQ(room.asked, 0);
+}
+
+TEST(LiveMapperLoops, WhereTheMapMovedMeanwhileAPlaceThatWasFoundSaysNothing) {
+    for (const bool moves : {false, true}) {
+        TornRoom room(0.25);
+        const MapUpdate first = room.addAt(room.scans++);
+        const auto sought = room.mapper.sought();
+        ASSERT_TRUE(sought);
+        ASSERT_FALSE(room.recogniseNext());
+        ASSERT_FALSE(room.addAt(room.scans++).loop) << "by now two agree";
+        if (moves) {
+            std::vector<ScanPose> poses = room.poses();
+            poses.front().scanInMap.translation().x() += 0.01;
+            room.mapper.follow(poses);
+        }
+        const auto loop = room.mapper.recognised(*sought, room.torn.inverse() * first.scanInMap, room.now);
+        EXPECT_EQ(loop.has_value(), !moves);
+    }
+}
+
+TEST(LiveMapperLoops, TheOperatorShowsRoughlyWhereAScanMeetsAnOlderPart) {
+    TornRoom room(0.005);
+    const MapUpdate update = room.addAt(room.scans++);
+    const Pose there = room.torn.inverse() * update.scanInMap;
+    const std::uint64_t id = update.keyScan->id;
+    const auto text = [](const Result<ScanLinksSample>& result) {
+        return result.ok() ? std::string("it fits") : result.error().text;
+    };
+    EXPECT_THAT(text(room.mapper.propose(99, there, room.now)), HasSubstr("expected one that counts"));
+    EXPECT_THAT(text(room.mapper.propose(id, there * poseFrom({9, 0, 0}, 0, 0, 0), room.now)),
+                HasSubstr("no older part of the map is within 0.5 m"));
+    EXPECT_THAT(text(room.mapper.propose(id, there * poseFrom({0, 0, 0}, 0, 0, degrees(90)), room.now)),
+                HasSubstr("does not fit there"));
+    const Pose drawn = there * poseFrom({0.2, -0.15, 0}, 0, 0, degrees(7));
+    const auto shown = room.mapper.propose(id, drawn, room.now);
+    ASSERT_TRUE(shown.ok()) << shown.error().text;
+    ASSERT_THAT(shown->links, SizeIs(1));
+    EXPECT_FALSE(shown->links.front().active) << "a question";
+    const LiveMapPtr map = room.mapper.map();
+    const auto from = std::find_if(map->scans.begin(), map->scans.end(),
+                                   [&](const auto& one) { return one.id == shown->links.front().from; });
+    ASSERT_NE(from, map->scans.end());
+    EXPECT_LT(distanceBetween(from->pose.scanInMap * shown->links.front().pose, there), 0.03) << "it snaps";
+}
+
+TEST(LiveMapperLoops, NoPlaceIsSoughtWhileAllHangsTogetherOrWhenToldNotTo) {
+    MappedRoom room(closing());
+    for (int i = 0; i < 4; ++i) (void)room.add(poseFrom({-0.6 + 0.4 * i, 0, 0.9}, 0, 0, 0));
+    EXPECT_FALSE(room.mapper.sought()) << "1.2 m of way";
+    LiveSettings never = TornRoom::settings(0.25);
+    never.loops.seekEvery = 0.0;
+    MappedRoom other(never);
+    for (int i = 0; i < 14; ++i) {
+        const double angle = 0.4 * i;
+        (void)other.add(poseFrom({-std::cos(angle), -std::sin(angle), 0.9}, 0, 0, angle - M_PI / 2));
+    }
+    EXPECT_FALSE(other.mapper.sought());
 }
 
 }  // namespace

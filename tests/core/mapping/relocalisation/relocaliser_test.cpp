@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/mapping/relocalisation/place_recognition.h"
 #include "tests/core/mapping/live/mapped_room.h"
 
 namespace leitstand::test {
@@ -112,6 +113,70 @@ TEST(Relocaliser, OfScansThatAreSetAsideOrUncertainNothingIsBuiltOn) {
     LiveMap map = mappedRoom();
     for (LiveKeyScan& scan : map.scans) scan.pose.trust = ScanTrust::Uncertain;
     EXPECT_THAT(Drop(First).in(Relocaliser(std::make_shared<const LiveMap>(map), {})).places, IsEmpty());
+}
+
+/// The room, mapped, and a scan that came in later, 6 m and 40 degrees from where it was taken.
+SoughtPlace soughtIn(const LiveMap& room, const Pose& sensorInRoom) {
+    const Drop drop(sensorInRoom);
+    const auto map = std::make_shared<LiveMap>(room);
+    LiveKeyScan scan;
+    scan.id = 50;
+    scan.scan = drop.ready.scan;
+    scan.up = drop.live.up;
+    scan.pose.trust = ScanTrust::Certain;
+    scan.pose.scanInMap = poseFrom({5.0, -3.5, 0}, 0, 0, degrees(40)) * First.inverse() * sensorInRoom;
+    scan.reduced = MatchedClouds(nullptr, 4).keep(drop.ready.reduced, [] { return PointCloud(); });
+    map->scans.push_back(scan);
+    return {scan.id, map, {{scan.id, 0.0}}};
+}
+
+TEST(PlaceRecognition, FindsWhereAScanWasTakenInTheMapsEarlierPart) {
+    const LiveMap room = mappedRoom();
+    int found = 0;
+    for (const Pose& there : {poseFrom({0.6, -1.2, 0.9}, 0, 0, degrees(135)),
+                              poseFrom({-2.4, 1.1, 0.9}, degrees(3), degrees(-4), degrees(-80)),
+                              poseFrom({1.9, 0.9, 0.9}, 0, 0, degrees(178))}) {
+        const auto pose = recognise(soughtIn(room, there), {});
+        if (!pose) continue;
+        ++found;
+        expectAt(*pose, there);
+    }
+    EXPECT_GE(found, 1);
+}
+
+TEST(PlaceRecognition, NothingOfLatelyIsTakenForAnEarlierPart) {
+    SoughtPlace sought = soughtIn(mappedRoom(), poseFrom({0.6, -1.2, 0.9}, 0, 0, degrees(135)));
+    for (const LiveKeyScan& scan : sought.map->scans) sought.lately.emplace(scan.id, 1.0);
+    EXPECT_FALSE(recognise(sought, {}));
+    sought.scan = 99;
+    EXPECT_FALSE(recognise(sought, {})) << "there is no such scan";
+}
+
+TEST(PlaceRecognition, WhatWasSeenLatelyMustNotStandWhereTheEarlierPartLookedThrough) {
+    LiveMap room = mappedRoom();
+    for (const Pose& there : {poseFrom({0.6, -1.2, 0.9}, 0, 0, degrees(135)),
+                              poseFrom({-2.4, 1.1, 0.9}, degrees(3), degrees(-4), degrees(-80)),
+                              poseFrom({1.9, 0.9, 0.9}, 0, 0, degrees(178))}) {
+        SoughtPlace sought = soughtIn(room, there);
+        if (!recognise(sought, {})) continue;
+        // Lately the robot was in a narrow place, which would stand within the room.
+        RoomSettings narrow;
+        narrow.length = 2.0;
+        narrow.width = 1.5;
+        narrow.furnished = false;
+        auto map = std::make_shared<LiveMap>(*sought.map);
+        for (int i = 0; i < 4; ++i) {
+            LiveKeyScan other = map->scans.back();
+            other.id = 60 + static_cast<std::uint64_t>(i);
+            other.scan = std::make_shared<const Scan>(scanRoom(narrow).scan);
+            sought.lately.emplace(other.id, 1.0);
+            map->scans.push_back(other);
+        }
+        sought.map = map;
+        EXPECT_FALSE(recognise(sought, {}));
+        return;
+    }
+    FAIL() << "no place was recognised";
 }
 
 std::vector<Eigen::Vector2f> corner() {

@@ -1,0 +1,64 @@
+#include "core/mapping/relocalisation/place_recognition.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/map/local_map.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Beside = 2.0;  ///< scans so near each other look through the same space [m]
+/// Of scans of lately that meet earlier ones, so many may speak against it: over so much way even what hangs
+/// together is bent a little.
+constexpr double MostAgainst = 0.1;
+
+/// Whether what was seen lately, moved by @p correction, stands where @p earlier looked through.
+bool contradicts(const SoughtPlace& sought, const LiveMap& earlier, const Pose& correction, double mostFilled,
+                 const Progress& progress) {
+    int met = 0, against = 0;
+    for (const LiveKeyScan& scan : sought.map->scans) {
+        if (progress.cancelled()) return true;
+        if (!scan.counts() || !sought.lately.contains(scan.id)) continue;
+        const Pose there = correction * scan.pose.scanInMap;
+        const LiveKeyScan* nearest = nullptr;
+        double least = Beside;
+        for (const LiveKeyScan& other : earlier.scans) {
+            const double distance = mapDistance(other.pose.scanInMap, there);
+            if (distance >= least) continue;
+            least = distance;
+            nearest = &other;
+        }
+        if (nearest == nullptr) continue;
+        ++met;
+        const Pose inNearest = nearest->pose.scanInMap.inverse() * there;
+        if (filledShare(*nearest->scan, *scan.scan, inNearest) > mostFilled) ++against;
+    }
+    return against > std::max(1.0, MostAgainst * met);
+}
+
+}  // namespace
+
+std::optional<Pose> recognise(const SoughtPlace& sought, const LiveSettings& settings,
+                              const RelocalisationSettings& how, const Progress& progress) {
+    const auto& scans = sought.map->scans;
+    const auto scan =
+        std::find_if(scans.begin(), scans.end(), [&](const auto& one) { return one.id == sought.scan; });
+    if (scan == scans.end()) return std::nullopt;
+    const auto earlier = std::make_shared<LiveMap>();
+    for (const LiveKeyScan& one : scans) {
+        if (one.counts() && !sought.lately.contains(one.id)) earlier->scans.push_back(one);
+    }
+    const Relocaliser relocaliser(earlier, settings, how, progress);
+    const Eigen::Vector3d up =
+        scan->up.value_or(scan->pose.scanInMap.linear().transpose() * Eigen::Vector3d::UnitZ());
+    const Relocalisation found = relocaliser.find(*scan->scan, scan->reduced->unpacked(), up, progress);
+    if (progress.cancelled() || !found.sure) return std::nullopt;
+    const Pose there = found.places.front().scanInMap;
+    const Pose correction = there * scan->pose.scanInMap.inverse();
+    if (contradicts(sought, *earlier, correction, 2.0 * how.mostFilled, progress)) return std::nullopt;
+    return there;
+}
+
+}  // namespace leitstand
