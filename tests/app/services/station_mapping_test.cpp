@@ -445,7 +445,8 @@ TEST_F(StationMappingTest, TheOperatorShowsAPlaceThatAScanMeetsAndIsAskedBeforeT
     const ScanPose last = map->scans.back().pose;
     EXPECT_FALSE(m_mapping->propose(last.scan + 1, last.scanInMap).ok()) << "there is no such scan";
     ASSERT_TRUE(m_mapping->propose(last.scan, poseFrom({40, 40, 0}, 0, 0, 0)).ok());
-    ASSERT_TRUE(waitUntil([&] { return words().find("no older part of the map") != std::string::npos; })) << words();
+    ASSERT_TRUE(waitUntil([&] { return words().find("no older part of the map") != std::string::npos; }))
+        << words();
     ASSERT_TRUE(m_mapping->propose(last.scan, last.scanInMap).ok());
     const auto asked = [&] { return openLoop(*m_mission->state()).has_value(); };
     ASSERT_TRUE(waitUntil(asked)) << words();
