@@ -63,10 +63,10 @@ Fault WriterWindow::admit(const Submessage& next, bool leads, Budget& unfinished
         case Kind::Gap:
             if (next.gapped > limits::LongestGap) return "a GAP that is too long";
             if (!leads && next.gapped > limits::Beside) return "a GAP that is too long";
-            if (!admitNumber(next.last, leads, now)) return Jump;
+            // First: a GAP that is refused for that moves no numbers.
             if (leads && !m_gaps.take(double(next.gapped), now, limits::Gaps))
                 return "GAPs that cover too much";
-            return {};
+            return admitNumber(next.last, leads, now) ? Fault{} : Jump;
         default:
             return {};
     }

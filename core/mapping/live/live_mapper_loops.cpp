@@ -80,7 +80,6 @@ std::optional<ScanLinksSample> LiveMapper::recognised(const SoughtPlace& sought,
     }
     std::vector<Link> loop = state.loops.closeFar(*scan, scanInMap, state.map);
     if (loop.empty()) return std::nullopt;
-    state.unsolved = state.unsolved || loop.front().active;
     return ScanLinksSample{now, state.station, std::move(loop)};
 }
 
