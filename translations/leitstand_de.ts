@@ -4230,6 +4230,18 @@ Apache License 2.0</translation>
         <source>Is this a place that was seen before? The map is %1 off here, more than expected.</source>
         <translation>Wurde diese Stelle schon einmal gesehen? Die Karte liegt hier um %1 daneben, mehr als erwartet.</translation>
     </message>
+    <message>
+        <source>The rest of the map speaks against it: it would come apart again.</source>
+        <translation>Der Rest der Karte spricht dagegen: Sie fiele wieder auseinander.</translation>
+    </message>
+    <message>
+        <source>Violet: the map if it is. Scans moved: %1, by up to %2.</source>
+        <translation>Violett: die Karte, wenn ja. Bewegte Scans: %1, um bis zu %2.</translation>
+    </message>
+    <message>
+        <source>Finds moved: %1.</source>
+        <translation>Bewegte Funde: %1.</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MainWindow</name>
@@ -4520,6 +4532,11 @@ F1 listet alle Tasten</translation>
     <message>
         <source>new</source>
         <translation>neu</translation>
+    </message>
+    <message>
+        <source>if it is one place</source>
+        <comment>where scans would come to stand</comment>
+        <translation>wenn es eine Stelle ist</translation>
     </message>
 </context>
 <context>
@@ -6390,6 +6407,30 @@ F1 listet alle Tasten</translation>
         <source>the mission is still read through</source>
         <translation>die Mission wird noch durchgelesen</translation>
     </message>
+    <message>
+        <source>T&amp;idy the map</source>
+        <translation>Karte auf&amp;räumen</translation>
+    </message>
+    <message>
+        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
+        <translation>Bringt alle Scans zusammen, die sich überlappen, wann immer sie entstanden, was eine Weile dauert; danach wird die Auswertung neu geöffnet. Was aufgezeichnet wurde, bleibt, wie es ist, und es kann zurückgenommen werden</translation>
+    </message>
+    <message>
+        <source>Take the tidying &amp;back</source>
+        <translation>Aufräumen &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
+        <translation>Scans sind, wo sie vor dem Aufräumen waren; danach wird die Auswertung neu geöffnet</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
+        <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: Die Karte danach aufräumen</translation>
+    </message>
+    <message>
+        <source>The map is being tidied. The review opens again then.</source>
+        <translation>Die Karte wird aufgeräumt. Danach öffnet sich die Auswertung neu.</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>
@@ -7608,6 +7649,26 @@ F1 listet alle Tasten</translation>
         <source>scan {}: no older part of the map is within {} m of there</source>
         <translation>Scan {}: Kein älterer Teil der Karte liegt dort im Umkreis von {} m</translation>
     </message>
+    <message>
+        <source>the map is tidy: nothing moved, nothing was written</source>
+        <translation>die Karte ist aufgeräumt: Nichts bewegte sich, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the map is tidied: {} of {} scans moved, by up to {} m</source>
+        <translation>die Karte ist aufgeräumt: {} von {} Scans bewegten sich, um bis zu {} m</translation>
+    </message>
+    <message>
+        <source>; {} links of loops contradict the rest and do not count any more</source>
+        <translation>; {} Verbindungen von Schleifen widersprechen dem Rest und zählen nicht mehr</translation>
+    </message>
+    <message>
+        <source>the map asks about another place by now: look at it again</source>
+        <translation>die Karte fragt inzwischen nach einer anderen Stelle: noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>the map is as it was before it was tidied</source>
+        <translation>die Karte ist, wie sie vor dem Aufräumen war</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -7734,6 +7795,45 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StoreyRow</name>
+    <message>
+        <source>Storeys of the map</source>
+        <translation>Stockwerke der Karte</translation>
+    </message>
+    <message>
+        <source>Storey %1, its floor at %2 m</source>
+        <translation>Stockwerk %1, sein Boden auf %2 m</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <comment>storeys</comment>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>All storeys</source>
+        <translation>Alle Stockwerke</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StoreysFeature</name>
+    <message>
+        <source>What is above and below that storey is not shown</source>
+        <translation>Was über und unter diesem Stockwerk liegt, wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Store&amp;y above</source>
+        <translation>Stockwerk dar&amp;über</translation>
+    </message>
+    <message>
+        <source>Storey belo&amp;w</source>
+        <translation>Stockwerk dar&amp;unter</translation>
+    </message>
+    <message>
+        <source>The map has one storey only</source>
+        <translation>Die Karte hat nur ein Stockwerk</translation>
     </message>
 </context>
 <context>

@@ -4230,6 +4230,18 @@ Apache License 2.0</translation>
         <source>Is this a place that was seen before? The map is %1 off here, more than expected.</source>
         <translation>ここは前に見た場所ですか。地図はここで %1 ずれており、予想より大きいです。</translation>
     </message>
+    <message>
+        <source>The rest of the map speaks against it: it would come apart again.</source>
+        <translation>地図の残りの部分と矛盾します。再び分かれてしまいます。</translation>
+    </message>
+    <message>
+        <source>Violet: the map if it is. Scans moved: %1, by up to %2.</source>
+        <translation>紫: 同じ場所だった場合の地図。動くスキャン: %1、最大 %2。</translation>
+    </message>
+    <message>
+        <source>Finds moved: %1.</source>
+        <translation>動く発見物: %1。</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MainWindow</name>
@@ -4520,6 +4532,11 @@ F1 でキー一覧</translation>
     <message>
         <source>new</source>
         <translation>新</translation>
+    </message>
+    <message>
+        <source>if it is one place</source>
+        <comment>where scans would come to stand</comment>
+        <translation>同じ場所の場合</translation>
     </message>
 </context>
 <context>
@@ -6390,6 +6407,30 @@ F1 でキー一覧</translation>
         <source>the mission is still read through</source>
         <translation>ミッションを読み込み中</translation>
     </message>
+    <message>
+        <source>T&amp;idy the map</source>
+        <translation>地図を整える(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
+        <translation>いつ取得されたかにかかわらず、重なるすべてのスキャンを照合してまとめて動かします。時間がかかり、終わるとレビューを開き直します。記録されたものは変わらず、取り消せます</translation>
+    </message>
+    <message>
+        <source>Take the tidying &amp;back</source>
+        <translation>地図の整えを取り消す(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
+        <translation>スキャンを地図を整える前の位置に戻します。終わるとレビューを開き直します</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
+        <translation>レポートの書き出しまたは再位置合わせの途中です。終わってから地図を整えてください</translation>
+    </message>
+    <message>
+        <source>The map is being tidied. The review opens again then.</source>
+        <translation>地図を整えています。終わるとレビューを開き直します。</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>
@@ -7608,6 +7649,26 @@ F1 でキー一覧</translation>
         <source>scan {}: no older part of the map is within {} m of there</source>
         <translation>スキャン {}: そこから {} m 以内に地図の古い部分はありません</translation>
     </message>
+    <message>
+        <source>the map is tidy: nothing moved, nothing was written</source>
+        <translation>地図は整っています。何も動かず、何も書き込まれませんでした</translation>
+    </message>
+    <message>
+        <source>the map is tidied: {} of {} scans moved, by up to {} m</source>
+        <translation>地図を整えました。{} / {} 個のスキャンが最大 {} m 動きました</translation>
+    </message>
+    <message>
+        <source>; {} links of loops contradict the rest and do not count any more</source>
+        <translation>。ループの結合 {} 個は残りと矛盾するため無効になりました</translation>
+    </message>
+    <message>
+        <source>the map asks about another place by now: look at it again</source>
+        <translation>地図は今、別の場所について尋ねています。もう一度見てください</translation>
+    </message>
+    <message>
+        <source>the map is as it was before it was tidied</source>
+        <translation>地図は整える前の状態に戻りました</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -7734,6 +7795,45 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StoreyRow</name>
+    <message>
+        <source>Storeys of the map</source>
+        <translation>地図の階</translation>
+    </message>
+    <message>
+        <source>Storey %1, its floor at %2 m</source>
+        <translation>階 %1、床の高さ %2 m</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <comment>storeys</comment>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All storeys</source>
+        <translation>すべての階</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::StoreysFeature</name>
+    <message>
+        <source>What is above and below that storey is not shown</source>
+        <translation>その階の上と下は表示されません</translation>
+    </message>
+    <message>
+        <source>Store&amp;y above</source>
+        <translation>上の階(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Storey belo&amp;w</source>
+        <translation>下の階(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The map has one storey only</source>
+        <translation>地図には階が一つしかありません</translation>
     </message>
 </context>
 <context>

@@ -115,6 +115,12 @@ void MapScenery::setHighlighted(std::uint64_t id) {
     submit();
 }
 
+void MapScenery::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
+    if (scansInMap.empty() && m_order.ghosts.empty()) return;
+    m_order.ghosts = std::move(scansInMap);
+    submit();
+}
+
 void MapScenery::startFollowing() {
     m_follow.start(m_order.settings.follow, m_order.settings.look == MapLook::Top);
     m_sinceAim.invalidate();

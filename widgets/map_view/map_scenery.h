@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 
 #include <QElapsedTimer>
@@ -37,6 +39,7 @@ public:
 
     /// The scan of this id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
+    void setGhosts(std::map<std::uint64_t, Pose> scansInMap);  ///< as of MapView
 
     [[nodiscard]] const MapCamera& camera() const;
     /// The robot that the camera follows is there now.

@@ -86,6 +86,10 @@ void MapView::setHighlighted(std::uint64_t id) {
     update();
 }
 
+void MapView::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
+    m_state->scenery.setGhosts(std::move(scansInMap));
+}
+
 void MapView::showScan(std::uint64_t id) {
     const bool following = m_state->scenery.following();
     m_state->scenery.frameScan(id);

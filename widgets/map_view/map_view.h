@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -64,6 +66,9 @@ public:
     void setFloorTint(FloorTintPtr tint);
     /// The scan of this MapScan::id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
+    /// Shows scans a second time, thinly and in one colour, where they might come to stand: by MapScan::id,
+    /// in the map's frame. Empty: none.
+    void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
     /// Frames the scan of this MapScan::id.
     void showScan(std::uint64_t id);
     /// Moves the camera, which follows nothing any more, to @p place of the map [m].

@@ -227,6 +227,16 @@ void LiveMapping::settle(const MapSolution& solution) {
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
 }
 
+void LiveMapping::preview(std::vector<Link> links, std::function<void(LoopPreview)> done) {
+    post([this, links = std::move(links), done = std::move(done)](LiveMapper& mapper) {
+        const MapProblem problem = mapper.problemWith(links);
+        m_solving.submit([this, problem, map = mapper.map(), links, done](const std::stop_token& stop) {
+            const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
+            if (!stop.stop_requested()) done(previewOf(*map, solution, links, m_settings.loops));
+        });
+    });
+}
+
 void LiveMapping::seekPlace() {
     if (m_seeks) return;
     auto sought = m_mapper.sought();  // also where the map is another station's: later it is of no use

@@ -17,6 +17,7 @@
 #include "app/services/places/sensor_poses.h"
 #include "core/event/event.h"
 #include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/loops/loop_preview.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/map.h"
@@ -87,6 +88,9 @@ public:
     void heard(const std::string& robot, Time received);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
+    /// Works out what the map would become if @p links, which are a question, counted; @p done is called on
+    /// another thread, unless the mapping ends before.
+    void preview(std::vector<Link> links, std::function<void(LoopPreview)> done);
     /// Looks for @p robot, by name one of ours, in the whole map, by its newest 3D scan; on a thread beside.
     void lookFor(const std::string& robot);
     /// Where the robots are; never null.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/live_mission.h"
 #include "app/services/log/mission_robots.h"
@@ -156,6 +158,24 @@ bool wentOn(const MissionState& state, std::uint64_t sequence) {
 }
 
 }  // namespace
+
+std::string tidiedText(const TidiedMap& tidied) {
+    if (tidied.moved == 0)
+        return translate("leitstand::Station", "the map is tidy: nothing moved, nothing was written");
+    std::string text =
+        fill(translate("leitstand::Station", "the map is tidied: {} of {} scans moved, by up to {} m"),
+             tidied.moved, tidied.scans, fmt::format("{:.2f}", tidied.relaxation.largest));
+    if (!tidied.relaxation.contradicted.empty())
+        text += fill(translate("leitstand::Station",
+                               "; {} links of loops contradict the rest and do not count any more"),
+                     tidied.relaxation.contradicted.size());
+    return text;
+}
+
+bool canUntidy(const MissionState& finished) {
+    const Decision* const newest = newestTidying(finished);
+    return newest != nullptr && !wentOn(finished, newest->sequence);
+}
 
 Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySettings& settings,
                           const Progress& progress) {

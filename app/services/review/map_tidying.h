@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/relaxation/relaxation.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 
@@ -34,5 +35,11 @@ struct TidiedMap {
 /// Takes back the newest tidying that is not taken back: scans and links are as before it. An error where
 /// there is none.
 [[nodiscard]] Result<void> untidyMap(const std::filesystem::path& mission, const std::string& version);
+
+/// What @p tidied came to, for the operator.
+[[nodiscard]] std::string tidiedText(const TidiedMap& tidied);
+
+/// Whether untidyMap() has something to take back of a mission that ended as @p finished.
+[[nodiscard]] bool canUntidy(const MissionState& finished);
 
 }  // namespace leitstand

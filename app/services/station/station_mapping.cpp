@@ -16,11 +16,11 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
+#include "app/services/mapping/loop_previews.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/placement/placement_says.h"
-#include "core/mission/loops/open_loops.h"
 
 namespace leitstand {
 namespace {
@@ -51,7 +51,8 @@ struct StationMapping::State {
     bool cropMoved = false;              ///< the mapping does not know the log's area yet; under the mutex
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::map<std::string, std::string> titles;             ///< by robot; fixed
-    std::unique_ptr<LiveMapping> mapping;                  ///< last: its thread ends first
+    LoopPreviews previews;
+    std::unique_ptr<LiveMapping> mapping;  ///< last: its thread ends first
 
     State(LiveMission& log, std::function<bool()> may, std::string name, StationMappingListener told)
         : mission(log), mayMap(std::move(may)), station(std::move(name)), listener(std::move(told)) {}
@@ -420,14 +421,21 @@ Result<void> StationMapping::propose(std::uint64_t scan, const Pose& scanInMap) 
     return {};
 }
 
-Result<void> StationMapping::answerLoop(bool same) {
+Result<void> StationMapping::answerLoop(const OpenLoop& asked, bool same) {
     if (auto may = m_state->granted(); !may) return may;
     const auto open = openLoop(*m_state->mission.state());
     if (!open) return Error{translate("leitstand::Station", "nothing is asked about the map")};
+    if (open->event != asked.event)
+        return Error{
+            translate("leitstand::Station", "the map asks about another place by now: look at it again")};
     const ScanLinksSample said = answerTo(*open, same, m_state->station, stationTime());
     if (auto kept = m_state->say(said, station_topic::ScanLinks); !kept) return kept;
     m_state->mapping->adopt(said);
     return {};
+}
+
+LoopPreviewPtr StationMapping::preview(const OpenLoop& asked) {
+    return m_state->previews.of(asked, *m_state->mapping);
 }
 
 Result<void> StationMapping::undoLoop() {

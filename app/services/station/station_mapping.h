@@ -11,9 +11,11 @@
 #include "core/base/time.h"
 #include "core/event/event.h"
 #include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/loops/loop_preview.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/map.h"
+#include "core/mission/loops/open_loops.h"
 #include "core/mission/state/undo.h"
 
 namespace leitstand {
@@ -66,9 +68,13 @@ public:
     /// Shows that the key scan @p scan was taken at about @p scanInMap, by what an older part of the map has
     /// there: where it fits, openLoop() asks whether it does. The listener is told where it does not.
     Result<void> propose(std::uint64_t scan, const Pose& scanInMap);
-    /// Answers openLoop() of the mission: the two are one place, and the map is brought together there, or
-    /// they are not, and it is not asked about again. undo() takes the answer back.
-    Result<void> answerLoop(bool same);
+    /// Answers @p asked, which is openLoop() of the mission: the two are one place, and the map is brought
+    /// together there, or they are not, and it is not asked about again. undo() takes the answer back.
+    /// Errors, in words: something else is asked by now, or nothing.
+    Result<void> answerLoop(const OpenLoop& asked, bool same);
+    /// What the map would become if @p asked were one place: null until it is worked out, beside, which this
+    /// begins. For the newest question only.
+    [[nodiscard]] LoopPreviewPtr preview(const OpenLoop& asked);
     /// Takes back the newest loop that closed in the map, whoever closed it: scans go back to where the other
     /// links want them, and it does not close there again by itself.
     Result<void> undoLoop();

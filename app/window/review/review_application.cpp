@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <QApplication>
 #include <QEventLoop>
@@ -72,8 +73,14 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
     return 0;
 }
 
-/// Shows a window on @p bridge until it is closed; @p language: in which it is wanted anew, else empty.
-int showWindow(ReviewBridge& bridge, const Options& options, QString& language) {
+/// What comes after a window on a review; nothing: it was closed.
+struct Next {
+    QString language;                   ///< in which a window is wanted anew
+    std::optional<MapTidying> tidying;  ///< and the review again
+};
+
+/// Shows a window on @p bridge until it is closed, which says @p text first.
+int showWindow(ReviewBridge& bridge, const Options& options, const QString& text, Next& next) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
     if (options.look) remembered.view.look = *options.look;
@@ -87,9 +94,14 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
     QObject::connect(&window, &ReviewWindow::registerAgainWanted, &window,
                      [&] { showScansWindow({bridge.player().folder()}, loadWindowState()); });
     QObject::connect(&window, &ReviewWindow::languageWanted, &window, [&](const QString& code) {
-        language = remembered.language = code;
+        next.language = remembered.language = code;
         window.close();
         QCoreApplication::exit(0);  // another window may be registering: it stays
+    });
+    QObject::connect(&window, &ReviewWindow::tidyingWanted, &window, [&](MapTidying what) {
+        next.tidying = what;
+        window.close();
+        QCoreApplication::exit(0);
     });
     QObject::connect(&window, &ReviewWindow::closing, &window, [&] {
         remembered.liveGeometry = window.saveGeometry();
@@ -97,7 +109,22 @@ int showWindow(ReviewBridge& bridge, const Options& options, QString& language) 
         saveWindowState(remembered);
     });
     showAsLeft(window, remembered.liveGeometry, remembered.firstSize);
+    if (!text.isEmpty()) window.tell(text);
     return QApplication::exec();
+}
+
+/// Tidies the mission of @p bridge, and opens the review where it was, on the map as it is now.
+Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridge, MapTidying what,
+                                             QString& text) {
+    const std::filesystem::path folder = bridge->player().folder();
+    const Time position = bridge->player().position();
+    bridge.reset();  // what was written in it is in the mission
+    text = tidyInFront(folder, what);
+    auto again = ReviewBridge::open(folder);
+    if (!again) return again;
+    (*again)->player().show(ReviewMap::Finished);
+    (*again)->player().seek(position);
+    return again;
 }
 
 }  // namespace
@@ -109,11 +136,18 @@ bool wantsReview(const Options& options) {
 int runReview(const Options& options) {
     auto bridge = ReviewBridge::open(options.scans.front());
     if (!bridge) return complain(bridge.error().text), 1;
+    QString text;
     while (true) {
-        QString language;
-        const int status = showWindow(**bridge, options, language);
-        if (language.isEmpty()) return status;
-        (*bridge)->report().beginAnewAround([&] { useLanguage(language); });
+        Next next;
+        const int status = showWindow(**bridge, options, std::exchange(text, {}), next);
+        if (next.tidying) {
+            bridge = tidied(std::move(bridge).value(), *next.tidying, text);
+            if (!bridge) return complain(bridge.error().text), 1;
+        } else if (!next.language.isEmpty()) {
+            (*bridge)->report().beginAnewAround([&] { useLanguage(next.language); });
+        } else {
+            return status;
+        }
     }
 }
 

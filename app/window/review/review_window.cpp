@@ -10,6 +10,7 @@
 #include <QLabel>
 
 #include "app/services/coverage/coverage_replay.h"
+#include "app/services/review/map_tidying.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
@@ -32,7 +33,9 @@
 #include "app/window/review/panes/hand_in_feature.h"
 #include "app/window/review/panes/timeline_feature.h"
 #include "app/window/review/review_bridge.h"
+#include "app/window/review/review_comparison.h"
 #include "app/window/review/review_panes.h"
+#include "app/window/review/review_report.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/painting/elided_label.h"
@@ -125,6 +128,39 @@ void ReviewWindow::addCommands() {
                          .hint = tr("Registers the mission's scans anew, in a window of its own, "
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
+    addTidying();
+}
+
+void ReviewWindow::addTidying() {
+    const auto add = [this](const QString& id, const QString& text, const QString& hint, MapTidying what) {
+        QAction& action =
+            m_commands->add({.id = id, .menu = CommandMenu::Mission, .text = text, .hint = hint});
+        action.setEnabled(false);
+        connect(&action, &QAction::triggered, this, [this, what] { askToTidy(what); });
+        return &action;
+    };
+    QAction* const tidy = add(QStringLiteral("review.tidy"), tr("T&idy the map"),
+                              tr("Matches all scans that overlap, whenever they were taken, and moves them "
+                                 "together, which takes a while; the review is opened again then. What was "
+                                 "recorded stays as it is, and it can be taken back"),
+                              MapTidying::Tidy);
+    QAction* const back = add(QStringLiteral("review.untidy"), tr("Take the tidying &back"),
+                              tr("Scans are where they were before the map was tidied; the review is opened "
+                                 "again then"),
+                              MapTidying::TakeBack);
+    const auto follow = [tidy, back](const ReviewIndexPtr& index) {
+        tidy->setEnabled(!index->finished->keyScans->empty());
+        back->setEnabled(canUntidy(*index->finished));
+    };
+    connect(&m_bridge, &ReviewBridge::opened, this, follow);
+    if (m_bridge.index()) follow(m_bridge.index());
+}
+
+void ReviewWindow::askToTidy(MapTidying what) {
+    if (m_bridge.report().writing() || m_bridge.comparison().comparing())
+        return tell(
+            tr("A report is being written, or scans are being registered again: tidy the map after that"));
+    emit tidyingWanted(what);
 }
 
 void ReviewWindow::build() {

@@ -3,6 +3,7 @@
 #include <QMainWindow>
 
 #include "app/services/layouts/layout_book.h"
+#include "app/window/review/tidy_progress.h"
 #include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
@@ -48,8 +49,9 @@ public:
 
 signals:
     void closing();
-    void languageWanted(const QString& code);  ///< for a window made anew
-    void registerAgainWanted();                ///< the mission's scans, anew
+    void languageWanted(const QString& code);        ///< for a window made anew
+    void registerAgainWanted();                      ///< the mission's scans, anew
+    void tidyingWanted(leitstand::MapTidying what);  ///< after which the review is opened again
 
 public slots:
     void tell(const QString& text);  ///< shows it as the newest message
@@ -60,6 +62,8 @@ protected:
 private:
     void build();
     void addCommands();
+    void addTidying();
+    void askToTidy(MapTidying what);
     void addCoverage(const ViewContext& context);
 
     ReviewBridge& m_bridge;

@@ -105,6 +105,14 @@ void MapPane::setTools(const QList<QAction*>& tools) {
     m_stage->addWidget(column, 0, 0, Qt::AlignLeft | Qt::AlignTop);
 }
 
+void MapPane::setStoreys(QWidget& row) {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 10, 0);
+    layout->addWidget(&row);
+    m_stage->addWidget(column, 0, 0, Qt::AlignRight | Qt::AlignVCenter);
+}
+
 void MapPane::setSummary(const MapSummary& summary) {
     m_summary = summary;
     showTexts();

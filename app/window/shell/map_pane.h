@@ -26,6 +26,8 @@ public:
     [[nodiscard]] MapView& view() const { return *m_view; }
     /// Puts @p tools into the column, from top to bottom; a null stands for a gap.
     void setTools(const QList<QAction*>& tools);
+    /// Puts @p row over the map, at its right edge.
+    void setStoreys(QWidget& row);
     /// Sums the map up in the title; in brief where the pane is narrow.
     void setSummary(const MapSummary& summary);
     /// Shows what to do while the map is empty.

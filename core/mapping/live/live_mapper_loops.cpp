@@ -94,24 +94,36 @@ Result<ScanLinksSample> LiveMapper::propose(std::uint64_t id, const Pose& scanIn
     return ScanLinksSample{now, state.station, {*link}};
 }
 
-std::optional<MapProblem> LiveMapper::problem() {
-    State& state = *m_state;
-    if (!std::exchange(state.unsolved, false)) return std::nullopt;
+MapProblem LiveMapper::State::problem() const {
     MapProblem problem;
-    problem.revision = state.revision;
+    problem.revision = revision;
     std::set<std::uint64_t> counting;
-    for (const LiveKeyScan& scan : state.map.scans) {
+    for (const LiveKeyScan& scan : map.scans) {
         if (scan.pose.trust != ScanTrust::SetAside)
             problem.graph.nodes.push_back({scan.id, scan.pose.scanInMap, false});
         if (scan.counts()) counting.insert(scan.id);
     }
-    problem.graph.links = state.loops.graph().links();
+    problem.graph.links = loops.graph().links();
     for (Link& link : problem.graph.links) {
         // A decision may have taken away what a scan was matched with; then odometry tells where it is, as
         // before.
         const bool counts = counting.contains(link.to);
         if (link.kind == LinkKind::Match) link.active = link.active && counts && counting.contains(link.from);
         if (link.kind == LinkKind::Odometry) link.active = link.active || !counts;
+    }
+    return problem;
+}
+
+std::optional<MapProblem> LiveMapper::problem() {
+    if (!std::exchange(m_state->unsolved, false)) return std::nullopt;
+    return m_state->problem();
+}
+
+MapProblem LiveMapper::problemWith(std::span<const Link> links) const {
+    MapProblem problem = m_state->problem();
+    for (Link& link : problem.graph.links) {
+        link.active = link.active || std::any_of(links.begin(), links.end(),
+                                                 [&](const Link& asked) { return asked.id == link.id; });
     }
     return problem;
 }
@@ -144,9 +156,7 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
                                                               : robots;
         corrections[scan.id] = robots = correction;
         const Pose after = known != solved.end() ? known->second : correction * before;
-        if (distanceBetween(before, after) <= state.settings.loops.noticed &&
-            angleBetween(before, after) <= state.settings.loops.noticedAngle)
-            continue;
+        if (!isNoticed(before, after, state.settings.loops)) continue;
         settled.largest = std::max(settled.largest, distanceBetween(before, after));
         scan.pose.scanInMap = after;
         state.cropped.fit(scan, state.clouds);

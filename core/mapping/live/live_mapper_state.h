@@ -69,6 +69,7 @@ struct LiveMapper::State {
     void apply(std::span<const ScanPose> poses);
     /// The scan @p id was registered again, against @p against: what was known of it before is no more.
     void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
+    [[nodiscard]] MapProblem problem() const;  ///< of all links, as they are now
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
     void goOn(const std::string& robot);
     /// What is matched of @p key, whose scan is whole yet, of the points @p reduced.

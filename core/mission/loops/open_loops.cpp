@@ -1,9 +1,13 @@
 #include "core/mission/loops/open_loops.h"
 
+#include <algorithm>
 #include <variant>
 
 namespace leitstand {
 namespace {
+
+constexpr double Together = 0.05;               ///< two places that lie as a link wants them [m] ...
+constexpr double TogetherAngle = degrees(1.0);  ///< ... [rad]
 
 /// Whether @p link, as the mission has it now, waits for an answer: those of the operator are answers.
 bool waits(const MissionState& state, const Link& link) {
@@ -12,9 +16,22 @@ bool waits(const MissionState& state, const Link& link) {
            state.keyScans->contains(link.from) && state.keyScans->contains(link.to);
 }
 
+/// Whether the scans of @p link lie as it wants them.
+bool holds(const MissionState& state, const Link& link) {
+    const Pose at = state.keyScans->at(link.to).pose.scanInMap;
+    const Pose would = state.keyScans->at(link.from).pose.scanInMap * link.pose;
+    return distanceBetween(at, would) <= Together && angleBetween(at, would) <= TogetherAngle;
+}
+
+bool closes(const ScanLinksSample& links) {
+    return std::any_of(links.links.begin(), links.links.end(),
+                       [](const Link& link) { return link.active && closesLoop(link.kind); });
+}
+
 }  // namespace
 
 std::optional<OpenLoop> openLoop(const MissionState& state) {
+    bool closedSince = false;
     for (auto decision = state.decisions->rbegin(); decision != state.decisions->rend(); ++decision) {
         const auto* sample = std::get_if<ScanLinksSample>(&decision->content);
         if (sample == nullptr || decision->undone) continue;
@@ -23,7 +40,12 @@ std::optional<OpenLoop> openLoop(const MissionState& state) {
         for (const Link& link : sample->links) {
             if (waits(state, link)) loop.links.push_back(state.loops->at(link.id).link);
         }
-        if (loop.links.empty()) continue;
+        const bool together = std::all_of(loop.links.begin(), loop.links.end(),
+                                          [&](const Link& link) { return holds(state, link); });
+        if (loop.links.empty() || (closedSince && together)) {
+            closedSince = closedSince || closes(*sample);
+            continue;
+        }
         const Link& newest = loop.links.back();
         loop.at = state.keyScans->at(newest.to).pose.scanInMap.translation();
         loop.would = (state.keyScans->at(newest.from).pose.scanInMap * newest.pose).translation();

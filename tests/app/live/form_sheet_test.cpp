@@ -3,6 +3,8 @@
 
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 
 #include <gtest/gtest.h>
@@ -86,6 +88,23 @@ TEST_F(FormSheet, IsWideAndCoversNoInstrumentInAnyLayoutSizeAndLanguage) {
                                               .arg(folder, QLatin1String(layout), QLatin1String(language))
                                               .arg(size.width()));
             }
+        }
+    }
+}
+
+TEST_F(FormSheet, IsWholeInTheLayoutOfTheReport) {
+    ASSERT_TRUE(makeEventful(station(), [](auto holds) { return soon(holds); }));
+    for (const char* language : {"en", "de", "ja"}) {
+        useLanguage(QLatin1String(language));
+        restart();
+        for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+            SCOPED_TRACE(std::string(language) + ", " + std::to_string(size.width()));
+            m_window->resize(size);
+            ASSERT_TRUE(m_window->layouts().use(QStringLiteral("report")));
+            ASSERT_NO_FATAL_FAILURE(openForm());
+            auto* const area = form().findChild<QScrollArea*>();
+            EXPECT_TRUE(soon([&] { return area->verticalScrollBar()->maximum() == 0; }))
+                << area->verticalScrollBar()->maximum() << " px of it are out of sight";
         }
     }
 }

@@ -361,6 +361,8 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     ASSERT_NE(asked, nullptr);
     ASSERT_TRUE(soon([&] { return asked->isVisible(); }));
     EXPECT_TRUE(asked->accessibleName().contains("0.50 m")) << asked->accessibleName().toStdString();
+    EXPECT_TRUE(soon([&] { return asked->accessibleName().contains("Scans moved: "); }))
+        << asked->accessibleName().toStdString();
     EXPECT_TRUE(asked->parentWidget()->rect().contains(asked->geometry())) << "nothing of it is cut";
     lookAt("map_question");
     trigger("loop.refuse");

@@ -411,7 +411,7 @@ TEST_F(StationMappingTest, WhereTheMapErredTooMuchItIsAskedAndTheAnswerTakenBack
     closeLoops();
     m_settings.loops.drift = m_settings.loops.driftAtLeast = 1e-7;  // nothing is expected to err
     begin();
-    EXPECT_FALSE(m_mapping->answerLoop(true).ok()) << "nothing is asked";
+    EXPECT_FALSE(m_mapping->answerLoop({}, true).ok()) << "nothing is asked";
     const auto asked = [&] { return openLoop(*m_mission->state()).has_value(); };
     for (std::size_t i = 1; i <= 20 && !asked(); ++i) {
         scan();
@@ -422,16 +422,28 @@ TEST_F(StationMappingTest, WhereTheMapErredTooMuchItIsAskedAndTheAnswerTakenBack
     EXPECT_THAT(words(), HasSubstr("is this a place that was seen before?"));
     EXPECT_FALSE(m_mapping->loop().has_value()) << "unanswered, nothing moves";
     const auto before = posesInLog();
-    ASSERT_TRUE(m_mapping->answerLoop(false).ok());
+    const OpenLoop loop = *openLoop(*m_mission->state());
+    OpenLoop other = loop;
+    ++other.event;
+    EXPECT_FALSE(m_mapping->answerLoop(other, true).ok()) << "that is not what is asked";
+    LoopPreviewPtr preview;
+    ASSERT_TRUE(waitUntil([&] { return (preview = m_mapping->preview(loop)) != nullptr; }));
+    EXPECT_FALSE(preview->moved.empty());
+    EXPECT_EQ(posesInLog().size(), before.size()) << "to look what would move moves nothing";
+    ASSERT_TRUE(m_mapping->answerLoop(loop, false).ok());
     ASSERT_TRUE(waitUntil([&] { return !asked(); }));
     EXPECT_EQ(posesInLog().size(), before.size());
     EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Refused);
     ASSERT_TRUE(m_mapping->undo().ok());
     ASSERT_TRUE(waitUntil(asked)) << "the question is open again";
-    ASSERT_TRUE(m_mapping->answerLoop(true).ok());
+    ASSERT_TRUE(m_mapping->answerLoop(loop, true).ok());
     ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), before.back()) > 1e-6; }, 60s))
         << words();
     EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Loop) << "it was the operator's act";
+    for (const auto& [scan, pose] : preview->moved) {
+        const Pose now = m_mission->state()->keyScans->at(scan).pose.scanInMap;
+        EXPECT_LT(distanceBetween(now, pose), 1e-9) << "scan " << scan << " went where the preview had it";
+    }
     EXPECT_TRUE(mapIsAsLogged());
 }
 
@@ -452,7 +464,7 @@ TEST_F(StationMappingTest, TheOperatorShowsAPlaceThatAScanMeetsAndIsAskedBeforeT
     ASSERT_TRUE(waitUntil(asked)) << words();
     EXPECT_FALSE(m_mapping->loop().has_value()) << "nothing moves yet";
     const auto before = posesInLog();
-    ASSERT_TRUE(m_mapping->answerLoop(true).ok());
+    ASSERT_TRUE(m_mapping->answerLoop(*openLoop(*m_mission->state()), true).ok());
     ASSERT_TRUE(waitUntil([&] { return distanceBetween(posesInLog().back(), before.back()) > 1e-6; }, 60s))
         << words();
     EXPECT_EQ(m_mapping->undoable()->kind, MapDecision::Kind::Loop);

@@ -66,5 +66,27 @@ TEST_F(OpenLoops, TheNewestQuestionComesFirstAndScansThatAreNotThereAskNothing) 
     EXPECT_EQ(open()->links.front().id, 6U);
 }
 
+TEST_F(OpenLoops, APlaceThatALaterLoopBroughtTogetherIsNotAskedAboutAnyMore) {
+    ScanLinksSample asked = linked(5, LinkKind::Loop, false);
+    const Pose from = m_fold.state().keyScans->at(1).pose.scanInMap;
+    const Pose to = m_fold.state().keyScans->at(2).pose.scanInMap;
+    const auto off = [&](double metres) { return from.inverse() * to * poseFrom({metres, 0, 0}, 0, 0, 0); };
+    asked.links.front().pose = off(0.03);
+    add(asked);
+    ASSERT_TRUE(open()) << "it was asked, however little it moves";
+    add(linked(6, LinkKind::Loop));
+    EXPECT_FALSE(open());
+    add(test::undo(m_sequence));
+    EXPECT_TRUE(open()) << "the loop is taken back";
+    add(linked(7, LinkKind::Loop, false));
+    add(answerTo(*open(), true, "us", at(9)));
+    EXPECT_FALSE(open());
+    asked.links.front().id = 8;
+    asked.links.front().pose = off(0.5);
+    add(asked);
+    add(linked(9, LinkKind::Loop));
+    EXPECT_TRUE(open()) << "it is 50 cm off still";
+}
+
 }  // namespace
 }  // namespace leitstand

@@ -79,6 +79,7 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
     if (flow == Flow::Telemetry && qos.depth > 0 && qos.reliability == Qos::Reliability::BestEffort)
         roomy.depth = std::max(qos.depth, LeastWaiting);
     apply(roomy, made);
+    fastdds::countWhatIsSent(made);
     if (qos.lifespan > 0.0) made.lifespan().duration = Duration_t(static_cast<long double>(qos.lifespan));
     // What lives short is asked for again soon: a drive command that was lost can come before its time is
     // over.

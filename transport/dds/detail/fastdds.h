@@ -190,6 +190,20 @@ inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #endif
 }
 
+/// Has the pool of a writer's topic count what is being sent: a message of 3.1 holds the payloads that it
+/// gathers, up to 64 of them, beside the history, and two threads may send for one writer. Uncounted, an
+/// assertion (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic goes meanwhile,
+/// and without a reader samples are refused.
+inline void countWhatIsSent(dds::DataWriterQos& qos) {
+#if LEITSTAND_FASTDDS_3
+    constexpr int Gathered = 65, Senders = 2;
+    qos.resource_limits().extra_samples = 1 + Gathered * Senders;
+    qos.resource_limits().allocated_samples = 0;  // else all of these would be made at once
+#else
+    static_cast<void>(qos);
+#endif
+}
+
 [[nodiscard]] inline dds::DataRepresentationQosPolicy& representationOf(dds::DataReaderQos& qos) {
 #if LEITSTAND_FASTDDS_3
     return qos.representation();

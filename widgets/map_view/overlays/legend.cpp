@@ -114,6 +114,10 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
         entries.push_back({content.inQuestion != 0 ? colours.scanInQuestion : colours.uncertainScan,
                            QCoreApplication::translate("leitstand::MapView", "uncertain ?")});
     }
+    if (!content.ghosts.empty())
+        entries.push_back({mapColours(content.settings.theme).scanInQuestion,
+                           QCoreApplication::translate("leitstand::MapView", "if it is one place",
+                                                       "where scans would come to stand")});
     if (content.settings.colouring == MapColouring::Robot) {
         for (std::size_t i = 0; i < content.robots.size(); ++i) {
             const SceneRobot& robot = content.robots[i];

@@ -71,8 +71,16 @@ bool alike(const SceneScan& a, const SceneScan& b) {
 bool continues(const SceneContent& before, const SceneContent& now) {
     return before.settings == now.settings && before.voxels == now.voxels &&
            before.scans.size() <= now.scans.size() &&
+           std::equal(before.ghosts.begin(), before.ghosts.end(), now.ghosts.begin(), now.ghosts.end(),
+                      alike) &&
            std::equal(before.scans.begin(), before.scans.end(), now.scans.begin(), alike);
 }
+
+/// A scan that is to be seen.
+struct Seen {
+    std::size_t at = 0;  ///< in SceneContent::scans; ghosts come after all of them
+    const SceneScan* scan = nullptr;
+};
 
 /// A complete picture, in the frame buffer until something else is drawn.
 struct Whole {
@@ -90,9 +98,9 @@ struct Scene::State {
     vtkNew<RenderWindow> window;
     vtkNew<vtkRenderer> renderer;
     SceneContentPtr content = std::make_shared<const SceneContent>();
-    std::vector<std::size_t> shown;  ///< those of its scans that are to be seen
-    bool many = false;               ///< they are: the first pass draws a sample of them
-    std::vector<ScanActor> few;      ///< those shown, when they are not many
+    std::vector<Seen> shown;     ///< of it
+    bool many = false;           ///< they are: the first pass draws a sample of them
+    std::vector<ScanActor> few;  ///< those shown, when they are not many
     PointsActor sample;
     double sampled = 1.0;  ///< the share of every scan's points that is in the sample
     PointsActor some;      ///< of many scans, while the rest of their points is drawn
@@ -119,7 +127,10 @@ void Scene::State::choose() {
     const auto clip = clipPlanes(content->settings);
     shown.clear();
     for (std::size_t i = 0; i < content->scans.size(); ++i) {
-        if (isShown(content->scans[i])) shown.push_back(i);
+        if (isShown(content->scans[i])) shown.push_back({i, &content->scans[i]});
+    }
+    for (const SceneScan& ghost : content->ghosts) {
+        if (isShown(ghost)) shown.push_back({content->scans.size(), &ghost});
     }
     many = shown.size() > Many;
     const std::size_t alone = many ? 0 : shown.size();
@@ -129,11 +140,11 @@ void Scene::State::choose() {
     }
     while (few.size() < alone) renderer->AddActor(few.emplace_back().points().actor());
     for (std::size_t i = 0; i < alone; ++i) {
-        few[i].update(content->scans[shown[i]]);
+        few[i].update(*shown[i].scan);
         few[i].points().setClip(clip);
         few[i].points().setVisible(true);
     }
-    const SceneSample drawn = many ? sampleOf(content->scans, MostSampled) : SceneSample();
+    const SceneSample drawn = many ? sampleOf(content->scans, MostSampled, content->ghosts) : SceneSample();
     sampled = drawn.share;
     sample.update(drawn.points);
     sample.setClip(clip);
@@ -201,7 +212,7 @@ bool Scene::State::refineMany(double from, std::size_t first, const std::functio
         const Clock::time_point start = Clock::now();
         const auto drawn = std::make_shared<DrawnPoints>();
         for (; next < shown.size() && drawn->size() < std::min(refining.points(), MostAtOnce); ++next) {
-            const SceneScan& scan = content->scans[shown[next]];
+            const SceneScan& scan = *shown[next].scan;
             const auto before = static_cast<std::size_t>(from * static_cast<double>(scan.look->shown));
             ShownPoints points(scan);
             points.skip(before);
@@ -243,7 +254,8 @@ bool Scene::State::canContinue(const DrawOrder& order) {
 
 /// Draws the scans that came since the whole picture on top of it; false when it was interrupted.
 bool Scene::State::continueWhole(const std::function<bool()>& interrupted) {
-    const auto first = std::lower_bound(shown.begin(), shown.end(), whole->scans);
+    const auto first = std::partition_point(shown.begin(), shown.end(),
+                                            [this](const Seen& one) { return one.at < whole->scans; });
     return refine(0.0, static_cast<std::size_t>(first - shown.begin()), interrupted);
 }
 

@@ -52,6 +52,15 @@ PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneConte
     return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !inQuestion);
 }
 
+/// How the points of a scan are drawn where it might come to stand.
+PointCloudLook ghostLookOf(const SceneScan& scan, const MapViewSettings& settings) {
+    PointPaint paint;
+    paint.theme = settings.theme;
+    paint.alike = true;
+    paint.one = mapColours(settings.theme).scanInQuestion;
+    return lookOf(*scan.points, paint, settings.withCeiling(), true);
+}
+
 /// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
 Time timeOf(const MapScan& scan) {
     return scan.entered != Time{} ? scan.entered : scan.scan->end;
@@ -136,6 +145,7 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
         content.complete = true;
         lastPart = Clock::now();
     }
+    addGhosts(content, order);
     finish(content.scans.size());
     if (order.settings.look == MapLook::Voxels && !addVoxels(content, interrupted)) return nullptr;
     return std::make_shared<const SceneContent>(std::move(content));
@@ -158,6 +168,16 @@ const ScanPointsPtr& SceneAssembler::pointsFor(const ScanPtr& scan, const MapVie
             std::make_shared<const ScanPoints>(drawablePoints(scan, settings.minRange, settings.maxRange));
     }
     return ready.points;
+}
+
+void SceneAssembler::addGhosts(SceneContent& content, const SceneOrder& order) {
+    for (const SceneScan& scan : content.scans) {
+        const auto place = order.ghosts.find(scan.id);
+        if (place == order.ghosts.end() || !scan.visible) continue;
+        SceneScan& ghost = content.ghosts.emplace_back(scan);
+        ghost.poseInMap = place->second;
+        ghost.look = ghostLookOf(ghost, order.settings);
+    }
 }
 
 bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()>& interrupted) {

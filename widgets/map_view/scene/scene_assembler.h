@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -13,9 +15,10 @@ namespace leitstand {
 /// What shall be shown.
 struct SceneOrder {
     std::uint64_t number = 0;
-    MapPtr map;                       ///< null: nothing
-    std::vector<bool> scanIsVisible;  ///< scans beyond the end are visible
-    std::uint64_t highlighted = 0;    ///< MapScan::id of the scan that stands out; 0: none
+    MapPtr map;                            ///< null: nothing
+    std::vector<bool> scanIsVisible;       ///< scans beyond the end are visible
+    std::uint64_t highlighted = 0;         ///< MapScan::id of the scan that stands out; 0: none
+    std::map<std::uint64_t, Pose> ghosts;  ///< MapView::setGhosts()
     MapViewSettings settings;
     std::vector<SceneRobot> robots;  ///< of the team
 };
@@ -38,6 +41,7 @@ private:
 
     void forgetAllBut(const Map& map);
     const ScanPointsPtr& pointsFor(const ScanPtr& scan, const MapViewSettings& settings);
+    void addGhosts(SceneContent& content, const SceneOrder& order);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
     std::unordered_map<const Scan*, Ready> m_ready;  ///< which hold the scans

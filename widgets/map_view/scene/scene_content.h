@@ -61,6 +61,7 @@ struct SceneContent {
     bool complete = true;     ///< false while scans are still being made ready
     MapViewSettings settings;
     std::vector<SceneScan> scans;             ///< as in Map::scans
+    std::vector<SceneScan> ghosts;            ///< scans a second time, where they might come to stand
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
     SceneAges ages = SceneAges::Minutes;

@@ -10,7 +10,8 @@ constexpr std::size_t AtATime = 8;  ///< points of a scan before the next scan's
 
 }  // namespace
 
-SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most) {
+SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most,
+                     const std::vector<SceneScan>& ghosts) {
     struct Taken {
         const SceneScan* scan;
         ShownPoints points;
@@ -18,10 +19,12 @@ SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most) {
     };
     std::vector<Taken> shown;
     std::size_t all = 0;
-    for (const SceneScan& scan : scans) {
-        if (!isShown(scan)) continue;
-        shown.push_back({&scan, ShownPoints(scan), scan.look->shown});
-        all += scan.look->shown;
+    for (const std::vector<SceneScan>* some : {&scans, &ghosts}) {
+        for (const SceneScan& scan : *some) {
+            if (!isShown(scan)) continue;
+            shown.push_back({&scan, ShownPoints(scan), scan.look->shown});
+            all += scan.look->shown;
+        }
     }
     SceneSample sample;
     if (all > most) sample.share = static_cast<double>(most) / static_cast<double>(all);

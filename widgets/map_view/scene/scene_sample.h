@@ -14,8 +14,9 @@ struct SceneSample {
     double share = 1.0;
 };
 
-/// Of the @p scans that are visible and made ready, about @p most points in all. A scan that is drawn by
-/// itself costs as much as thousands of points, and a map has a thousand of them.
-[[nodiscard]] SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most);
+/// Of the @p scans and @p ghosts that are visible and made ready, about @p most points in all. A scan that is
+/// drawn by itself costs as much as thousands of points, and a map has a thousand of them.
+[[nodiscard]] SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most,
+                                   const std::vector<SceneScan>& ghosts = {});
 
 }  // namespace leitstand

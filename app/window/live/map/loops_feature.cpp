@@ -8,12 +8,17 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
-#include "core/mission/loops/open_loops.h"
+#include "core/mission/loops/moved_finds.h"
 #include "widgets/map_decisions/loop_question.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
+namespace {
+
+constexpr double NoticedOfFinds = 0.05;  ///< [m]
+
+}  // namespace
 
 LoopsFeature::LoopsFeature(const LiveContext& context, MapView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view) {
@@ -49,34 +54,68 @@ void LoopsFeature::addCommands() {
 }
 
 void LoopsFeature::answer(bool same) {
-    const auto done = m_context.bridge.station().mapping().answerLoop(same);
+    if (!m_asked) return;
+    const auto done = m_context.bridge.station().mapping().answerLoop(*m_asked, same);
     if (!done) emit told(QString::fromStdString(done.error().text));
 }
 
 void LoopsFeature::follow(const MissionState& mission) {
     const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
-    if (newest == m_shown) return;
+    if (newest == m_shown) return showPreview(mission);
     m_shown = newest;
-    CommandTable& commands = m_context.commands;
-    const auto open = openLoop(mission);
-    for (QAction* one : {m_close, m_refuse}) one->setEnabled(open.has_value());
-    const QString none = tr("Nothing is asked about the map");
-    commands.setHint(m_close->objectName(),
-                     open ? tr("The scans that see it are put together, and all others follow") : none);
-    commands.setHint(m_refuse->objectName(),
-                     open ? tr("The map stays as it is, and is not asked about there again") : none);
-    m_question->ask(
-        open ? tr("Is this a place that was seen before? The map is %1 off here, more than expected.")
-                   .arg(numberText(open->seam(), 2) + QStringLiteral(" m"))
-             : QString());
-    m_view.setSeam(open ? std::optional(Measurement{open->at, open->would}) : std::nullopt);
+    ask(openLoop(mission));
+    m_question->ask(question(mission));
+    showPreview(mission);
     const bool closed = m_context.bridge.station().mapping().loop().has_value();
     m_open->setEnabled(closed);
-    commands.setHint(m_open->objectName(),
-                     closed
-                         ? tr("The newest place where the map met itself comes apart again: scans go back to "
-                              "where they were, and it does not close there by itself")
-                         : tr("No loop closed in the map"));
+    m_context.commands.setHint(
+        m_open->objectName(),
+        closed ? tr("The newest place where the map met itself comes apart again: scans go back to where "
+                    "they were, and it does not close there by itself")
+               : tr("No loop closed in the map"));
+}
+
+void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {
+    if (m_asked != loop) {
+        m_preview.reset();
+        m_view.setGhosts({});
+    }
+    m_asked = loop;
+    const bool open = loop.has_value();
+    for (QAction* one : {m_close, m_refuse}) one->setEnabled(open);
+    const QString none = tr("Nothing is asked about the map");
+    m_context.commands.setHint(
+        m_close->objectName(),
+        open ? tr("The scans that see it are put together, and all others follow") : none);
+    m_context.commands.setHint(
+        m_refuse->objectName(),
+        open ? tr("The map stays as it is, and is not asked about there again") : none);
+    m_view.setSeam(open ? std::optional(Measurement{loop->at, loop->would}) : std::nullopt);
+}
+
+void LoopsFeature::showPreview(const MissionState& mission) {
+    if (!m_asked || m_preview) return;
+    m_preview = m_context.bridge.station().mapping().preview(*m_asked);
+    if (!m_preview) return;
+    m_view.setGhosts(m_preview->moved);
+    m_question->ask(question(mission));
+}
+
+QString LoopsFeature::question(const MissionState& mission) const {
+    if (!m_asked) return {};
+    const auto metres = [](double length) { return numberText(length, 2) + QStringLiteral(" m"); };
+    QString text = tr("Is this a place that was seen before? The map is %1 off here, more than expected.")
+                       .arg(metres(m_asked->seam()));
+    if (!m_preview) return text;
+    text += QLatin1Char('\n');
+    text += tr("Violet: the map if it is. Scans moved: %1, by up to %2.")
+                .arg(m_preview->moved.size())
+                .arg(metres(m_preview->largest));
+    const auto finds = findsMovedBy(mission, m_preview->moved, NoticedOfFinds);
+    if (!finds.empty()) text += QLatin1Char(' ') + tr("Finds moved: %1.").arg(finds.size());
+    if (m_preview->contradicted)
+        text += QLatin1Char(' ') + tr("The rest of the map speaks against it: it would come apart again.");
+    return text;
 }
 
 }  // namespace leitstand

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <QObject>
 
 #include "app/window/live/live_context.h"
+#include "core/mapping/live/loops/loop_preview.h"
+#include "core/mission/loops/open_loops.h"
 
 class QAction;
 
@@ -27,11 +30,17 @@ private:
     void addCommands();
     void answer(bool same);
     void follow(const MissionState& mission);
+    void ask(const std::optional<OpenLoop>& loop);
+    /// What would move, as soon as that is worked out.
+    void showPreview(const MissionState& mission);
+    [[nodiscard]] QString question(const MissionState& mission) const;
 
     LiveContext m_context;
     MapView& m_view;
     QAction *m_close = nullptr, *m_refuse = nullptr, *m_open = nullptr;
     LoopQuestion* m_question = nullptr;
+    std::optional<OpenLoop> m_asked;
+    LoopPreviewPtr m_preview;   ///< of it, that is shown; null: none yet
     std::uint64_t m_shown = 0;  ///< sequence of the newest decision of the mission that is shown
 };
 

@@ -13,6 +13,7 @@
 #include "app/window/live/input/selection.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/map/storeys_feature.h"
 #include "app/window/live/moment_source.h"
 #include "app/window/scans/view_commands.h"
 #include "app/window/shell/map_pane.h"
@@ -63,6 +64,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     m_pane->view().setSettings(m_view.settings());
     m_gestures = new MapGestures(m_pane->view(), this);
     m_robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *m_gestures, this);
+    new StoreysFeature(m_context, m_view, *m_pane, this);
 }
 
 MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {

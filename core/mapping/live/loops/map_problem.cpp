@@ -28,4 +28,9 @@ MapSolution solve(const MapProblem& problem, const Progress& progress) {
     return solution;
 }
 
+bool isNoticed(const Pose& before, const Pose& after, const LoopSettings& settings) {
+    return distanceBetween(before, after) > settings.noticed ||
+           angleBetween(before, after) > settings.noticedAngle;
+}
+
 }  // namespace leitstand

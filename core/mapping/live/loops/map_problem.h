@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/pose.h"
 #include "core/base/progress.h"
 #include "core/mapping/graph/pose_graph.h"
+#include "core/mapping/live/live_settings.h"
 
 namespace leitstand {
 
@@ -23,5 +25,8 @@ struct MapSolution {
 
 /// The poses are a function of @p problem's links alone, bit for bit: not of where the scans stand.
 [[nodiscard]] MapSolution solve(const MapProblem& problem, const Progress& progress = {});
+
+/// Whether a scan that was at @p before and is at @p after has moved so far that it is told.
+[[nodiscard]] bool isNoticed(const Pose& before, const Pose& after, const LoopSettings& settings);
 
 }  // namespace leitstand

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QFrame>
+
+#include "core/mapping/storeys.h"
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace leitstand {
+
+/// A button for each storey of the map, the highest on top, and one for all of them. Not to be seen where
+/// the map has one storey only.
+class StoreyRow final : public QFrame {
+    Q_OBJECT
+public:
+    explicit StoreyRow(QWidget* parent);
+
+    void setStoreys(const std::vector<Storey>& storeys);
+    void setChosen(std::optional<int> number);  ///< empty: all storeys
+
+signals:
+    void wanted(std::optional<int> number);
+
+private:
+    struct Button {
+        std::optional<int> number;
+        QToolButton* button;
+    };
+    void add(std::optional<int> number, const QString& text, const QString& name);
+
+    QVBoxLayout* m_layout;
+    std::vector<Button> m_buttons;  ///< from top to bottom
+    std::optional<int> m_chosen;
+};
+
+/// "+1" for 1, as on the button and in texts.
+[[nodiscard]] QString storeyText(int number);
+
+}  // namespace leitstand

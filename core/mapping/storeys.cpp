@@ -1,0 +1,107 @@
+#include "core/mapping/storeys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace leitstand {
+namespace {
+
+constexpr double Apart = 1.8;           ///< of storeys, at least [m]
+constexpr double About = 0.6;           ///< scanners of one storey are so near its height: robots differ [m]
+constexpr double Beside = 2.0 * About;  ///< there a storey has few: what leads to the next [m]
+constexpr double Fewer = 0.5;           ///< of its own scans, at most
+constexpr std::size_t Least = 4;        ///< scans of a storey ...
+constexpr double LeastShare = 0.04;     ///< ... and of all scans
+constexpr double Near = 3.0;            ///< floor so far from a scanner, across, bears its robot [m]
+constexpr double ScannerAbove = 0.5;    ///< the floor, where none was seen [m]
+constexpr std::size_t Looked = 40;      ///< scans whose floor is looked at ...
+constexpr std::size_t PointsOfEach = 500;  ///< ... by so many points
+constexpr double BelowFloor = 0.6;         ///< and of the next storey's: what belongs to it [m]
+
+/// How many of @p heights, which are sorted, lie about @p height.
+std::size_t countAbout(const std::vector<double>& heights, double height) {
+    return static_cast<std::size_t>(std::upper_bound(heights.begin(), heights.end(), height + About) -
+                                    std::lower_bound(heights.begin(), heights.end(), height - About));
+}
+
+/// Heights of scanners at which storeys are, the fullest first.
+std::vector<double> levelsOf(const std::vector<double>& heights) {
+    struct Level {
+        double height;
+        std::size_t scans;
+    };
+    std::vector<Level> levels;
+    levels.reserve(heights.size());
+    for (const double height : heights) levels.push_back({height, countAbout(heights, height)});
+    std::stable_sort(levels.begin(), levels.end(),
+                     [](const Level& a, const Level& b) { return a.scans > b.scans; });
+    const auto least =
+        std::max(Least, static_cast<std::size_t>(LeastShare * static_cast<double>(heights.size())));
+    std::vector<double> found;
+    for (const Level& level : levels) {
+        if (level.scans < least && !found.empty()) break;
+        const bool near = std::any_of(found.begin(), found.end(), [&](double other) {
+            return std::abs(other - level.height) < Apart;
+        });
+        const auto beside = static_cast<double>(std::max(countAbout(heights, level.height - Beside),
+                                                         countAbout(heights, level.height + Beside)));
+        if (found.empty() || (!near && beside <= Fewer * static_cast<double>(level.scans)))
+            found.push_back(level.height);
+    }
+    return found;
+}
+
+/// The floor about the scanners at @p level.
+double floorAt(const Map& map, double level) {
+    std::vector<const MapScan*> scans;
+    for (const MapScan& scan : map.scans) {
+        if (!scan.uncertain && std::abs(scan.poseInMap.translation().z() - level) <= About)
+            scans.push_back(&scan);
+    }
+    std::vector<double> heights;
+    const std::size_t every = std::max<std::size_t>(1, scans.size() / Looked);
+    for (std::size_t i = 0; i < scans.size(); i += every) {
+        const Scan& scan = *scans[i]->scan;
+        const Pose& pose = scans[i]->poseInMap;
+        const std::size_t step = std::max<std::size_t>(1, scan.points.size() / PointsOfEach);
+        for (std::size_t point = 0; point < std::min(scan.points.size(), scan.labels.size()); point += step) {
+            if (scan.labels[point] != Label::Floor || !scan.points[point].allFinite()) continue;
+            const Eigen::Vector3d inMap = pose * scan.points[point].cast<double>();
+            if ((inMap - pose.translation()).head<2>().norm() <= Near) heights.push_back(inMap.z());
+        }
+    }
+    if (heights.empty()) return level - ScannerAbove;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<Storey> storeysOf(const Map& map) {
+    std::vector<double> heights;
+    for (const MapScan& scan : map.scans) {
+        if (!scan.uncertain) heights.push_back(scan.poseInMap.translation().z());
+    }
+    if (heights.empty()) return {};
+    const double first = heights.front();
+    std::sort(heights.begin(), heights.end());
+    std::vector<double> levels = levelsOf(heights);
+    std::sort(levels.begin(), levels.end());
+    const auto begins = std::min_element(levels.begin(), levels.end(), [first](double a, double b) {
+        return std::abs(a - first) < std::abs(b - first);
+    });
+    std::vector<Storey> storeys;
+    for (auto level = levels.begin(); level != levels.end(); ++level)
+        storeys.push_back({static_cast<int>(level - begins), floorAt(map, *level)});
+    return storeys;
+}
+
+StoreyHeights heightsOf(const std::vector<Storey>& storeys, std::size_t index) {
+    StoreyHeights heights{storeys.at(index).floor - BelowFloor, std::nullopt};
+    if (index + 1 < storeys.size()) heights.to = storeys[index + 1].floor - BelowFloor;
+    return heights;
+}
+
+}  // namespace leitstand
