@@ -4231,16 +4231,20 @@ Apache License 2.0</translation>
         <translation>Wurde diese Stelle schon einmal gesehen? Die Karte liegt hier um %1 daneben, mehr als erwartet.</translation>
     </message>
     <message>
-        <source>The rest of the map speaks against it: it would come apart again.</source>
-        <translation>Der Rest der Karte spricht dagegen: Sie fiele wieder auseinander.</translation>
-    </message>
-    <message>
         <source>Violet: the map if it is. Scans moved: %1, by up to %2.</source>
         <translation>Violett: die Karte, wenn ja. Bewegte Scans: %1, um bis zu %2.</translation>
     </message>
     <message>
         <source>Finds moved: %1.</source>
         <translation>Bewegte Funde: %1.</translation>
+    </message>
+    <message>
+        <source>If it is, no scan moves.</source>
+        <translation>Wenn ja, bewegt sich kein Scan.</translation>
+    </message>
+    <message>
+        <source>Links of other loops that speak against it: %1.</source>
+        <translation>Verbindungen anderer Schleifen, die widersprechen: %1.</translation>
     </message>
 </context>
 <context>

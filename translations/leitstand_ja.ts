@@ -4231,16 +4231,20 @@ Apache License 2.0</translation>
         <translation>ここは前に見た場所ですか。地図はここで %1 ずれており、予想より大きいです。</translation>
     </message>
     <message>
-        <source>The rest of the map speaks against it: it would come apart again.</source>
-        <translation>地図の残りの部分と矛盾します。再び分かれてしまいます。</translation>
-    </message>
-    <message>
         <source>Violet: the map if it is. Scans moved: %1, by up to %2.</source>
         <translation>紫: 同じ場所だった場合の地図。動くスキャン: %1、最大 %2。</translation>
     </message>
     <message>
         <source>Finds moved: %1.</source>
         <translation>動く発見物: %1。</translation>
+    </message>
+    <message>
+        <source>If it is, no scan moves.</source>
+        <translation>同じ場所でも、動くスキャンはありません。</translation>
+    </message>
+    <message>
+        <source>Links of other loops that speak against it: %1.</source>
+        <translation>矛盾する他のループの結合: %1。</translation>
     </message>
 </context>
 <context>

@@ -230,9 +230,9 @@ void LiveMapping::settle(const MapSolution& solution) {
 void LiveMapping::preview(std::vector<Link> links, std::function<void(LoopPreview)> done) {
     post([this, links = std::move(links), done = std::move(done)](LiveMapper& mapper) {
         const MapProblem problem = mapper.problemWith(links);
-        m_solving.submit([this, problem, map = mapper.map(), links, done](const std::stop_token& stop) {
+        m_solving.submit([this, problem, map = mapper.map(), done](const std::stop_token& stop) {
             const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
-            if (!stop.stop_requested()) done(previewOf(*map, solution, links, m_settings.loops));
+            if (!stop.stop_requested()) done(previewOf(*map, solution, m_settings.loops));
         });
     });
 }

@@ -88,8 +88,8 @@ public:
     void heard(const std::string& robot, Time received);
     /// The operator puts @p robot, by name one of ours, to @p baseInMap.
     void place(const std::string& robot, const Pose& baseInMap);
-    /// Works out what the map would become if @p links, which are a question, counted; @p done is called on
-    /// another thread, unless the mapping ends before.
+    /// Works out what the map would become if @p links were as they are there; @p done is called on another
+    /// thread, unless the mapping ends before.
     void preview(std::vector<Link> links, std::function<void(LoopPreview)> done);
     /// Looks for @p robot, by name one of ours, in the whole map, by its newest 3D scan; on a thread beside.
     void lookFor(const std::string& robot);

@@ -13,7 +13,7 @@ LoopPreviewPtr LoopPreviews::of(const OpenLoop& loop, LiveMapping& mapping) {
         m_asked = loop;
         m_preview = nullptr;
     }
-    mapping.preview(loop.links, [this, loop](LoopPreview preview) {
+    mapping.preview(answerTo(loop, true, {}, {}).links, [this, loop](LoopPreview preview) {
         const std::lock_guard lock(m_mutex);
         if (m_asked == loop) m_preview = std::make_shared<const LoopPreview>(std::move(preview));
     });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -17,10 +16,10 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/mapping/loop_previews.h"
+#include "app/services/mapping/mapping_words.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
-#include "core/mapping/placement/placement_says.h"
 
 namespace leitstand {
 namespace {
@@ -126,46 +125,23 @@ void StationMapping::State::logLoop(const ScanLinksSample& loop) {
     sayOrTell(loop, station_topic::ScanLinks);
     const bool closes = loop.links.front().active;
     loopClosed = loopClosed || closes;
-    if (!closes)
-        tell(translate(
-            "leitstand::Station",
-            "is this a place that was seen before? The map is farther off here than expected: say whether "
-            "it is the same place"));
+    if (!closes) tell(mapping_words::question());
 }
 
 void StationMapping::State::log(const Settled& settled) {
     if (settled.links) {
         sayOrTell(*settled.links, station_topic::ScanLinks);
-        tell(translate("leitstand::Station",
-                       "a closed loop contradicts the rest of the map: it does not count any more"));
+        tell(mapping_words::contradicted());
     }
     if (settled.poses) sayOrTell(*settled.poses, station_topic::ScanPoses);
-    if (!std::exchange(loopClosed, false) || settled.links) return;
-    tell(leitstand::fill(
-        translate("leitstand::Station", "the map meets itself: its parts moved by up to {} m"),
-        fmt::format("{:.2f}", settled.largest)));
+    if (std::exchange(loopClosed, false) && !settled.links) tell(mapping_words::met(settled.largest));
 }
 
 void StationMapping::State::log(const RobotPlaceSample& place) {
     if (const auto kept = mission.say(place, station_topic::RobotPlaces); !kept) tell(kept.error().text);
     const bool before = std::exchange(certain[place.robot], place.certain);
     if (place.cause == RobotPlaceSample::Cause::Tracked && before == place.certain) return;
-    using Cause = RobotPlaceSample::Cause;
-    const std::string how = placement_says::inWindowsLanguage(place.how);
-    if (place.how == placement_says::PutUntilScan ||
-        place.how == fmt::format(placement_says::FoundByScan, std::lround(100.0 * place.overlap)))
-        return tell(fmt::format("{}: {}", titleOf(place.robot), how));
-    const std::string what =
-        place.cause == Cause::Tracked
-            ? (place.certain ? translate("leitstand::Station", "its laser fits the map again")
-                             : translate("leitstand::Station", "its place in the map is doubted"))
-        : place.certain ? translate("leitstand::Station", "found in the map")
-        : place.cause == Cause::Slot
-            ? translate(
-                  "leitstand::Station",
-                  "not found beside the other robot: put it to where it stands, or let the other one see it")
-            : translate("leitstand::Station", "not found there");
-    tell(fmt::format("{}: {}: {}", titleOf(place.robot), what, how));
+    tell(mapping_words::place(titleOf(place.robot), place));
 }
 
 void StationMapping::State::whenSettled(std::function<void(LiveMapper&)> task, bool first) {
@@ -310,16 +286,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
             state.tell(kept.error().text);
     };
     listening.onLookedFor = [&state](const std::string& robot, std::size_t alike) {
-        const std::string what =
-            alike > 1
-                ? leitstand::fill(translate("leitstand::Station",
-                                            "{} places of the map look like where it is: put it to where it "
-                                            "stands"),
-                                  alike)
-                : translate(
-                      "leitstand::Station",
-                      "no place of the map fits its newest 3D scan for sure: put it to where it stands");
-        state.tell(fmt::format("{}: {}", state.titleOf(robot), what));
+        state.tell(mapping_words::lookedFor(state.titleOf(robot), alike));
     };
     listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };

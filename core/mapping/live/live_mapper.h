@@ -144,7 +144,7 @@ public:
     /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
     /// settle(). Empty: nothing, or somebody is at it.
     [[nodiscard]] std::optional<MapProblem> problem();
-    /// The same where @p links, which are a question, counted: for previewOf(), nothing is settled with it.
+    /// The same if @p links were as they are there: for previewOf(), nothing is settled with it.
     [[nodiscard]] MapProblem problemWith(std::span<const Link> links) const;
     /// Puts the scans to where @p solution has them. What entered meanwhile goes along with what it was
     /// registered against. Where decisions came in between it changes nothing, and problem() begins anew.

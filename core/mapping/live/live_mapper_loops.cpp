@@ -122,8 +122,9 @@ std::optional<MapProblem> LiveMapper::problem() {
 MapProblem LiveMapper::problemWith(std::span<const Link> links) const {
     MapProblem problem = m_state->problem();
     for (Link& link : problem.graph.links) {
-        link.active = link.active || std::any_of(links.begin(), links.end(),
-                                                 [&](const Link& asked) { return asked.id == link.id; });
+        const auto other =
+            std::find_if(links.begin(), links.end(), [&](const Link& one) { return one.id == link.id; });
+        if (other != links.end()) link = *other;
     }
     return problem;
 }

@@ -108,13 +108,15 @@ QString LoopsFeature::question(const MissionState& mission) const {
                        .arg(metres(m_asked->seam()));
     if (!m_preview) return text;
     text += QLatin1Char('\n');
+    if (m_preview->moved.empty()) return text + tr("If it is, no scan moves.");
     text += tr("Violet: the map if it is. Scans moved: %1, by up to %2.")
                 .arg(m_preview->moved.size())
                 .arg(metres(m_preview->largest));
     const auto finds = findsMovedBy(mission, m_preview->moved, NoticedOfFinds);
     if (!finds.empty()) text += QLatin1Char(' ') + tr("Finds moved: %1.").arg(finds.size());
-    if (m_preview->contradicted)
-        text += QLatin1Char(' ') + tr("The rest of the map speaks against it: it would come apart again.");
+    if (m_preview->parted > 0)
+        text +=
+            QLatin1Char(' ') + tr("Links of other loops that speak against it: %1.").arg(m_preview->parted);
     return text;
 }
 

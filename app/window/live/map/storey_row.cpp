@@ -36,6 +36,7 @@ void StoreyRow::add(std::optional<int> number, const QString& text, const QStrin
     button->setCheckable(true);
     button->setFocusPolicy(Qt::NoFocus);  // keys go on driving
     button->setMinimumSize(ButtonSize, ButtonSize);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(button, &QToolButton::clicked, this, [this, number] {
         setChosen(m_chosen);  // the button alone decides nothing
         emit wanted(number);

@@ -4,8 +4,7 @@
 
 namespace leitstand {
 
-LoopPreview previewOf(const LiveMap& map, const MapSolution& solution, std::span<const Link> links,
-                      const LoopSettings& settings) {
+LoopPreview previewOf(const LiveMap& map, const MapSolution& solution, const LoopSettings& settings) {
     LoopPreview preview;
     std::map<std::uint64_t, Pose> solved;
     for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);
@@ -15,10 +14,7 @@ LoopPreview previewOf(const LiveMap& map, const MapSolution& solution, std::span
         preview.moved.insert(*after);
         preview.largest = std::max(preview.largest, distanceBetween(scan.pose.scanInMap, after->second));
     }
-    preview.contradicted = std::any_of(links.begin(), links.end(), [&](const Link& link) {
-        return std::find(solution.contradicted.begin(), solution.contradicted.end(), link.id) !=
-               solution.contradicted.end();
-    });
+    preview.parted = solution.contradicted.size();
     return preview;
 }
 

@@ -1,0 +1,64 @@
+#include "app/services/mapping/mapping_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/words.h"
+#include "core/mapping/placement/placement_says.h"
+
+namespace leitstand::mapping_words {
+namespace {
+
+/// What came of looking for the robot; empty: the reason says it.
+std::string outcomeOf(const RobotPlaceSample& place) {
+    using Cause = RobotPlaceSample::Cause;
+    const bool put = place.how == placement_says::PutUntilScan;
+    if (put || place.how == fmt::format(placement_says::FoundByScan, std::lround(100.0 * place.overlap)))
+        return {};
+    if (place.cause == Cause::Tracked)
+        return place.certain ? translate("leitstand::Station", "its laser fits the map again")
+                             : translate("leitstand::Station", "its place in the map is doubted");
+    if (place.certain) return translate("leitstand::Station", "found in the map");
+    if (place.cause != Cause::Slot) return translate("leitstand::Station", "not found there");
+    return translate(
+        "leitstand::Station",
+        "not found beside the other robot: put it to where it stands, or let the other one see it");
+}
+
+}  // namespace
+
+std::string question() {
+    return translate(
+        "leitstand::Station",
+        "is this a place that was seen before? The map is farther off here than expected: say whether "
+        "it is the same place");
+}
+
+std::string met(double largest) {
+    return fill(translate("leitstand::Station", "the map meets itself: its parts moved by up to {} m"),
+                fmt::format("{:.2f}", largest));
+}
+
+std::string contradicted() {
+    return translate("leitstand::Station",
+                     "a closed loop contradicts the rest of the map: it does not count any more");
+}
+
+std::string place(const std::string& title, const RobotPlaceSample& place) {
+    const std::string how = placement_says::inWindowsLanguage(place.how), what = outcomeOf(place);
+    return what.empty() ? fmt::format("{}: {}", title, how) : fmt::format("{}: {}: {}", title, what, how);
+}
+
+std::string lookedFor(const std::string& title, std::size_t alike) {
+    const std::string what =
+        alike > 1
+            ? fill(translate("leitstand::Station",
+                             "{} places of the map look like where it is: put it to where it stands"),
+                   alike)
+            : translate("leitstand::Station",
+                        "no place of the map fits its newest 3D scan for sure: put it to where it stands");
+    return fmt::format("{}: {}", title, what);
+}
+
+}  // namespace leitstand::mapping_words
