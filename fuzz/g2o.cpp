@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "core/io/graph/g2o_file.h"
 #include "core/mapping/graph/graph_solver.h"
 #include "fuzz/input_file.h"
@@ -12,8 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     GraphSettings settings;
     settings.maxIterations = 3;
     settings.robust = size % 2 == 0;
-    const GraphResult result = solve(*read, settings);
-    fuzz::require(result.weights.size() == read->links.size(), "a weight of each link");
-    for (const GraphNode& node : read->nodes) fuzz::require(node.pose.matrix().allFinite(), "finite poses");
+    PoseGraph graph = std::move(read).value();
+    const GraphResult result = solve(graph, settings);
+    fuzz::require(result.weights.size() == graph.links.size(), "a weight of each link");
+    for (const GraphNode& node : graph.nodes) fuzz::require(node.pose.matrix().allFinite(), "finite poses");
     return 0;
 }

@@ -41,11 +41,10 @@ std::vector<double> levelsOf(const std::vector<double>& heights) {
     std::vector<double> found;
     for (const Level& level : levels) {
         if (level.scans < least && !found.empty()) break;
-        const bool near = std::any_of(found.begin(), found.end(), [&](double other) {
-            return std::abs(other - level.height) < Apart;
-        });
-        const auto beside = static_cast<double>(std::max(countAbout(heights, level.height - Beside),
-                                                         countAbout(heights, level.height + Beside)));
+        const bool near = std::any_of(found.begin(), found.end(),
+                                      [&](double other) { return std::abs(other - level.height) < Apart; });
+        const auto beside = static_cast<double>(
+            std::max(countAbout(heights, level.height - Beside), countAbout(heights, level.height + Beside)));
         if (found.empty() || (!near && beside <= Fewer * static_cast<double>(level.scans)))
             found.push_back(level.height);
     }

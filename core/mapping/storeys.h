@@ -13,8 +13,8 @@ struct Storey {
     double floor = 0.0;  ///< median height of its floor in the map [m]
 };
 
-/// The storeys of @p map, from the lowest on: heights at which many scans were taken, 1.8 m or more apart, and
-/// few between them, so that ramps and stairs are none of their own. Empty: no scan counts.
+/// The storeys of @p map, from the lowest on: heights at which many scans were taken, 1.8 m or more apart,
+/// and few between them, so that ramps and stairs are none of their own. Empty: no scan counts.
 [[nodiscard]] std::vector<Storey> storeysOf(const Map& map);
 
 /// Heights of the map between which a storey lies, with the ramps that lead up from it [m].

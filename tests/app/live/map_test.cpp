@@ -23,10 +23,25 @@
 #include "tests/app/live/live_page.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/map_view/scene/points/map_colours.h"
 #include "widgets/models/map/robot_mark.h"
 
 namespace leitstand::test {
 namespace {
+
+/// Pixels of @p view in the hue of what a scan's points would become.
+int countViolet(MapView& view) {
+    const Rgba wanted = mapColours(view.settings().theme).scanInQuestion;
+    const QImage image = view.grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb pixel = image.pixel(x, y);
+            count += qRed(pixel) == wanted.r && qGreen(pixel) == wanted.g && qBlue(pixel) == wanted.b ? 1 : 0;
+        }
+    }
+    return count;
+}
 
 /// The live map with real robot processes.
 class LiveMapOnScreen : public LivePage {
@@ -364,6 +379,7 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     EXPECT_TRUE(soon([&] { return asked->accessibleName().contains("Scans moved: "); }))
         << asked->accessibleName().toStdString();
     EXPECT_TRUE(asked->parentWidget()->rect().contains(asked->geometry())) << "nothing of it is cut";
+    EXPECT_TRUE(soon([&] { return countViolet(m_window->mapView()) > 100; })) << "the ghost of the map";
     lookAt("map_question");
     trigger("loop.refuse");
     EXPECT_TRUE(soon([&] { return !asked->isVisible(); }));

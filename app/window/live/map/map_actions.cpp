@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "app/window/live/map/decisions_feature.h"
+#include "app/window/live/map/decisions/decisions_feature.h"
+#include "app/window/live/map/decisions/loops_feature.h"
 #include "app/window/live/map/go_to.h"
-#include "app/window/live/map/loops_feature.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/map/map_grant.h"
 #include "app/window/live/map/place_robot.h"

@@ -13,7 +13,7 @@
 #include "app/window/live/input/selection.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
-#include "app/window/live/map/storeys_feature.h"
+#include "app/window/live/map/storeys/storeys_feature.h"
 #include "app/window/live/moment_source.h"
 #include "app/window/scans/view_commands.h"
 #include "app/window/shell/map_pane.h"

@@ -1,4 +1,4 @@
-#include "app/window/live/map/storeys_feature.h"
+#include "app/window/live/map/storeys/storeys_feature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <QAction>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/map/storey_row.h"
+#include "app/window/live/map/storeys/storey_row.h"
 #include "app/window/live/moment_source.h"
 #include "app/window/shell/map_pane.h"
 #include "app/window/shell/view_state.h"

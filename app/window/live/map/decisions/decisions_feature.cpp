@@ -1,4 +1,4 @@
-#include "app/window/live/map/decisions_feature.h"
+#include "app/window/live/map/decisions/decisions_feature.h"
 
 #include <utility>
 

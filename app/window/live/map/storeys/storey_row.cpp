@@ -1,4 +1,4 @@
-#include "app/window/live/map/storey_row.h"
+#include "app/window/live/map/storeys/storey_row.h"
 
 #include <QToolButton>
 #include <QVBoxLayout>

@@ -1,4 +1,4 @@
-#include "app/window/live/map/loops_feature.h"
+#include "app/window/live/map/decisions/loops_feature.h"
 
 #include <QAction>
 #include <QKeySequence>
