@@ -6435,6 +6435,14 @@ F1 listet alle Tasten</translation>
         <source>The map is being tidied. The review opens again then.</source>
         <translation>Die Karte wird aufgeräumt. Danach öffnet sich die Auswertung neu.</translation>
     </message>
+    <message>
+        <source>The tidying is taken back. The review opens again then.</source>
+        <translation>Das Aufräumen wird zurückgenommen. Danach öffnet sich die Auswertung neu.</translation>
+    </message>
+    <message>
+        <source>Being cancelled…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>

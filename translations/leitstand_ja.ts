@@ -6435,6 +6435,14 @@ F1 でキー一覧</translation>
         <source>The map is being tidied. The review opens again then.</source>
         <translation>地図を整えています。終わるとレビューを開き直します。</translation>
     </message>
+    <message>
+        <source>The tidying is taken back. The review opens again then.</source>
+        <translation>地図の整えを取り消しています。終わるとレビューを開き直します。</translation>
+    </message>
+    <message>
+        <source>Being cancelled…</source>
+        <translation>中止しています…</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>

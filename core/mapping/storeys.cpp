@@ -11,13 +11,13 @@ constexpr double Apart = 1.8;           ///< of storeys, at least [m]
 constexpr double About = 0.6;           ///< scanners of one storey are so near its height: robots differ [m]
 constexpr double Beside = 2.0 * About;  ///< there a storey has few: what leads to the next [m]
 constexpr double Fewer = 0.5;           ///< of its own scans, at most
-constexpr std::size_t Least = 4;        ///< scans of a storey ...
-constexpr double LeastShare = 0.04;     ///< ... and of all scans
-constexpr double Near = 3.0;            ///< floor so far from a scanner, across, bears its robot [m]
-constexpr double ScannerAbove = 0.5;    ///< the floor, where none was seen [m]
-constexpr std::size_t Looked = 40;      ///< scans whose floor is looked at ...
-constexpr std::size_t PointsOfEach = 500;  ///< ... by so many points
-constexpr double BelowFloor = 0.6;         ///< and of the next storey's: what belongs to it [m]
+constexpr std::size_t Least = 4, Enough = 12;  ///< scans of a storey: at least, and whatever the map has
+constexpr double LeastShare = 0.04;            ///< between these, of all scans
+constexpr double Near = 3.0;                   ///< floor so far from a scanner, across, bears its robot [m]
+constexpr double ScannerAbove = 0.5;           ///< the floor, where none was seen [m]
+constexpr std::size_t Looked = 40;             ///< scans whose floor is looked at ...
+constexpr std::size_t PointsOfEach = 500;      ///< ... by so many points
+constexpr double BelowFloor = 0.6;             ///< and of the next storey's: what belongs to it [m]
 
 /// How many of @p heights, which are sorted, lie about @p height.
 std::size_t countAbout(const std::vector<double>& heights, double height) {
@@ -37,7 +37,7 @@ std::vector<double> levelsOf(const std::vector<double>& heights) {
     std::stable_sort(levels.begin(), levels.end(),
                      [](const Level& a, const Level& b) { return a.scans > b.scans; });
     const auto least =
-        std::max(Least, static_cast<std::size_t>(LeastShare * static_cast<double>(heights.size())));
+        std::clamp(static_cast<std::size_t>(LeastShare * static_cast<double>(heights.size())), Least, Enough);
     std::vector<double> found;
     for (const Level& level : levels) {
         if (level.scans < least && !found.empty()) break;

@@ -66,7 +66,7 @@ public:
     void setFloorTint(FloorTintPtr tint);
     /// The scan of this MapScan::id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// Shows scans a second time, thinly and in one colour, where they might come to stand: by MapScan::id,
+    /// Shows scans a second time, in one colour, where they might come to stand: by MapScan::id,
     /// in the map's frame. Empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
     /// Frames the scan of this MapScan::id.

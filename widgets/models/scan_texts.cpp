@@ -1,9 +1,8 @@
 #include "widgets/models/scan_texts.h"
 
-#include <cmath>
-
 #include <QCoreApplication>
 
+#include "core/base/rotation/euler_angles.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/verdict.h"
 
@@ -13,13 +12,6 @@ namespace {
 struct ScanTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ScanListModel)
 };
-
-/// Roll, pitch and yaw of R = Rz(yaw) Ry(pitch) Rx(roll) [rad] (REP 103).
-Eigen::Vector3d rollPitchYaw(const Pose& pose) {
-    const Eigen::Matrix3d r = pose.linear();
-    return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
-            std::atan2(r(1, 0), r(0, 0))};
-}
 
 std::size_t countOf(const MapScan& scan, Label label) {
     return scan.labelCounts[static_cast<std::size_t>(label)];
@@ -50,7 +42,7 @@ QString scanText(const MapScan& scan, ScanListModel::Column column) {
         case ScanListModel::Position:
             return positionText(scan.poseInMap.translation());
         case ScanListModel::Heading:
-            return degreesText(rollPitchYaw(scan.poseInMap).z());
+            return degreesText(rollPitchYawOf(scan.poseInMap).z());
         case ScanListModel::Points:
             return countText(scan.scan->points.size());
         case ScanListModel::Floor:
@@ -156,7 +148,7 @@ QString columnHint(ScanListModel::Column column) {
 }
 
 std::vector<ScanDetail> scanDetails(const MapScan& scan) {
-    const Eigen::Vector3d angles = rollPitchYaw(scan.poseInMap);
+    const Eigen::Vector3d angles = rollPitchYawOf(scan.poseInMap);
     const auto share = [&scan](Label label, const QString& name) {
         return labelShare(scan, label) + QLatin1Char(' ') + name;
     };

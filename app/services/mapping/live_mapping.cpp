@@ -228,13 +228,18 @@ void LiveMapping::settle(const MapSolution& solution) {
 }
 
 void LiveMapping::preview(std::vector<Link> links, std::function<void(LoopPreview)> done) {
-    post([this, links = std::move(links), done = std::move(done)](LiveMapper& mapper) {
-        const MapProblem problem = mapper.problemWith(links);
-        m_solving.submit([this, problem, map = mapper.map(), done](const std::stop_token& stop) {
+    Look looks{[this, links = std::move(links), done = std::move(done)](const LiveMapper& mapper) {
+        m_solving.submit([this, problem = mapper.problemWith(links), map = mapper.map(),
+                          done](const std::stop_token& stop) {
             const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
             if (!stop.stop_requested()) done(previewOf(*map, solution, m_settings.loops));
         });
-    });
+    }};
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.emplace_back(std::move(looks));
+    }
+    m_came.notify_all();
 }
 
 void LiveMapping::seekPlace() {

@@ -118,10 +118,15 @@ private:
         std::optional<Pose> wasSureBy;           ///< where its odometry lay in the map then
     };
     using Task = std::function<void(LiveMapper&)>;
-    using Work = std::variant<Event, Task>;
+    /// Looks at the mapper, and changes nothing.
+    struct Look {
+        std::function<void(const LiveMapper&)> look;
+    };
+    using Work = std::variant<Event, Task, Look>;
     void run(const std::stop_token& stop);
     void work(const Event& event);
     void work(const Task& task);
+    void work(const Look& look) { look.look(m_mapper); }
     void registerDone(Time now);
     void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
     void solveLoops();                                ///< where the map meets itself, on a thread beside

@@ -127,9 +127,7 @@ std::vector<ScanPose> movedPoses(const MissionState& state, const std::vector<Gr
         const auto scan = state.keyScans->find(node.id);
         if (scan == state.keyScans->end()) continue;
         const ScanPose& before = scan->second.pose;
-        if (distanceBetween(before.scanInMap, node.pose) <= loops.noticed &&
-            angleBetween(before.scanInMap, node.pose) <= loops.noticedAngle)
-            continue;
+        if (!isNoticed(before.scanInMap, node.pose, loops)) continue;
         moved.push_back(before);
         moved.back().scanInMap = node.pose;
     }

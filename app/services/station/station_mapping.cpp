@@ -402,7 +402,9 @@ Result<void> StationMapping::answerLoop(const OpenLoop& asked, bool same) {
 }
 
 LoopPreviewPtr StationMapping::preview(const OpenLoop& asked) {
-    return m_state->previews.of(asked, *m_state->mapping);
+    const MissionStatePtr mission = m_state->mission.state();
+    const std::uint64_t newest = mission->decisions->empty() ? 0 : mission->decisions->back().sequence;
+    return m_state->previews.of(asked, newest, *m_state->mapping);
 }
 
 Result<void> StationMapping::undoLoop() {

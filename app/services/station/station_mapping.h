@@ -73,7 +73,7 @@ public:
     /// Errors, in words: something else is asked by now, or nothing.
     Result<void> answerLoop(const OpenLoop& asked, bool same);
     /// What the map would become if @p asked were one place: null until it is worked out, beside, which this
-    /// begins. For the newest question only.
+    /// begins; the newest that is known while the map goes on. For the newest question only.
     [[nodiscard]] LoopPreviewPtr preview(const OpenLoop& asked);
     /// Takes back the newest loop that closed in the map, whoever closed it: scans go back to where the other
     /// links want them, and it does not close there again by itself.

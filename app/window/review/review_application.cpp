@@ -113,16 +113,20 @@ int showWindow(ReviewBridge& bridge, const Options& options, const QString& text
     return QApplication::exec();
 }
 
-/// Tidies the mission of @p bridge, and opens the review where it was, on the map as it is now.
-Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridge, MapTidying what,
+/// Tidies the mission of @p bridge, which was opened as @p source, and opens the review where it was; where
+/// something moved, on the map as it is at the end now.
+Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridge,
+                                             const std::filesystem::path& source, MapTidying what,
                                              QString& text) {
     const std::filesystem::path folder = bridge->player().folder();
     const Time position = bridge->player().position();
+    const ReviewMap map = bridge->player().map();
     bridge.reset();  // what was written in it is in the mission
-    text = tidyInFront(folder, what);
-    auto again = ReviewBridge::open(folder);
+    const TidyingOutcome outcome = tidyInFront(folder, what);
+    text = outcome.text;
+    auto again = ReviewBridge::open(source);
     if (!again) return again;
-    (*again)->player().show(ReviewMap::Finished);
+    (*again)->player().show(outcome.moved ? ReviewMap::Finished : map);
     (*again)->player().seek(position);
     return again;
 }
@@ -141,8 +145,8 @@ int runReview(const Options& options) {
         Next next;
         const int status = showWindow(**bridge, options, std::exchange(text, {}), next);
         if (next.tidying) {
-            bridge = tidied(std::move(bridge).value(), *next.tidying, text);
-            if (!bridge) return complain(bridge.error().text), 1;
+            bridge = tidied(std::move(bridge).value(), options.scans.front(), *next.tidying, text);
+            if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
         } else if (!next.language.isEmpty()) {
             (*bridge)->report().beginAnewAround([&] { useLanguage(next.language); });
         } else {

@@ -10,6 +10,7 @@
 #include <QLabel>
 
 #include "app/services/coverage/coverage_replay.h"
+#include "app/services/recorded/review_log.h"
 #include "app/services/review/map_tidying.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
@@ -148,9 +149,11 @@ void ReviewWindow::addTidying() {
                               tr("Scans are where they were before the map was tidied; the review is opened "
                                  "again then"),
                               MapTidying::TakeBack);
-    const auto follow = [tidy, back](const ReviewIndexPtr& index) {
-        tidy->setEnabled(!index->finished->keyScans->empty());
-        back->setEnabled(canUntidy(*index->finished));
+    // Maps that are made when a review opens are nowhere written.
+    const bool ours = !m_bridge.player().mapsOffline() && !isOfOthers(m_bridge.player().folder());
+    const auto follow = [ours, tidy, back](const ReviewIndexPtr& index) {
+        tidy->setEnabled(ours && !index->finished->keyScans->empty());
+        back->setEnabled(ours && canUntidy(*index->finished));
     };
     connect(&m_bridge, &ReviewBridge::opened, this, follow);
     if (m_bridge.index()) follow(m_bridge.index());

@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -17,39 +18,58 @@ namespace {
 
 constexpr int Whole = 100;  ///< per cent
 
-std::string done(const std::filesystem::path& mission, MapTidying what, const Progress& progress) {
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(leitstand::ReviewWindow)
+};
+
+TidyingOutcome outcome(bool moved, const std::string& text) {
+    return {moved, QString::fromStdString(text)};
+}
+
+TidyingOutcome done(const std::filesystem::path& mission, MapTidying what, const Progress& progress) {
     TidySettings settings;
     settings.version = QCoreApplication::applicationVersion().toStdString();
     try {
         if (what == MapTidying::TakeBack) {
             const auto undone = untidyMap(mission, settings.version);
-            return undone ? translate("leitstand::Station", "the map is as it was before it was tidied")
-                          : undone.error().text;
+            if (!undone) return outcome(false, undone.error().text);
+            return outcome(true,
+                           translate("leitstand::Station", "the map is as it was before it was tidied"));
         }
         const auto tidied = tidyMap(mission, settings, progress);
-        return tidied ? tidiedText(*tidied) : tidied.error().text;
+        if (!tidied) return outcome(false, tidied.error().text);
+        return outcome(tidied->moved > 0, tidiedText(*tidied));
     } catch (const std::exception& problem) {  // no memory
-        return problem.what();
+        return outcome(false, problem.what());
     }
 }
 
-}  // namespace
-
-QString tidyInFront(const std::filesystem::path& mission, MapTidying what) {
-    QProgressDialog dialog;
+/// Set up to tell how far @p what is.
+void prepare(QProgressDialog& dialog, MapTidying what) {
     dialog.setObjectName(QStringLiteral("tidying"));
     dialog.setWindowTitle(QCoreApplication::applicationName());
-    dialog.setLabelText(QCoreApplication::translate("leitstand::ReviewWindow",
-                                                    "The map is being tidied. The review opens again then."));
     dialog.setRange(0, Whole);
     dialog.setMinimumDuration(0);
     dialog.setAutoClose(false);
     dialog.setAutoReset(false);
+    dialog.setLabelText(Words::tr("The map is being tidied. The review opens again then."));
+    if (what == MapTidying::TakeBack) {
+        dialog.setLabelText(Words::tr("The tidying is taken back. The review opens again then."));
+        dialog.setCancelButton(nullptr);
+    }
+    // It stays until the work has ended, also once that was cancelled.
+    QObject::disconnect(&dialog, &QProgressDialog::canceled, &dialog, &QProgressDialog::cancel);
     dialog.setValue(0);
     dialog.show();
-    std::string text;
+}
+
+}  // namespace
+
+TidyingOutcome tidyInFront(const std::filesystem::path& mission, MapTidying what) {
+    QProgressDialog dialog;
+    prepare(dialog, what);
+    TidyingOutcome came;
     bool over = false;  // of this thread
-    QEventLoop loop;
     const auto hop = [&dialog](auto call) {
         QMetaObject::invokeMethod(&dialog, std::move(call), Qt::QueuedConnection);
     };
@@ -57,16 +77,18 @@ QString tidyInFront(const std::filesystem::path& mission, MapTidying what) {
         const auto show = [&](double share) {
             hop([&dialog, share] { dialog.setValue(static_cast<int>(Whole * share)); });
         };
-        text = done(mission, what, {show, stop});
-        hop([&] {
-            over = true;
-            loop.quit();
-        });
+        came = done(mission, what, {show, stop});
+        hop([&over] { over = true; });
     });
-    QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&thread] { thread.request_stop(); });
-    while (!over) loop.exec();  // a window that was the last one and closed may end it, too
+    QObject::connect(&dialog, &QProgressDialog::canceled, &dialog, [&] {
+        thread.request_stop();
+        dialog.setLabelText(Words::tr("Being cancelled…"));
+    });
+    // Not exec(): once the program was asked to end that returns at once, again and again.
+    QEventLoop loop;
+    while (!over) loop.processEvents(QEventLoop::WaitForMoreEvents);
     thread.join();
-    return QString::fromStdString(text);
+    return came;
 }
 
 }  // namespace leitstand

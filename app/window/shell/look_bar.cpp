@@ -88,12 +88,14 @@ void LookBar::showState() {
     const bool voxels = view.look == MapLook::Voxels;
     const bool clip = view.minHeight.has_value() || view.maxHeight.has_value();
     fill(*m_edge, CentimetresInMetre * view.voxelSize);
-    if (view.minHeight) fill(*m_low, *view.minHeight);
-    if (view.maxHeight) fill(*m_high, *view.maxHeight);
     if (clip) {
         const QSignalBlocker quietLow(m_low), quietHigh(m_high);
-        m_low->setMaximum(view.maxHeight.value_or(HighestHeight));
-        m_high->setMinimum(view.minHeight.value_or(LowestHeight));
+        // Bounds of before would cut what is shown now.
+        for (NumberBox* one : {m_low, m_high}) one->setRange(LowestHeight, HighestHeight);
+        m_low->setValue(view.minHeight.value_or(LowestHeight));
+        m_high->setValue(view.maxHeight.value_or(HighestHeight));
+        m_low->setMaximum(m_high->value());
+        m_high->setMinimum(m_low->value());
     }
     m_voxels->setVisible(voxels);
     m_clip->setVisible(clip);

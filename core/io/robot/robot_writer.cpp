@@ -1,10 +1,10 @@
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/rotation/euler_angles.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/robot_words.h"
 #include "core/robot/default_body.h"
@@ -35,14 +35,11 @@ void entry(YAML::Emitter& out, const char* key, const std::string& value) {
 
 void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescription& sensor) {
     const Eigen::Vector3d position = sensor.sensorInBase.translation();
-    const Eigen::Matrix3d r = sensor.sensorInBase.linear();
-    const double yaw = std::atan2(r(1, 0), r(0, 0)),
-                 pitch = std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
-                 roll = std::atan2(r(2, 1), r(2, 2));
+    const Eigen::Vector3d turn = rollPitchYawOf(sensor.sensorInBase);
     out << YAML::Key << name << YAML::Value << YAML::BeginMap;
     entry(out, "frame", sensor.frame);
     list(out, "position", {number(position.x()), number(position.y()), number(position.z())});
-    list(out, "rotation", {angle(roll), angle(pitch), angle(yaw)});
+    list(out, "rotation", {angle(turn.x()), angle(turn.y()), angle(turn.z())});
     if (sensor.motion != SensorMotion::Unsaid) entry(out, "motion", toString(sensor.motion));
     if (sensor.panTilt) {
         out << YAML::Key << "pan_tilt" << YAML::Value << YAML::Flow << YAML::BeginMap;

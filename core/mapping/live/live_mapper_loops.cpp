@@ -121,10 +121,15 @@ std::optional<MapProblem> LiveMapper::problem() {
 
 MapProblem LiveMapper::problemWith(std::span<const Link> links) const {
     MapProblem problem = m_state->problem();
-    for (Link& link : problem.graph.links) {
-        const auto other =
-            std::find_if(links.begin(), links.end(), [&](const Link& one) { return one.id == link.id; });
-        if (other != links.end()) link = *other;
+    std::vector<Link>& known = problem.graph.links;
+    for (const Link& link : links) {
+        const auto before =
+            std::find_if(known.begin(), known.end(), [&](const Link& one) { return one.id == link.id; });
+        if (before == known.end()) {
+            known.push_back(link);  // another station's, which comes here in a moment
+        } else {
+            *before = link;
+        }
     }
     return problem;
 }

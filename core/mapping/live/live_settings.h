@@ -80,7 +80,9 @@ struct LoopSettings {
     double arm = 3.0;              ///< ... and turns by as much as moves a point so far away likewise [m]
     int linksAScan = 4;            ///< with what it was matched against
     double noticed = 0.005;        ///< scans that move less are not told [m] ...
-    double noticedAngle = degrees(0.05);  ///< ... or turn less [rad]
+    double noticedAngle = degrees(0.05);   ///< ... or turn less [rad]
+    double previewed = 0.05;               ///< nor shown to an operator who is asked [m] ...
+    double previewedAngle = degrees(0.5);  ///< ... [rad]
 };
 
 /// All that decides how scans become a map while robots drive.

@@ -16,22 +16,18 @@ bool waits(const MissionState& state, const Link& link) {
            state.keyScans->contains(link.from) && state.keyScans->contains(link.to);
 }
 
-/// Whether the scans of @p link lie as it wants them.
-bool holds(const MissionState& state, const Link& link) {
-    const Pose at = state.keyScans->at(link.to).pose.scanInMap;
-    const Pose would = state.keyScans->at(link.from).pose.scanInMap * link.pose;
+/// Whether the scans of @p link, which was told by the event @p asked, were brought to where it wants them
+/// since.
+bool holdsSince(const MissionState& state, const Link& link, std::uint64_t asked) {
+    const KeyScanState &from = state.keyScans->at(link.from), &to = state.keyScans->at(link.to);
+    if (from.poseSequence < asked && to.poseSequence < asked) return false;
+    const Pose at = to.pose.scanInMap, would = from.pose.scanInMap * link.pose;
     return distanceBetween(at, would) <= Together && angleBetween(at, would) <= TogetherAngle;
-}
-
-bool closes(const ScanLinksSample& links) {
-    return std::any_of(links.links.begin(), links.links.end(),
-                       [](const Link& link) { return link.active && closesLoop(link.kind); });
 }
 
 }  // namespace
 
 std::optional<OpenLoop> openLoop(const MissionState& state) {
-    bool closedSince = false;
     for (auto decision = state.decisions->rbegin(); decision != state.decisions->rend(); ++decision) {
         const auto* sample = std::get_if<ScanLinksSample>(&decision->content);
         if (sample == nullptr || decision->undone) continue;
@@ -40,12 +36,10 @@ std::optional<OpenLoop> openLoop(const MissionState& state) {
         for (const Link& link : sample->links) {
             if (waits(state, link)) loop.links.push_back(state.loops->at(link.id).link);
         }
-        const bool together = std::all_of(loop.links.begin(), loop.links.end(),
-                                          [&](const Link& link) { return holds(state, link); });
-        if (loop.links.empty() || (closedSince && together)) {
-            closedSince = closedSince || closes(*sample);
-            continue;
-        }
+        const bool holds = std::all_of(loop.links.begin(), loop.links.end(), [&](const Link& link) {
+            return holdsSince(state, link, decision->sequence);
+        });
+        if (holds) continue;  // also where there is none
         const Link& newest = loop.links.back();
         loop.at = state.keyScans->at(newest.to).pose.scanInMap.translation();
         loop.would = (state.keyScans->at(newest.from).pose.scanInMap * newest.pose).translation();

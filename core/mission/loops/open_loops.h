@@ -20,13 +20,9 @@ struct OpenLoop {
     Eigen::Vector3d would = Eigen::Vector3d::Zero();  ///< ... and where the links want it
 
     [[nodiscard]] double seam() const { return (would - at).norm(); }  ///< [m]
-    /// The same question about the same map.
-    bool operator==(const OpenLoop& other) const {
-        return event == other.event && at == other.at && would == other.would;
-    }
 };
 
-/// The newest that waits for an answer; empty: none does. Loops that closed since may have brought two places
+/// The newest that waits for an answer; empty: none does. What moved since may have brought two places
 /// together: those are not asked about any more.
 [[nodiscard]] std::optional<OpenLoop> openLoop(const MissionState& state);
 

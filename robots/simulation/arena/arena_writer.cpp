@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/rotation/euler_angles.h"
 #include "robots/simulation/arena/arena_file.h"
 
 namespace leitstand::simulation {
@@ -17,10 +18,8 @@ double degreesOf(double radians) {
 
 /// Roll, pitch and yaw [degrees], in short numbers where these give the same pose again.
 Eigen::Vector3d turnOf(const Pose& pose) {
-    const Eigen::Matrix3d turn = pose.linear();
-    const Eigen::Vector3d exact(inDegrees(std::atan2(turn(2, 1), turn(2, 2))),
-                                inDegrees(std::atan2(-turn(2, 0), std::hypot(turn(0, 0), turn(1, 0)))),
-                                inDegrees(std::atan2(turn(1, 0), turn(0, 0))));
+    const Eigen::Vector3d exact =
+        rollPitchYawOf(pose).unaryExpr([](double radians) { return inDegrees(radians); });
     // 270 and -90 degrees differ in the last digit of their cosine.
     for (const double whole : {0.0, 360.0}) {
         Eigen::Vector3d rounded = exact.unaryExpr([](double one) { return std::round(one * 1e6) / 1e6; });

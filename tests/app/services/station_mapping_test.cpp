@@ -127,7 +127,7 @@ protected:
         loops.sameAge = 2.0;
         loops.about = loops.reach = 1.5;
         loops.apart = 0.3;
-        loops.noticed = loops.noticedAngle = 1e-5;
+        loops.noticed = loops.noticedAngle = loops.previewed = loops.previewedAngle = 1e-5;
     }
     /// Drives until a loop closed, and what moved is in the log.
     [[nodiscard]] bool closesOne() {

@@ -71,8 +71,10 @@ TEST_F(Storeys, OneIsThereOnlyAfterSomeScans) {
     ramp(0.0, 2.6, 8);
     level(2.6, 2);
     EXPECT_THAT(storeysOf(m_map), SizeIs(1));
-    level(2.6, 6);
+    level(2.6, 10);
     EXPECT_THAT(storeysOf(m_map), SizeIs(2));
+    level(0.0, 900);
+    EXPECT_THAT(storeysOf(m_map), SizeIs(2)) << "and it stays, however much comes elsewhere";
 }
 
 TEST_F(Storeys, WhatDoesNotFitCountsNot) {

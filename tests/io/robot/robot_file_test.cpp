@@ -243,6 +243,18 @@ TEST(RobotFile, WritesWhatItReadsAgain) {
 }
 
 /// No text, however broken, does more than be told.
+TEST(RobotFile, KeepsHowASensorSitsThatLooksStraightUp) {
+    for (const double pitch : {-90.0, 90.0, -89.9999}) {
+        RobotDescription robot = *readRobot(ShippedRobots / "kurt3d.yaml");
+        Pose& sits = robot.sensors.begin()->second.sensorInBase;
+        sits = poseFrom({0.1, 0, 0.5}, degrees(20), degrees(pitch), degrees(70));
+        const auto again = parseRobot(writeRobot(robot), "again");
+        ASSERT_TRUE(again.ok()) << again.error().text;
+        const Pose& read = again->sensors.at(robot.sensors.begin()->first).sensorInBase;
+        EXPECT_LT((read.matrix() - sits.matrix()).cwiseAbs().maxCoeff(), 1e-9) << pitch;
+    }
+}
+
 TEST(RobotFile, TakesNoHarmFromDamagedFiles) {
     std::mt19937 random(11);
     const auto below = [&random](std::size_t end) {

@@ -68,6 +68,22 @@ TEST(ArenaFile, GeneratedArenasOfAllGradesComeBackEqual) {
     }
 }
 
+TEST(ArenaFile, WhatLooksStraightUpOrDownComesBack) {
+    for (const double pitch : {90.0, -90.0, 89.9999999, 270.0}) {
+        Arena arena;
+        arena.name = "steep";
+        arena.to = {3, 3};
+        Element door = elementOf(ElementKind::Wall);
+        door.name = "door";
+        door.pose = poseFrom({1, 2, 3}, degrees(30), degrees(pitch), degrees(1));
+        arena.elements.push_back(door);
+        const auto again = parseArena(writeArena(arena), "again");
+        ASSERT_TRUE(again) << again.error().text;
+        EXPECT_LT((again->elements[0].pose.matrix() - door.pose.matrix()).cwiseAbs().maxCoeff(), 1e-14)
+            << pitch;
+    }
+}
+
 TEST(ArenaFile, OddNamesAndPosesComeBack) {
     Arena arena;
     arena.name = "\"quotes\" \\ and: #signs";

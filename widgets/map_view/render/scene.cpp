@@ -78,7 +78,7 @@ bool continues(const SceneContent& before, const SceneContent& now) {
 
 /// A scan that is to be seen.
 struct Seen {
-    std::size_t at = 0;  ///< in SceneContent::scans; ghosts come after all of them
+    std::size_t at = 0;  ///< in SceneContent::scans; of ghosts 0: they are in every picture
     const SceneScan* scan = nullptr;
 };
 
@@ -126,11 +126,11 @@ struct Scene::State {
 void Scene::State::choose() {
     const auto clip = clipPlanes(content->settings);
     shown.clear();
+    for (const SceneScan& ghost : content->ghosts) {
+        if (isShown(ghost)) shown.push_back({0, &ghost});
+    }
     for (std::size_t i = 0; i < content->scans.size(); ++i) {
         if (isShown(content->scans[i])) shown.push_back({i, &content->scans[i]});
-    }
-    for (const SceneScan& ghost : content->ghosts) {
-        if (isShown(ghost)) shown.push_back({content->scans.size(), &ghost});
     }
     many = shown.size() > Many;
     const std::size_t alone = many ? 0 : shown.size();

@@ -58,7 +58,7 @@ PointCloudLook ghostLookOf(const SceneScan& scan, const MapViewSettings& setting
     paint.theme = settings.theme;
     paint.alike = true;
     paint.one = mapColours(settings.theme).scanInQuestion;
-    return lookOf(*scan.points, paint, settings.withCeiling(), true);
+    return lookOf(*scan.points, paint, settings.withCeiling(), false);
 }
 
 /// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.

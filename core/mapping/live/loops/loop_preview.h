@@ -14,7 +14,7 @@ namespace leitstand {
 
 /// What a map would become by an answer to a question.
 struct LoopPreview {
-    std::map<std::uint64_t, Pose> moved;  ///< key scans that would move noticeably, and where to in the map
+    std::map<std::uint64_t, Pose> moved;  ///< key scans that would be seen to move, and where to in the map
     double largest = 0.0;                 ///< the farthest of these moves [m]
     std::size_t parted = 0;  ///< other links of loops that would speak against it, and not count any more
 };

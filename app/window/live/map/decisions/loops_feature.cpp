@@ -61,11 +61,12 @@ void LoopsFeature::answer(bool same) {
 
 void LoopsFeature::follow(const MissionState& mission) {
     const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
-    if (newest == m_shown) return showPreview(mission);
+    const bool same = newest == m_shown;
     m_shown = newest;
-    ask(openLoop(mission));
-    m_question->ask(question(mission));
+    if (!same) ask(openLoop(mission));
     showPreview(mission);
+    if (same) return;
+    m_question->ask(question(mission));
     const bool closed = m_context.bridge.station().mapping().loop().has_value();
     m_open->setEnabled(closed);
     m_context.commands.setHint(
@@ -76,7 +77,7 @@ void LoopsFeature::follow(const MissionState& mission) {
 }
 
 void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {
-    if (m_asked != loop) {
+    if (!loop || !m_asked || m_asked->event != loop->event) {
         m_preview.reset();
         m_view.setGhosts({});
     }
@@ -94,9 +95,10 @@ void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {
 }
 
 void LoopsFeature::showPreview(const MissionState& mission) {
-    if (!m_asked || m_preview) return;
-    m_preview = m_context.bridge.station().mapping().preview(*m_asked);
-    if (!m_preview) return;
+    if (!m_asked) return;
+    const LoopPreviewPtr newest = m_context.bridge.station().mapping().preview(*m_asked);
+    if (!newest || newest == m_preview) return;
+    m_preview = newest;
     m_view.setGhosts(m_preview->moved);
     m_question->ask(question(mission));
 }
@@ -108,10 +110,10 @@ QString LoopsFeature::question(const MissionState& mission) const {
                        .arg(metres(m_asked->seam()));
     if (!m_preview) return text;
     text += QLatin1Char('\n');
-    if (m_preview->moved.empty()) return text + tr("If it is, no scan moves.");
-    text += tr("Violet: the map if it is. Scans moved: %1, by up to %2.")
-                .arg(m_preview->moved.size())
-                .arg(metres(m_preview->largest));
+    text += m_preview->moved.empty() ? tr("If it is, no scan moves.")
+                                     : tr("Violet: the map if it is. Scans moved: %1, by up to %2.")
+                                           .arg(m_preview->moved.size())
+                                           .arg(metres(m_preview->largest));
     const auto finds = findsMovedBy(mission, m_preview->moved, NoticedOfFinds);
     if (!finds.empty()) text += QLatin1Char(' ') + tr("Finds moved: %1.").arg(finds.size());
     if (m_preview->parted > 0)

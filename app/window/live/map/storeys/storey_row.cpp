@@ -38,7 +38,7 @@ void StoreyRow::add(std::optional<int> number, const QString& text, const QStrin
     button->setMinimumSize(ButtonSize, ButtonSize);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(button, &QToolButton::clicked, this, [this, number] {
-        setChosen(m_chosen);  // the button alone decides nothing
+        setChosen(m_chosen, m_all);  // the button alone decides nothing
         emit wanted(number);
     });
     m_layout->addWidget(button);
@@ -54,13 +54,14 @@ void StoreyRow::setStoreys(const std::vector<Storey>& storeys) {
         add(storey->number, storeyText(storey->number),
             tr("Storey %1, its floor at %2 m").arg(storeyText(storey->number), numberText(storey->floor, 1)));
     add(std::nullopt, tr("All", "storeys"), tr("All storeys"));
-    setChosen(m_chosen);
+    setChosen(m_chosen, m_all);
     adjustSize();
 }
 
-void StoreyRow::setChosen(std::optional<int> number) {
+void StoreyRow::setChosen(std::optional<int> number, bool all) {
     m_chosen = number;
-    for (const Button& one : m_buttons) one.button->setChecked(one.number == number);
+    m_all = all;
+    for (const Button& one : m_buttons) one.button->setChecked(one.number ? one.number == number : all);
 }
 
 }  // namespace leitstand

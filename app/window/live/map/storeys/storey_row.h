@@ -20,7 +20,8 @@ public:
     explicit StoreyRow(QWidget* parent);
 
     void setStoreys(const std::vector<Storey>& storeys);
-    void setChosen(std::optional<int> number);  ///< empty: all storeys
+    /// @p all: nothing is hidden; neither: heights that are no storey are shown.
+    void setChosen(std::optional<int> number, bool all);
 
 signals:
     void wanted(std::optional<int> number);
@@ -35,6 +36,7 @@ private:
     QVBoxLayout* m_layout;
     std::vector<Button> m_buttons;  ///< from top to bottom
     std::optional<int> m_chosen;
+    bool m_all = true;
 };
 
 /// "+1" for 1, as on the button and in texts.

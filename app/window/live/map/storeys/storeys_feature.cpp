@@ -28,12 +28,11 @@ StoreysFeature::StoreysFeature(const ViewContext& context, ViewState& state, Map
     : QObject(parent), m_context(context), m_state(state), m_row(new StoreyRow(&pane)) {
     pane.setStoreys(*m_row);
     const auto add = [this](const QString& id, const QString& text, Qt::Key key, int by) {
-        QAction& action =
-            m_context.commands.add({.id = id,
-                                    .menu = CommandMenu::Map,
-                                    .text = text,
-                                    .hint = tr("What is above and below that storey is not shown"),
-                                    .keys = QKeySequence(Qt::ALT | key)});
+        QAction& action = m_context.commands.add({.id = id,
+                                                  .menu = CommandMenu::Map,
+                                                  .text = text,
+                                                  .hint = hint(),
+                                                  .keys = QKeySequence(Qt::ALT | key)});
         connect(&action, &QAction::triggered, this, [this, by] { step(by); });
         return &action;
     };
@@ -46,12 +45,27 @@ StoreysFeature::StoreysFeature(const ViewContext& context, ViewState& state, Map
     showChoice();
 }
 
+QString StoreysFeature::hint() {
+    return tr("What is above and below that storey is not shown");
+}
+
 void StoreysFeature::setMap(const Map& map) {
     std::vector<Storey> storeys = storeysOf(map);
     if (sameStoreys(storeys, m_storeys)) return;
+    const auto shown = indexOf(m_chosen);
+    const double floor = shown ? m_storeys[*shown].floor : 0.0;
     m_storeys = std::move(storeys);
     m_row->setStoreys(m_storeys);
-    if (m_chosen) choose(m_chosen);  // it may have moved, or be gone
+    // The same floor, whatever its number is now: others may have been found between.
+    if (shown && !m_storeys.empty()) {
+        const auto nearest =
+            std::min_element(m_storeys.begin(), m_storeys.end(), [floor](const Storey& a, const Storey& b) {
+                return std::abs(a.floor - floor) < std::abs(b.floor - floor);
+            });
+        choose(nearest->number);
+    } else if (shown) {
+        choose(std::nullopt);
+    }
     showChoice();
 }
 
@@ -84,19 +98,19 @@ void StoreysFeature::step(int by) {
 
 void StoreysFeature::follow() {
     const MapViewSettings& settings = m_state.settings();
-    if (!m_chosen || (settings.minHeight == m_heights.from && settings.maxHeight == m_heights.to)) return;
-    m_chosen.reset();  // the operator chose other heights
+    // The operator may have chosen other heights.
+    if (m_chosen && (settings.minHeight != m_heights.from || settings.maxHeight != m_heights.to))
+        m_chosen.reset();
     showChoice();
 }
 
 void StoreysFeature::showChoice() {
-    m_row->setChosen(m_chosen);
+    const MapViewSettings& settings = m_state.settings();
+    m_row->setChosen(m_chosen, !m_chosen && !settings.minHeight && !settings.maxHeight);
     const bool several = m_storeys.size() > 1;
     for (QAction* one : {m_above, m_below}) one->setEnabled(several);
-    const QString none = tr("The map has one storey only");
-    const QString what = tr("What is above and below that storey is not shown");
-    for (QAction* one : {m_above, m_below})
-        m_context.commands.setHint(one->objectName(), several ? what : none);
+    const QString hint = several ? StoreysFeature::hint() : tr("The map has one storey only");
+    for (QAction* one : {m_above, m_below}) m_context.commands.setHint(one->objectName(), hint);
 }
 
 }  // namespace leitstand

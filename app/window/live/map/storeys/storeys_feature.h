@@ -31,6 +31,7 @@ private:
     void follow();
     [[nodiscard]] std::optional<std::size_t> indexOf(std::optional<int> number) const;
     void showChoice();
+    [[nodiscard]] static QString hint();  ///< of the commands
 
     ViewContext m_context;
     ViewState& m_state;
