@@ -58,7 +58,7 @@ void prepare(QProgressDialog& dialog, MapTidying what) {
         dialog.setCancelButton(nullptr);
     }
     // It stays until the work has ended, also once that was cancelled.
-    QObject::disconnect(&dialog, &QProgressDialog::canceled, &dialog, &QProgressDialog::cancel);
+    QObject::disconnect(&dialog, &QProgressDialog::canceled, &dialog, nullptr);
     dialog.setValue(0);
     dialog.show();
 }
