@@ -99,15 +99,21 @@ void ReviewBridge::write(std::function<Result<void>(ReviewPen&)> what, const QSt
 }
 
 void ReviewBridge::reportInto(const QString& folder) {
+    ++m_reportsAsked;
     m_writing.submit(
         [this, folder](const std::stop_token&) {
             const Result<void> there = m_pen->flush();
             hop([this, folder, problem = there ? QString() : QString::fromStdString(there.error().text)] {
                 if (!problem.isEmpty()) emit told(problem);
+                --m_reportsAsked;
                 m_report->begin(folder);
             });
         },
         false);
+}
+
+bool ReviewBridge::reporting() const {
+    return m_reportsAsked > 0 || m_report->writing();
 }
 
 void ReviewBridge::showInstead(MapPtr map) {

@@ -38,6 +38,7 @@ public:
     [[nodiscard]] ReviewReport& report() const { return *m_report; }
     /// Writes the hand-in into @p folder, with all that was written before.
     void reportInto(const QString& folder);
+    [[nodiscard]] bool reporting() const;  ///< from being asked until it is over
     /// Panes see @p map in place of that of the moment; null: the moment's again.
     void showInstead(MapPtr map);
     /// Tells a new window everything that was told before.
@@ -72,8 +73,9 @@ private:
     QTimer m_tick;
     ReviewIndexPtr m_index;
     ReviewMomentPtr m_shown;
-    MapPtr m_instead;      ///< of the moment's map; null: none
-    bool m_again = false;  ///< a picture came after its moment was shown
+    MapPtr m_instead;        ///< of the moment's map; null: none
+    int m_reportsAsked = 0;  ///< that have not begun
+    bool m_again = false;    ///< a picture came after its moment was shown
     std::string m_watched;
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;

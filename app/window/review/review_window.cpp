@@ -36,7 +36,6 @@
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_panes.h"
-#include "app/window/review/review_report.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/painting/elided_label.h"
@@ -160,7 +159,7 @@ void ReviewWindow::addTidying() {
 }
 
 void ReviewWindow::askToTidy(MapTidying what) {
-    if (m_bridge.report().writing() || m_bridge.comparison().comparing())
+    if (m_bridge.reporting() || m_bridge.comparison().comparing())
         return tell(
             tr("A report is being written, or scans are being registered again: tidy the map after that"));
     emit tidyingWanted(what);

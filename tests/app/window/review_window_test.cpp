@@ -221,6 +221,10 @@ TEST_F(ReviewWindowTest, TheMapIsTidiedOnRequestAndTakenBackOnlyWhereItWas) {
     QAction* const back = m_window->commands().find(QStringLiteral("review.untidy"));
     EXPECT_TRUE(soon([&] { return tidy->isEnabled(); })) << "the mission has a map";
     EXPECT_FALSE(back->isEnabled()) << "its map was not tidied";
+    m_bridge->reportInto(QString::fromStdString((m_folder / "report").string()));
+    tidy->trigger();
+    EXPECT_TRUE(wanted.empty()) << "the report that was asked for is not lost";
+    ASSERT_TRUE(soon([&] { return !m_bridge->reporting(); }));
     tidy->trigger();
     EXPECT_EQ(wanted, std::vector{MapTidying::Tidy});
 }

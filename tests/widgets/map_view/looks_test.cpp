@@ -227,5 +227,36 @@ TEST(MapLooks, ColoursByHeightAndRangeGoFromDarkVioletToYellow) {
     }
 }
 
+TEST(MapLooks, ScansAreShownASecondTimeWhereTheyMightComeToStand) {
+    constexpr QRgb Violet = 0xFFE2A6FF;
+    for (const std::size_t scans : {2U, 60U}) {  // each drawn by itself, and of many a sample first
+        std::vector<ScanPtr> blobs;
+        for (std::size_t i = 0; i < scans; ++i)
+            blobs.push_back(blob({2.0F + 0.02F * static_cast<float>(i), 0, 0}, Label::Wall));
+        auto map = std::make_shared<Map>(*mapOf(blobs));
+        for (std::size_t i = 0; i < scans; ++i) map->scans[i].id = i + 1;
+        ShownView view(map, settingsOf(MapLook::Top));
+        ASSERT_TRUE(view.settle());
+        EXPECT_EQ(countPixels(view->picture(), Violet), 0);
+        const QPointF before = view.at({2.0, 0.0, 0.0});
+        view->setGhosts({{1, poseFrom({0.0, 0.4, 0.0}, 0, 0, 0)}, {4'711, Pose::Identity()}});
+        ASSERT_TRUE(view.settle());
+        const int ghost = countPixels(view->picture(), Violet);
+        EXPECT_GT(ghost, 10) << scans;
+        EXPECT_GT(countPixels(view->picture(), WallYellow), 10) << "the scan itself stays";
+        EXPECT_EQ(view.at({2.0, 0.0, 0.0}), before) << "the camera does not move for it";
+        EXPECT_FALSE(view->pick(view.at({2.0, 0.4, 0.0}).toPoint())) << "nothing is there yet";
+        auto more = std::make_shared<Map>(*map);
+        more->scans.push_back(more->scans.back());
+        more->scans.back().id = scans + 1;
+        view->setMap(more);
+        ASSERT_TRUE(view.settle());
+        EXPECT_NEAR(countPixels(view->picture(), Violet), ghost, ghost / 2 + 20) << "also once another came";
+        view->setGhosts({});
+        ASSERT_TRUE(view.settle());
+        EXPECT_EQ(countPixels(view->picture(), Violet), 0);
+    }
+}
+
 }  // namespace
 }  // namespace leitstand::test
