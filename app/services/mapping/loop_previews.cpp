@@ -18,7 +18,6 @@ LoopPreviewPtr LoopPreviews::of(const OpenLoop& loop, std::uint64_t map, LiveMap
         if (m_asked != loop.event) {
             m_preview = nullptr;
             m_map = 0;
-            m_began = {};
         }
         m_asked = loop.event;
         const auto now = std::chrono::steady_clock::now();

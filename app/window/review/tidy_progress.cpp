@@ -81,6 +81,7 @@ TidyingOutcome tidyInFront(const std::filesystem::path& mission, MapTidying what
         hop([&over] { over = true; });
     });
     QObject::connect(&dialog, &QProgressDialog::canceled, &dialog, [&] {
+        if (what == MapTidying::TakeBack) return;  // that cannot be stopped half-way
         thread.request_stop();
         dialog.setLabelText(Words::tr("Being cancelled…"));
     });
