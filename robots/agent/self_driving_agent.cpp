@@ -107,9 +107,9 @@ void SelfDrivingAgent::goTo(const PoseSample& goal) {
     if (!goal.poseInFrame.translation().allFinite()) return;
     const auto here = m_odometry.newest();
     if (goal.header.frame == robot().odomFrame) {
-        m_goal = goal.poseInFrame.translation().head<2>();
+        m_goal = goal.poseInFrame.translation();
     } else if (goal.header.frame == robot().baseFrame && here) {
-        m_goal = (*here * goal.poseInFrame).translation().head<2>();
+        m_goal = (*here * goal.poseInFrame).translation();
     }
 }
 
@@ -166,7 +166,7 @@ DriveVelocity SelfDrivingAgent::comeBack(const Pose& here, Time now) {
     return velocity;
 }
 
-std::optional<DriveVelocity> SelfDrivingAgent::driveBy(const Eigen::Vector2d& place, const Pose& here,
+std::optional<DriveVelocity> SelfDrivingAgent::driveBy(const Eigen::Vector3d& place, const Pose& here,
                                                        Time now) {
     const DriveVelocity velocity = explore(place, here, now);
     const bool over = m_report.done || m_report.failed;
@@ -174,7 +174,7 @@ std::optional<DriveVelocity> SelfDrivingAgent::driveBy(const Eigen::Vector2d& pl
     return over ? std::nullopt : std::optional(velocity);
 }
 
-DriveVelocity SelfDrivingAgent::explore(const std::optional<Eigen::Vector2d>& goal, const Pose& here,
+DriveVelocity SelfDrivingAgent::explore(const std::optional<Eigen::Vector3d>& goal, const Pose& here,
                                         Time now) {
     if (m_explorer.goal() != goal) m_explorer.setGoal(goal);
     const ExplorerStep step = m_explorer.step(m_view, here, m_scan.newest(), now);

@@ -58,13 +58,13 @@ protected:
     [[nodiscard]] Driver driver() const { return m_driver; }
     [[nodiscard]] bool hasGoal() const { return m_goal.has_value(); }  ///< of the operator
     /// One step to @p place in odom [m], without a word to the modes; empty: it is there, or finds no way.
-    [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector2d& place, const Pose& here,
+    [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector3d& place, const Pose& here,
                                                        Time now);
     Explorer& explorer() { return m_explorer; }
     Report& told() { return m_report; }  ///< to be said to the modes
 
 private:
-    DriveVelocity explore(const std::optional<Eigen::Vector2d>& goal, const Pose& here, Time now);
+    DriveVelocity explore(const std::optional<Eigen::Vector3d>& goal, const Pose& here, Time now);
     DriveVelocity comeBack(const Pose& here, Time now);
     [[nodiscard]] bool isDue(Time now) const { return !m_thought || now - *m_thought >= m_thinks; }
 
@@ -76,7 +76,7 @@ private:
     OdometryTrack m_odometry;
     std::map<std::string, std::pair<std::string, Pose>> m_frames;  ///< child: parent, child in it
     VirtualScanView m_view;
-    std::optional<Eigen::Vector2d> m_goal;  ///< of the operator, odom [m]
+    std::optional<Eigen::Vector3d> m_goal;  ///< of the operator, odom [m]
     std::optional<Time> m_thought;
     Driver m_driver = Driver::Nobody;
     DriveVelocity m_velocity;

@@ -3,7 +3,7 @@
 namespace leitstand {
 
 void LinkTrail::moved(const Pose& baseInOdom, bool linkGood, bool returning) {
-    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    const Eigen::Vector3d here = baseInOdom.translation();
     if (!here.allFinite()) return;
     if (linkGood || m_places.empty()) {
         m_places = {here};
@@ -19,8 +19,8 @@ void LinkTrail::moved(const Pose& baseInOdom, bool linkGood, bool returning) {
     m_atEnd = (m_places.front() - here).norm() < m_spacing;
 }
 
-Eigen::Vector2d LinkTrail::next() const {
-    return m_places.empty() ? Eigen::Vector2d(Eigen::Vector2d::Zero()) : m_places.back();
+Eigen::Vector3d LinkTrail::next() const {
+    return m_places.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : m_places.back();
 }
 
 }  // namespace leitstand

@@ -18,12 +18,12 @@ public:
     /// Where the robot is; @p linkGood: the trail begins anew here. @p returning: walks back along it.
     void moved(const Pose& baseInOdom, bool linkGood, bool returning);
     /// The place to go to next on the way back, in odom [m]; where the link was good when it is the last.
-    [[nodiscard]] Eigen::Vector2d next() const;
+    [[nodiscard]] Eigen::Vector3d next() const;
     [[nodiscard]] bool isBack() const { return m_places.size() <= 1 && m_atEnd; }
 
 private:
     double m_spacing;
-    std::vector<Eigen::Vector2d> m_places;  ///< in odom; the first is the good one [m]
+    std::vector<Eigen::Vector3d> m_places;  ///< in odom; the first is the good one [m]
     bool m_atEnd = false;
 };
 

@@ -80,7 +80,7 @@ void Kurt3dAgent::consider(VirtualScanView& view, const Pose& here, Time now) {
         m_considered = m_cues.front().at;
         for (const HeatCue& cue : m_cues) {
             if (const auto heat = m_approach.another(cue, view, here))
-                m_passed.see(*heat, here.translation().head<2>());
+                m_passed.see(*heat, here.translation());
         }
     }
     m_cue = m_approach.pick(m_cues, view, here);
@@ -136,16 +136,16 @@ void Kurt3dAgent::leaveVisited() {
 }
 
 std::optional<DriveVelocity> Kurt3dAgent::visit(const Pose& here, Time now) {
-    if (!m_visited) m_visited = m_passed.next(here.translation().head<2>());
+    if (!m_visited) m_visited = m_passed.next(here.translation());
     if (!m_visited) return std::nullopt;
     if (!m_lookedSince) {
         if (const auto velocity = driveBy(m_visited->from, here, now)) return velocity;
-        const bool there = (m_visited->from - here.translation().head<2>()).norm() < ThereWithin;
+        const bool there = (m_visited->from - here.translation()).head<2>().norm() < ThereWithin;
         if (there) m_lookedSince = now;
     }
     // Where it is in sight, the modes begin an approach.
     if (!m_lookedSince || now - *m_lookedSince > LooksFor) {
-        m_passed.forget(m_visited->heat.head<2>(), BeenTo);
+        m_passed.forget(m_visited->heat, BeenTo);
         leaveVisited();
         return std::nullopt;
     }
@@ -162,14 +162,14 @@ DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     told().done = step.done;
     told().failed = step.failed;
     told().text = step.reason;
-    if (step.done || step.failed) m_passed.forget(m_heat->head<2>(), BeenTo);
+    if (step.done || step.failed) m_passed.forget(*m_heat, BeenTo);
     if (step.failed) {  // what it has just left is no reason to begin again
         told().cue = false;
         m_cue.reset();
     }
     if (m_approach.sightings().size() != m_sightings) {
         m_sightings = m_approach.sightings().size();
-        explorer().shun(m_approach.sightings().back().position.head<2>(), 0.6);
+        explorer().shun(m_approach.sightings().back().position, 0.6);
         say(StreamRole::Sightings, SightingSample{{now, robot().odomFrame}, m_approach.sightings()});
     }
     return step.velocity;

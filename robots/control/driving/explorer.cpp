@@ -32,7 +32,7 @@ double yawOf(const Pose& pose) {
     return std::atan2(ahead.y(), ahead.x());
 }
 
-double lengthOf(const std::vector<Eigen::Vector2d>& way) {
+double lengthOf(const std::vector<Eigen::Vector3d>& way) {
     double length = 0.0;
     for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
     return length;
@@ -43,7 +43,7 @@ double lengthOf(const std::vector<Eigen::Vector2d>& way) {
 Explorer::Explorer(FuzzyDrive drive, const ExplorerSettings& settings)
     : m_drive(std::move(drive)), m_settings(settings), m_memory(settings.memory) {}
 
-void Explorer::setGoal(const std::optional<Eigen::Vector2d>& goal) {
+void Explorer::setGoal(const std::optional<Eigen::Vector3d>& goal) {
     if (m_goal == goal) return;
     m_goal = goal;
     m_way.clear();
@@ -68,12 +68,12 @@ void Explorer::see(const VirtualScanView& view, const Pose& baseInOdom, Time now
 void Explorer::plan(const Pose& baseInOdom, Time now) {
     if (m_planned && secondsBetween(*m_planned, now) < m_settings.replan && now >= *m_planned) return;
     m_planned = now;
-    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
+    const Eigen::Vector3d here = baseInOdom.translation();
     if (m_goal) {
         m_way = m_memory.wayTo(here, *m_goal, m_settings.goalNear);
     } else {
         // Keeps its aim as long as there is something to see: no dithering between two.
-        bool keep = !m_way.empty() && (m_way.back() - here).norm() > m_settings.arrived &&
+        bool keep = !m_way.empty() && (m_way.back() - here).head<2>().norm() > m_settings.arrived &&
                     m_memory.isBorderNear(m_way.back());
         // There are ways that seem free from afar only, and others from there.
         if (keep && now > m_patience) {
@@ -99,22 +99,22 @@ bool Explorer::looksAgain(const Pose& baseInOdom, Time now) {
         m_doubts = seen > m_seenThen + NewFloor ? 1 : m_doubts + 1;
         m_seenThen = seen;
         m_doubted = now;
-        if (m_doubts <= MostDoubts) m_memory.doubt(baseInOdom.translation().head<2>(), 1.5);
+        if (m_doubts <= MostDoubts) m_memory.doubt(baseInOdom.translation(), 1.5);
     }
     return m_doubts <= MostDoubts;
 }
 
 std::optional<Eigen::Vector2d> Explorer::aim(const Pose& baseInOdom) const {
     if (m_way.empty()) return std::nullopt;
-    const Eigen::Vector2d here = baseInOdom.translation().head<2>();
-    Eigen::Vector2d aim = m_way.front();
+    const Eigen::Vector3d here = baseInOdom.translation();
+    Eigen::Vector3d aim = m_way.front();
     double length = (aim - here).norm();
     for (std::size_t i = 1; i < m_way.size(); ++i) {
         length += (m_way[i] - m_way[i - 1]).norm();
         if (length > m_settings.aimAhead || !m_memory.isFreeBetween(here, m_way[i])) break;
         aim = m_way[i];
     }
-    return aim;
+    return aim.head<2>();
 }
 
 std::optional<DriveVelocity> Explorer::recover(const VirtualScanView& view, const Pose& baseInOdom, Time now,
@@ -168,8 +168,9 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
         return step;
     }
     const Eigen::Vector2d here = baseInOdom.translation().head<2>();
-    const auto isAt = [&](const Eigen::Vector2d& place) {
-        return (place - here).norm() < m_settings.arrived;
+    const auto isAt = [&](const Eigen::Vector3d& place) {
+        return (place.head<2>() - here).norm() < m_settings.arrived &&
+               FloorMemory::isSameFloor(place.z(), baseInOdom.translation().z());
     };
     if (m_goal && (isAt(*m_goal) || (!m_way.empty() && isAt(m_way.back())))) {
         step.done = true;

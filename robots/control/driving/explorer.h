@@ -33,7 +33,7 @@ struct ExplorerStep {
     bool done = false;                 ///< at the goal, or nothing is left to see
     bool failed = false;               ///< no way to the goal
     std::string reason;                ///< what it is doing, in words
-    std::vector<Eigen::Vector2d> way;  ///< planned, in odom [m]
+    std::vector<Eigen::Vector3d> way;  ///< planned, in odom, on the floor [m]
 };
 
 /// Drives by itself: fuzzy control for the next metre, the memory of the floor for where to go: to the
@@ -42,9 +42,9 @@ class Explorer {
 public:
     Explorer(FuzzyDrive drive, const ExplorerSettings& settings = {});
 
-    /// To @p goal in odom (goal_pose, the way back to the link); empty: explores.
-    void setGoal(const std::optional<Eigen::Vector2d>& goal);
-    [[nodiscard]] const std::optional<Eigen::Vector2d>& goal() const { return m_goal; }
+    /// To @p goal in odom, on its floor (goal_pose, the way back to the link) [m]; empty: explores.
+    void setGoal(const std::optional<Eigen::Vector3d>& goal);
+    [[nodiscard]] const std::optional<Eigen::Vector3d>& goal() const { return m_goal; }
     /// Begins anew after another driver: keeps what it remembers of the floor.
     void resume();
 
@@ -54,7 +54,7 @@ public:
     /// Looks on while another drives.
     void see(const VirtualScanView& view, const Pose& baseInOdom, Time now);
     /// Keeps off @p place in odom, where it can: a victim may move [m].
-    void shun(const Eigen::Vector2d& place, double radius) { m_memory.shun(place, radius); }
+    void shun(const Eigen::Vector3d& place, double radius) { m_memory.shun(place, radius); }
     [[nodiscard]] const FloorMemory& memory() const { return m_memory; }
 
 private:
@@ -67,8 +67,8 @@ private:
     FuzzyDrive m_drive;
     ExplorerSettings m_settings;
     FloorMemory m_memory;
-    std::optional<Eigen::Vector2d> m_goal;
-    std::vector<Eigen::Vector2d> m_way;
+    std::optional<Eigen::Vector3d> m_goal;
+    std::vector<Eigen::Vector3d> m_way;
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
     Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
     Time m_patience{};  ///< until then it tries to come to where its way ends

@@ -5,6 +5,7 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,19 +25,25 @@ struct FloorMemorySettings {
 };
 
 /// Where a robot has been and what it has seen: a coarse grid in the odometry's frame. The newest view is
-/// right, so that the odometry's drift does no lasting harm.
+/// right, so that the odometry's drift does no lasting harm. Storeys lie above each other: at a place from
+/// above there are as many cells as there are floors (multi-level surface maps, Triebel, Pfaff & Burgard
+/// 2006), told apart by their height; which floor is ahead is told by how the robot stands. Places are in
+/// odom, on or near the floor that is meant [m].
 class FloorMemory {
 public:
     explicit FloorMemory(const FloorMemorySettings& settings = {});
 
+    /// Whether floors at two heights are of one storey [m].
+    [[nodiscard]] static bool isSameFloor(double one, double other);
+
     void see(const VirtualScanView& view, const Pose& baseInOdom);
-    /// What could not be reached is not tried again; in odom [m].
-    void giveUp(const Eigen::Vector2d& place, double radius);
-    /// Ways keep off the ground about @p place, where there is another; in odom [m].
-    void shun(const Eigen::Vector2d& place, double radius);
+    /// What could not be reached is not tried again.
+    void giveUp(const Eigen::Vector3d& place, double radius);
+    /// Ways keep off the ground about @p place, where there is another.
+    void shun(const Eigen::Vector3d& place, double radius);
     /// Obstacles about @p place, and those on floor that was seen free once, are looked for anew: the drift
     /// of odometry closes ways. What was given up is tried again.
-    void doubt(const Eigen::Vector2d& place, double radius);
+    void doubt(const Eigen::Vector3d& place, double radius);
     void clear();
 
     /// What the first step of a way costs more when the robot has to turn for it.
@@ -44,23 +51,23 @@ public:
         double heading = 0.0;  ///< of the robot, in odom [rad]
         double cost = 0.0;     ///< as so long a way, for half a turn [m]
     };
-    /// The way from @p from over seen floor to the nearest border of the unseen; in odom [m]. Empty: none.
-    [[nodiscard]] std::vector<Eigen::Vector2d> wayToUnseen(const Eigen::Vector2d& from,
+    /// The way from @p from over seen floor to the nearest border of the unseen. Empty: none.
+    [[nodiscard]] std::vector<Eigen::Vector3d> wayToUnseen(const Eigen::Vector3d& from,
                                                            const Turning& turning) const;
-    [[nodiscard]] std::vector<Eigen::Vector2d> wayToUnseen(const Eigen::Vector2d& from) const {
+    [[nodiscard]] std::vector<Eigen::Vector3d> wayToUnseen(const Eigen::Vector3d& from) const {
         return wayToUnseen(from, {});
     }
     /// The way to @p goal, or within @p near of it when it cannot be reached itself [m]; over unseen floor
     /// too. Empty: none.
-    [[nodiscard]] std::vector<Eigen::Vector2d> wayTo(const Eigen::Vector2d& from, const Eigen::Vector2d& goal,
+    [[nodiscard]] std::vector<Eigen::Vector3d> wayTo(const Eigen::Vector3d& from, const Eigen::Vector3d& goal,
                                                      double near = 0.5) const;
     /// Whether the border of the unseen is still at @p place.
-    [[nodiscard]] bool isBorderNear(const Eigen::Vector2d& place) const;
+    [[nodiscard]] bool isBorderNear(const Eigen::Vector3d& place) const;
     /// Whether the robot's middle may go straight from @p from to @p to.
-    [[nodiscard]] bool isFreeBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
-    [[nodiscard]] bool isSeen(const Eigen::Vector2d& place) const;
-    [[nodiscard]] bool isBlocked(const Eigen::Vector2d& place) const;
-    [[nodiscard]] int visits(const Eigen::Vector2d& place) const;  ///< how often the robot came there
+    [[nodiscard]] bool isFreeBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+    [[nodiscard]] bool isSeen(const Eigen::Vector3d& place) const;
+    [[nodiscard]] bool isBlocked(const Eigen::Vector3d& place) const;
+    [[nodiscard]] int visits(const Eigen::Vector3d& place) const;  ///< how often the robot came there
     [[nodiscard]] double seenArea() const;                         ///< [m2]
 
 private:
@@ -70,27 +77,40 @@ private:
         std::uint16_t visits = 0;
         std::uint16_t near = 0;   ///< blocked cells within the clearance
         std::uint16_t close = 0;  ///< blocked cells within the comfort
+        float height = 0.0F;      ///< as it was seen last [m]
     };
+    /// A square from above, and which of the floors there.
     using Key = std::int64_t;
-    [[nodiscard]] Key keyOf(const Eigen::Vector2d& place) const;
+    struct Place {
+        Key key;
+        const Cell* cell;  ///< null: nothing is known of it
+    };
+    [[nodiscard]] Key squareOf(const Eigen::Vector2d& place) const;
     [[nodiscard]] Eigen::Vector2d middleOf(Key key) const;
-    [[nodiscard]] const Cell* find(Key key) const;
-    [[nodiscard]] std::vector<Key> around(const Eigen::Vector2d& place, double radius) const;
+    /// The floor of @p square at @p height.
+    [[nodiscard]] Place find(Key square, double height) const;
+    [[nodiscard]] Place find(const Eigen::Vector3d& place) const {
+        return find(squareOf(place.head<2>()), place.z());
+    }
+    /// ... remembered from now on; the cell is valid until the next one.
+    [[nodiscard]] std::pair<Key, Cell*> at(Key square, double height);
+    [[nodiscard]] std::vector<Key> squaresAround(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] static double weightOf(const Cell* cell, bool tight);
-    void addEvidence(Key key, int evidence);
-    void seeAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+    void addEvidence(Key square, double height, int evidence);
+    void seeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                   const std::unordered_set<Key>& held);
-    [[nodiscard]] bool isBorder(Key key) const;
-    /// Dijkstra's cheapest way from @p from to the first cell that is a @p goal; over the unseen as well,
-    /// when @p unseen says how far away [m].
-    [[nodiscard]] std::vector<Eigen::Vector2d> search(const Eigen::Vector2d& from,
-                                                      const std::function<bool(Key)>& goal,
-                                                      std::optional<double> unseen,
+    [[nodiscard]] bool isBorder(const Place& place) const;
+    struct Goal {
+        std::function<bool(const Place& place, double height)> reached;
+        std::optional<double> unseen;  ///< over unseen floor as well, so far away [m]
+    };
+    /// Dijkstra's cheapest way from @p from to the first cell that is a goal.
+    [[nodiscard]] std::vector<Eigen::Vector3d> search(const Eigen::Vector3d& from, const Goal& goal,
                                                       const Turning& turning) const;
 
     FloorMemorySettings m_settings;
     std::unordered_map<Key, Cell> m_cells;
-    std::vector<Eigen::Vector2i> m_disc;  ///< cells within the comfort
+    std::vector<Eigen::Vector2i> m_disc;  ///< squares within the comfort
     std::optional<Key> m_here;
 };
 

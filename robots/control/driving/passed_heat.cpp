@@ -7,42 +7,48 @@
 namespace leitstand {
 namespace {
 
-constexpr double SameBody = 0.8;   // from above [m]
+constexpr double SameBody = 0.8;   // [m]
 constexpr double BestRange = 1.5;  // to see a body from: whole, and its place is sure [m]
 constexpr int Enough = 4;          // pictures: not a flicker past an edge
 constexpr std::size_t Most = 20;   // bodies
 
-double offOf(const Eigen::Vector3d& heat, const Eigen::Vector2d& place) {
-    return (heat.head<2>() - place).norm();
+double fromAbove(const Eigen::Vector3d& heat, const Eigen::Vector3d& place) {
+    return (heat - place).head<2>().norm();
+}
+
+/// A way to another storey is a long one.
+double wayTo(const Eigen::Vector3d& heat, const Eigen::Vector3d& here) {
+    constexpr double Uphill = 10.0;
+    return fromAbove(heat, here) + Uphill * std::abs(heat.z() - here.z());
 }
 
 }  // namespace
 
-void PassedHeat::see(const Eigen::Vector3d& heat, const Eigen::Vector2d& from) {
-    const auto same = std::find_if(m_all.begin(), m_all.end(), [&](const One& one) {
-        return offOf(one.heat, heat.head<2>()) < SameBody;
-    });
+void PassedHeat::see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from) {
+    const auto same = std::find_if(m_all.begin(), m_all.end(),
+                                   [&](const One& one) { return (one.heat - heat).norm() < SameBody; });
     if (same == m_all.end()) {
         if (m_all.size() < Most) m_all.push_back({heat, from, 1});
         return;
     }
     ++same->pictures;
-    if (std::abs(offOf(heat, from) - BestRange) > std::abs(offOf(same->heat, same->from) - BestRange)) return;
+    const double before = fromAbove(same->heat, same->from);
+    if (std::abs(fromAbove(heat, from) - BestRange) > std::abs(before - BestRange)) return;
     same->heat = heat;
     same->from = from;
 }
 
-std::optional<PassedHeat::One> PassedHeat::next(const Eigen::Vector2d& here) const {
+std::optional<PassedHeat::One> PassedHeat::next(const Eigen::Vector3d& here) const {
     const One* nearest = nullptr;
     for (const One& one : m_all) {
         if (one.pictures < Enough) continue;
-        if (nearest == nullptr || offOf(one.heat, here) < offOf(nearest->heat, here)) nearest = &one;
+        if (nearest == nullptr || wayTo(one.heat, here) < wayTo(nearest->heat, here)) nearest = &one;
     }
     return nearest == nullptr ? std::nullopt : std::optional(*nearest);
 }
 
-void PassedHeat::forget(const Eigen::Vector2d& place, double radius) {
-    std::erase_if(m_all, [&](const One& one) { return offOf(one.heat, place) < radius; });
+void PassedHeat::forget(const Eigen::Vector3d& place, double radius) {
+    std::erase_if(m_all, [&](const One& one) { return (one.heat - place).norm() < radius; });
 }
 
 }  // namespace leitstand

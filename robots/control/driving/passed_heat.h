@@ -13,15 +13,15 @@ class PassedHeat {
 public:
     struct One {
         Eigen::Vector3d heat = Eigen::Vector3d::Zero();  ///< as it was seen ...
-        Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< ... by the robot from there
+        Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< ... by the robot from there
         int pictures = 0;
     };
     /// A picture that was taken when the robot was at @p from showed a body's heat at @p heat.
-    void see(const Eigen::Vector3d& heat, const Eigen::Vector2d& from);
-    /// The nearest to @p here that was in enough pictures; empty: there is none.
-    [[nodiscard]] std::optional<One> next(const Eigen::Vector2d& here) const;
-    /// It has been to what is within @p radius of @p place [m], from above.
-    void forget(const Eigen::Vector2d& place, double radius);
+    void see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from);
+    /// The nearest to @p here that was in enough pictures, of the same storey first; empty: there is none.
+    [[nodiscard]] std::optional<One> next(const Eigen::Vector3d& here) const;
+    /// It has been to what is within @p radius of @p place [m].
+    void forget(const Eigen::Vector3d& place, double radius);
 
 private:
     std::vector<One> m_all;

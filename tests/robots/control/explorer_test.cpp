@@ -75,7 +75,7 @@ TEST(Explorer, DrivesToAGoalAroundCorners) {
     TestGround ground(maze(Maze, Cell), 4);
     ground.place(0.6, 0.6, 0.0);
     Explorer explorer(shippedDrive());
-    explorer.setGoal(Eigen::Vector2d(6.0, 4.8));  // in odom: where it starts is 0, 0
+    explorer.setGoal(Eigen::Vector3d(6.0, 4.8, 0.0));  // in odom: where it starts is 0, 0
     ExplorerStep step;
     while (ground.seconds() < 200.0 && !step.done && !step.failed) {
         step = explorer.step(ground.view(), ground.baseInOdom(), ground.newest(), ground.now());
@@ -91,7 +91,7 @@ TEST(Explorer, ComesOutOfADeadEnd) {
     TestGround ground(maze({"+-+-+-+-+-+-+", "|         | |", "+-+-+-+-+-+ +"}, 1.0));
     ground.place(4.4, 0.5, 0.0);
     Explorer explorer(shippedDrive());
-    explorer.setGoal(Eigen::Vector2d(-3.8, 0.0));
+    explorer.setGoal(Eigen::Vector3d(-3.8, 0.0, 0.0));
     ExplorerStep step;
     while (ground.seconds() < 90.0 && !step.done && !step.failed) {
         step = explorer.step(ground.view(), ground.baseInOdom(), ground.newest(), ground.now());
@@ -126,7 +126,7 @@ TEST(Explorer, SaysWhenThereIsNoWayToTheGoal) {
     TestGround ground(maze({"+-+-+-+", "|   | |", "+-+-+-+"}, 2.0));
     ground.place(1.0, 1.0, 0.0);
     Explorer explorer(shippedDrive());
-    explorer.setGoal(Eigen::Vector2d(4.0, 0.0));
+    explorer.setGoal(Eigen::Vector3d(4.0, 0.0, 0.0));
     ExplorerStep step;
     while (ground.seconds() < 60.0 && !step.done && !step.failed) {
         step = explorer.step(ground.view(), ground.baseInOdom(), ground.newest(), ground.now());
@@ -175,10 +175,10 @@ TEST(FloorMemory, AWayToTheUnseenBeginsAheadWhereTurningCosts) {
             Eigen::Vector2d(std::cos(direction), std::sin(direction));
     }
     memory.see(view, Pose::Identity());
-    EXPECT_TRUE(memory.isSeen({-0.4, 0.0})) << "it stands there";
-    EXPECT_FALSE(memory.isSeen({-0.7, 0.0}));
-    EXPECT_LT(memory.wayToUnseen({0.0, 0.0}).front().x(), 0.0) << "nearest by way";
-    EXPECT_GT(memory.wayToUnseen({0.0, 0.0}, {.heading = 0.0, .cost = 2.0}).front().x(), 0.0);
+    EXPECT_TRUE(memory.isSeen({-0.4, 0.0, 0.0})) << "it stands there";
+    EXPECT_FALSE(memory.isSeen({-0.7, 0.0, 0.0}));
+    EXPECT_LT(memory.wayToUnseen({0.0, 0.0, 0.0}).front().x(), 0.0) << "nearest by way";
+    EXPECT_GT(memory.wayToUnseen({0.0, 0.0, 0.0}, {.heading = 0.0, .cost = 2.0}).front().x(), 0.0);
 }
 
 TEST(FloorMemory, RemembersWhatItSawAndWhereItWas) {
@@ -195,26 +195,84 @@ TEST(FloorMemory, RemembersWhatItSawAndWhereItWas) {
         view.obstacles.push_back({wall, 0.1});
     }
     memory.see(view, Pose::Identity());
-    EXPECT_TRUE(memory.isSeen({0.5, 0.0}));
-    EXPECT_TRUE(memory.isSeen({-2.5, 0.0}));
-    EXPECT_TRUE(memory.isBlocked({1.02, 0.0}));
-    EXPECT_FALSE(memory.isSeen({1.5, 0.0})) << "behind the wall";
-    EXPECT_FALSE(memory.isSeen({-4.5, 0.0})) << "beyond its sight";
-    EXPECT_EQ(memory.visits({0.0, 0.0}), 1);
-    EXPECT_EQ(memory.visits({-2.5, 0.0}), 0);
-    const auto way = memory.wayToUnseen({0.0, 0.0});
+    EXPECT_TRUE(memory.isSeen({0.5, 0.0, 0.0}));
+    EXPECT_TRUE(memory.isSeen({-2.5, 0.0, 0.0}));
+    EXPECT_TRUE(memory.isBlocked({1.02, 0.0, 0.0}));
+    EXPECT_FALSE(memory.isSeen({1.5, 0.0, 0.0})) << "behind the wall";
+    EXPECT_FALSE(memory.isSeen({-4.5, 0.0, 0.0})) << "beyond its sight";
+    EXPECT_EQ(memory.visits({0.0, 0.0, 0.0}), 1);
+    EXPECT_EQ(memory.visits({-2.5, 0.0, 0.0}), 0);
+    const auto way = memory.wayToUnseen({0.0, 0.0, 0.0});
     ASSERT_FALSE(way.empty());
     EXPECT_TRUE(memory.isBorderNear(way.back()));
-    EXPECT_FALSE(memory.isFreeBetween({0.0, 0.0}, {2.0, 0.0}));
-    EXPECT_TRUE(memory.isFreeBetween({0.0, 0.0}, {-2.0, 0.0}));
+    EXPECT_FALSE(memory.isFreeBetween({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}));
+    EXPECT_TRUE(memory.isFreeBetween({0.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}));
     memory.giveUp(way.back(), 0.3);
     EXPECT_FALSE(memory.isBorderNear(way.back()));
 
     view.obstacles.clear();  // the wall is gone
     for (auto& sector : view.sectors) sector.inner.reset();
     for (int i = 0; i < 8; ++i) memory.see(view, Pose::Identity());
-    EXPECT_FALSE(memory.isBlocked({1.02, 0.0}));
-    EXPECT_TRUE(memory.isSeen({1.5, 0.0}));
+    EXPECT_FALSE(memory.isBlocked({1.02, 0.0, 0.0}));
+    EXPECT_TRUE(memory.isSeen({1.5, 0.0, 0.0}));
+}
+
+/// In a corridor along x, 1.2 m wide: its walls in sight at both sides up to 3 m.
+VirtualScanView inCorridor() {
+    VirtualScanView view;
+    view.sectors.resize(180);
+    for (int i = 0; i < 180; ++i) {
+        VirtualSector& sector = view.sectors[static_cast<std::size_t>(i)];
+        const Eigen::Vector2d along(std::cos(view.directionOf(i)), std::sin(view.directionOf(i)));
+        sector.age = 0.1;
+        if (std::abs(along.y()) < 0.2) continue;  // beyond its sight
+        sector.inner = along * (0.6 / std::abs(along.y()));
+        view.obstacles.push_back({*sector.inner, 0.1});
+    }
+    return view;
+}
+
+TEST(FloorMemory, StoreysLieAboveEachOther) {
+    FloorMemory memory;
+    const VirtualScanView view = inCorridor();
+    constexpr double Slope = degrees(11.3), Storey = 2.6, RampLength = 13.0, Before = 2.0;
+    // A corridor, a ramp at its end, and from its top a corridor beside it back to over where it began.
+    const auto on = [](double x, double y, double z, double pitch, double yaw) {
+        return poseFrom({x, y, z}, 0.0, pitch, yaw);
+    };
+    for (double x = 0.0; x < Before; x += 0.1) memory.see(view, on(x, 0.0, 0.0, 0.0, 0.0));
+    for (double up = 0.0; up < RampLength; up += 0.1)
+        memory.see(view, on(Before + up, 0.0, Storey * up / RampLength, -Slope, 0.0));
+    EXPECT_TRUE(memory.isSeen({0.0, 0.0, 0.0}));
+    EXPECT_FALSE(memory.isSeen({0.0, 0.0, Storey}));
+    EXPECT_TRUE(memory.isBlocked({0.0, 0.62, 0.0}));
+    EXPECT_FALSE(FloorMemory().wayTo({0.0, 0.0, 0.0}, {RampLength, 0.0, Storey}).empty())
+        << "up a ramp that nobody has seen";
+    EXPECT_FALSE(memory.isBlocked({0.0, 0.62, Storey}));
+
+    VirtualScanView open;  // nothing stands up there
+    open.sectors.resize(180);
+    for (VirtualSector& sector : open.sectors) sector.age = 0.1;
+    constexpr double Top = Before + RampLength, Aside = 2.5, Quarter = degrees(90);
+    for (double y = 0.0; y < Aside; y += 0.1) memory.see(open, on(Top, y, Storey, 0.0, Quarter));
+    for (double x = Top; x > 0.0; x -= 0.1) memory.see(view, on(x, Aside, Storey, 0.0, 2.0 * Quarter));
+    for (double y = Aside; y > 0.0; y -= 0.1) memory.see(open, on(0.0, y, Storey, 0.0, -Quarter));
+    EXPECT_TRUE(memory.isSeen({0.0, 0.0, Storey}));
+    EXPECT_FALSE(memory.isBlocked({0.0, 0.62, Storey}));
+    EXPECT_TRUE(memory.isBlocked({0.0, 0.62, 0.0})) << "it was not seen again";
+    EXPECT_EQ(memory.visits({0.0, 0.0, 0.0}), 1);
+
+    const auto way = memory.wayTo({0.5, 0.0, Storey}, {0.5, 0.0, 0.0});
+    double highest = 0.0, lowest = 10.0, farthest = 0.0;
+    for (const Eigen::Vector3d& place : way) {
+        highest = std::max(highest, place.z());
+        lowest = std::min(lowest, place.z());
+        farthest = std::max(farthest, place.x());
+    }
+    ASSERT_FALSE(way.empty()) << "down the ramp";
+    EXPECT_NEAR(highest, Storey, 0.3);
+    EXPECT_NEAR(lowest, 0.0, 0.3);
+    EXPECT_GT(farthest, Top - 1.0) << "by the ramp's top";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(LinkTrail, LeadsBackTheWayItCame) {
     double beside = 0.0;
     for (int i = 0; i < 200 && !trail.isBack(); ++i) {
         trail.moved(at(here.x(), here.y()), false, true);
-        const Eigen::Vector2d off = trail.next() - here;
+        const Eigen::Vector2d off = trail.next().head<2>() - here;
         here += std::min(0.05, off.norm()) * off.normalized();
         beside = std::max(beside, std::min(std::abs(here.y()), std::abs(here.x() - 3.0)));
     }

@@ -1,6 +1,7 @@
 #include "tests/simulation/drives/seen_floor.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace leitstand::simulation::test {
 namespace {
@@ -12,10 +13,10 @@ constexpr double Turn = 2.3;     ///< of the scanner [s]
 }  // namespace
 
 SeenFloor::SeenFloor(const World& world, double eye)
-    : m_world(world),
-      m_eye(eye),
-      m_reachable(reachableFloor(world.arena(), Radius)),
-      m_seen(m_reachable.reached.size(), 0) {}
+    : SeenFloor(world, reachableFloor(world.arena(), Radius), eye) {}
+
+SeenFloor::SeenFloor(const World& world, ReachableFloor floor, double eye)
+    : m_world(world), m_eye(eye), m_reachable(std::move(floor)), m_seen(m_reachable.reached.size(), 0) {}
 
 void SeenFloor::look(int robot) {
     const Pose& base = m_world.state(robot).baseInArena;

@@ -16,6 +16,8 @@ namespace leitstand::simulation::test {
 class SeenFloor {
 public:
     explicit SeenFloor(const World& world, double eye = 0.48);
+    /// ... of @p floor, one of reachableStoreys(): looked at while the robot is on that storey.
+    SeenFloor(const World& world, ReachableFloor floor, double eye = 0.48);
 
     /// To be called often: looks when a turn of the scanner is over.
     void look(int robot);
