@@ -28,7 +28,9 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
     step.way = robot.way + way;
     step.openWay = robot.openWay + way;
     step.turn = robot.turn + std::max(live.turn, Eigen::AngleAxisd(moved.linear()).angle());
-    return robot.sensorInMap * moved;
+    const Pose guess = robot.sensorInMap * moved;
+    step.moved = robot.moved + (guess.translation() - robot.sensorInMap.translation());
+    return guess;
 }
 
 const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& robot) {
@@ -231,7 +233,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         robot.keyInMap = match.scanInMap;
         robot.key = here.keyScan;
     }
-    if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0) {
+    if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0 && !match.spun) {
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
         robot.scale.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
     }
@@ -249,6 +251,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.way = robot.lost ? step.way : 0.0;
     robot.openWay = match.icp.open > 0 ? step.openWay : 0.0;
     robot.turn = robot.lost ? step.turn : 0.0;
+    robot.moved = robot.lost ? step.moved : Eigen::Vector3d(Eigen::Vector3d::Zero());
     here.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return update;
 }

@@ -53,6 +53,7 @@ void LiveMapper::State::goOn(const std::string& name) {
     robot.doubts = newest->counts() ? std::uint8_t{0} : newest->pose.doubts;
     robot.way = moved.translation().norm();
     robot.turn = Eigen::AngleAxisd(moved.linear()).angle();
+    robot.moved = robot.sensorInMap.translation() - inMap.translation();
 }
 
 void LiveMapper::State::apply(std::span<const ScanPose> poses) {

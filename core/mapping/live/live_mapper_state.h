@@ -24,17 +24,18 @@ struct RobotTrack {
     Pose sensorInBase = Pose::Identity();
     Pose sensorInMap = Pose::Identity();  ///< at the newest scan
     Pose sensorInOdom = Pose::Identity();
-    int odometryFrame = -1;            ///< negative: of an earlier run of the station
-    bool odometry = false;             ///< whether sensorInOdom was measured
-    bool lost = false;                 ///< the newest scan did not fit
-    double certainty = 0.0;            ///< RobotFix::certainty
-    std::uint8_t doubts = 0;           ///< of the newest scan
-    double way = 0.0, turn = 0.0;      ///< since a scan was certain [m, rad]
-    double openWay = 0.0;              ///< since surfaces held all directions [m]
-    OdometryScale scale;               ///< of the odometry's way
-    Pose keyInMap = Pose::Identity();  ///< newest key scan
-    std::uint64_t key = 0;             ///< its id; 0: none of this run
-    std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
+    int odometryFrame = -1;                           ///< negative: of an earlier run of the station
+    bool odometry = false;                            ///< whether sensorInOdom was measured
+    bool lost = false;                                ///< the newest scan did not fit
+    double certainty = 0.0;                           ///< RobotFix::certainty
+    std::uint8_t doubts = 0;                          ///< of the newest scan
+    double way = 0.0, turn = 0.0;                     ///< since a scan was certain [m, rad]
+    double openWay = 0.0;                             ///< since surfaces held all directions [m]
+    Eigen::Vector3d moved = Eigen::Vector3d::Zero();  ///< Step::moved
+    OdometryScale scale;                              ///< of the odometry's way
+    Pose keyInMap = Pose::Identity();                 ///< newest key scan
+    std::uint64_t key = 0;                            ///< its id; 0: none of this run
+    std::optional<Pose> placedInMap;                  ///< base_link, by the operator, for the next scan
 };
 
 /// Insides of LiveMapper.

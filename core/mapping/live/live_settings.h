@@ -36,14 +36,17 @@ struct FitSettings {
     double mostResidual = 0.08;         ///< root mean square of the pairs [m]
     double jump = 0.2;                  ///< against the odometry's step [m] ...
     double jumpOfWay = 0.25;            ///< ... and so much of the way [m / m]
-    double turn = degrees(6);           ///< likewise [rad] ...
-    double turnOfTurn = 0.15;           ///< ... [rad / rad] ...
-    double turnOfWay = degrees(5);      ///< ... [rad / m]
-    double leastCertainty = 0.02;       ///< IcpResult::certainty, where no odometry can do instead
-    double mostDeviation = 0.3;         ///< expected along open directions, of the last metres of way [m]
-    double openWay = 5.0;               ///< so much of it [m]
-    int leastPoints = 200;              ///< after reduction
-    double leastSeen = degrees(270);    ///< of directions, by a cut-off turn that a map begins with [rad]
+    double spunOverlap = 0.8;       ///< from there on a step is believed that is shorter than odometry's ...
+    double spunAside = 0.1;         ///< ... and leads no farther aside [m] ...
+    double spunAsideOfWay = 0.1;    ///< ... than so, and so much of it [m / m]
+    double turn = degrees(6);       ///< a jump likewise [rad] ...
+    double turnOfTurn = 0.15;       ///< ... [rad / rad] ...
+    double turnOfWay = degrees(5);  ///< ... [rad / m]
+    double leastCertainty = 0.02;   ///< IcpResult::certainty, where no odometry can do instead
+    double mostDeviation = 0.3;     ///< expected along open directions, of the last metres of way [m]
+    double openWay = 5.0;           ///< so much of it [m]
+    int leastPoints = 200;          ///< after reduction
+    double leastSeen = degrees(270);  ///< of directions, by a cut-off turn that a map begins with [rad]
 };
 
 /// When a scan enters the map (design, section 3).

@@ -53,6 +53,17 @@ GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     return prior;
 }
 
+/// Whether a scan that fits at @p found instead of at @p guess came to lie there because wheels spun: it is
+/// on the way that odometry tells, less far along, and not far aside.
+bool isShortOf(const Eigen::Vector3d& found, const Eigen::Vector3d& guess, const Step& step,
+               const FitSettings& fit) {
+    const double told = step.moved.norm();
+    if (told <= 0.0) return false;
+    const Eigen::Vector3d ahead = step.moved / told, came = found - (guess - step.moved);
+    const double along = ahead.dot(came), aside = (came - along * ahead).norm();
+    return along >= -fit.jump && along <= told && aside <= fit.spunAside + fit.spunAsideOfWay * told;
+}
+
 }  // namespace
 
 Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap, const LiveSettings& settings,
@@ -210,9 +221,13 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     doubtIf(found.rms > fit.mostResidual, ScanDoubt::Residual);
     doubtIf(open || (!held && found.certainty < fit.leastCertainty), ScanDoubt::Certainty);
     const double jump = distanceBetween(guess, found.pose), turn = angleBetween(guess, found.pose);
-    doubtIf(step.measured && (jump > fit.jump + fit.jumpOfWay * step.way ||
-                              turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way),
-            ScanDoubt::Jump);
+    const bool turned = turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way;
+    const bool jumped = jump > fit.jump + fit.jumpOfWay * step.way;
+    // A robot that a wall holds drives on by its odometry.
+    result.spun = jumped && found.open == 0 && found.certainty >= settings.openBelow &&
+                  found.overlap >= fit.spunOverlap &&
+                  isShortOf(found.pose.translation(), guess.translation(), step, fit);
+    doubtIf(step.measured && ((jumped && !result.spun) || turned), ScanDoubt::Jump);
     if (result.doubts != 0) return result;
     result.scanInMap = up ? levelled(found.pose, *up, settings.levelShare) : found.pose;
     return result;

@@ -49,6 +49,7 @@ struct Match {
     Pose scanInMap = Pose::Identity();  ///< the guess where there are doubts
     IcpResult icp;
     std::uint8_t doubts = 0;  ///< bits of ScanDoubt
+    bool spun = false;        ///< the wheels spun: it fits far behind where odometry says, beyond doubt
 };
 
 /// Whether a map may begin with @p live, of which @p reduced is to be matched: it is of a whole turn or
@@ -61,6 +62,8 @@ struct Step {
     bool trusted = false;          ///< so well that the match is looked for nearby
     double way = 0.0, turn = 0.0;  ///< since a scan was certain [m, rad]
     double openWay = 0.0;          ///< since the surfaces about the robot held all directions [m]
+    Eigen::Vector3d moved =
+        Eigen::Vector3d::Zero();  ///< by odometry, since a scan was certain; in the map [m]
 };
 
 /// Matches @p cloud with @p local, starting at @p guess: by the schedule that the step asks for, and where

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "tests/simulation/mapping/near_surfaces.h"
@@ -26,6 +28,25 @@ Trajectory finalPoses(const MappedDrive& mapped, const RecordedDrive& drive) {
         trajectory.truth.push_back(drive.baseInArena(key.scan->end));
     }
     return trajectory;
+}
+
+/// How far finds are off in the end [m]: each victim that a robot came within 3 m of was taken down where the
+/// nearest key scan saw it, and moves with that scan.
+std::vector<double> findErrors(const Arena& arena, const Trajectory& keys, const Pose& mapInArena) {
+    constexpr double Seen = 3.0;
+    std::vector<double> errors;
+    for (const Element& element : arena.elements) {
+        if (element.kind != ElementKind::Victim) continue;
+        const Eigen::Vector3d lies = element.pose.translation();
+        const auto nearest =
+            std::min_element(keys.truth.begin(), keys.truth.end(), [&](const Pose& a, const Pose& b) {
+                return (a.translation() - lies).norm() < (b.translation() - lies).norm();
+            });
+        if (nearest == keys.truth.end() || (nearest->translation() - lies).norm() > Seen) continue;
+        const Pose& found = keys.found[static_cast<std::size_t>(nearest - keys.truth.begin())];
+        errors.push_back((mapInArena * (found * (nearest->inverse() * lies)) - lies).norm());
+    }
+    return errors;
 }
 
 /// Of key scans that count, each where @p baseInMap has it.
@@ -133,16 +154,32 @@ double worstSeam(const Trajectory& trajectory) {
     return worst;
 }
 
+std::uint64_t measuredSeed() {
+    const char* told = std::getenv("LEITSTAND_BUILDING_SEED");
+    return told == nullptr ? 101 : std::strtoull(told, nullptr, 10);
+}
+
+void tell(const char* how, const BuildingResult& result) {
+    std::printf("    %-6s %7.3f %7.3f %7.3f %7.3f %7.2f\n", how, result.ate, result.seam, result.surfaces,
+                result.height, inDegrees(result.angle));
+}
+
 BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>& corners,
                    const ScriptSettings& script, const LiveSettings& mapping) {
-    BuildingRow row;
     const auto begin = std::chrono::steady_clock::now();
     ScriptedDrive made = scriptedDrive(building.arena, DrivePath(corners), script);
-    row.casting = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double casting = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const MappedDrive result = mapped(made.drive, std::move(made.scans), mapping);
+    BuildingRow row = rowOf(building, made.drive, result);
+    row.casting = casting;
+    return row;
+}
+
+BuildingRow rowOf(const Building& building, const RecordedDrive& drive, const MappedDrive& result) {
+    BuildingRow row;
     row.scans = result.scans.size();
     row.keyScans = result.map->scans.size();
-    row.way = made.drive.way;
+    row.way = drive.way;
     row.odometry = errorOf(result.odometry).distance;
     for (const Localisation& one : result.localisations)
         row.uncertain += one.trust != ScanTrust::Certain ? 1 : 0;
@@ -158,10 +195,11 @@ BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>&
     const TrajectoryError entry = errorOf(result.live);
     row.entry = {entry.distance, entry.height, entry.angle, worstSeam(result.live),
                  surfaceErrorOf(*result.map, surfaces, entry.mapInArena, entryOfKeys(result))};
-    const Trajectory last = finalPoses(result, made.drive);
+    const Trajectory last = finalPoses(result, drive);
     const TrajectoryError final = errorOf(last);
     row.final = {final.distance, final.height, final.angle, worstSeam(last),
                  surfaceErrorOf(*result.map, surfaces, final.mapInArena, last.found)};
+    row.finds = findErrors(building.arena, last, final.mapInArena);
     return row;
 }
 

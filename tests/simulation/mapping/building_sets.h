@@ -37,6 +37,7 @@ struct BuildingRow {
     double casting = 0.0;                ///< time that making the scans took [s]
     std::size_t solves = 0;              ///< times that the map met itself
     int contradicted = 0;                ///< links of loops that others spoke against
+    std::vector<double> finds;           ///< findErrors()
     double solving = 0.0,
            settling = 0.0;  ///< processor time of the longest, apart and on the mapper's thread [s]
 };
@@ -44,6 +45,16 @@ struct BuildingRow {
 /// Where the way meets itself: of all pairs of scans that are truly within 1.5 m of each other and more than
 /// 10 m apart along the way, the largest error of their relative position [m]; 0 where it nowhere does.
 [[nodiscard]] double worstSeam(const Trajectory& trajectory);
+
+/// Of the worlds that are measured. Worlds 1 to 9 are for tuning, 101 and up for measuring:
+/// LEITSTAND_BUILDING_SEED=3 takes another one.
+[[nodiscard]] std::uint64_t measuredSeed();
+/// Prints @p result as a line of a table.
+void tell(const char* how, const BuildingResult& result);
+
+/// What @p mapped, made of @p drive in @p building, comes to.
+[[nodiscard]] BuildingRow rowOf(const Building& building, const RecordedDrive& drive,
+                                const MappedDrive& mapped);
 
 /// Drives along @p corners in @p building, maps it as LiveMapper does with @p mapping, and compares with the
 /// truth.

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -8,14 +7,6 @@
 
 namespace leitstand::simulation::test {
 namespace {
-
-/// Worlds 1 to 9 are for tuning, 101 and up for measuring: LEITSTAND_BUILDING_SEED=3 takes another one.
-constexpr std::uint64_t MeasuredSeed = 101;
-
-std::uint64_t seedOf() {
-    const char* told = std::getenv("LEITSTAND_BUILDING_SEED");
-    return told == nullptr ? MeasuredSeed : std::strtoull(told, nullptr, 10);
-}
 
 constexpr double Any = std::numeric_limits<double>::infinity();
 
@@ -105,16 +96,11 @@ BuildingRow measured(const Set& set, std::uint64_t seed) {
     return driven(building, storeysRoute(building.ways), script, mapping);
 }
 
-void tell(const char* how, const BuildingResult& result) {
-    std::printf("    %-6s %7.3f %7.3f %7.3f %7.3f %7.2f\n", how, result.ate, result.seam, result.surfaces,
-                result.height, inDegrees(result.angle));
-}
-
 class BuildingTableLong : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(BuildingTableLong, Row) {
     const Set set = sets()[GetParam()];
-    const std::uint64_t seed = seedOf();
+    const std::uint64_t seed = measuredSeed();
     const BuildingRow row = measured(set, seed);
     std::printf(
         "%s %llu: %zu scans, %zu key scans, %.0f m, odometry %.2f m, %d uncertain, %.0f ms a scan, longest "

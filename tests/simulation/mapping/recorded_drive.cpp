@@ -11,12 +11,6 @@
 namespace leitstand::simulation::test {
 namespace {
 
-bool isForMapping(const HardwareSample& sample) {
-    return std::holds_alternative<CloudSample>(sample.sample) ||
-           std::holds_alternative<OdometrySample>(sample.sample) ||
-           std::holds_alternative<ImuSample>(sample.sample);
-}
-
 /// A robot in a yellow arena, and what it says.
 class Recorder {
 public:
@@ -63,6 +57,12 @@ private:
 };
 
 }  // namespace
+
+bool isForMapping(const HardwareSample& sample) {
+    return std::holds_alternative<CloudSample>(sample.sample) ||
+           std::holds_alternative<OdometrySample>(sample.sample) ||
+           std::holds_alternative<ImuSample>(sample.sample);
+}
 
 Pose RecordedDrive::baseInArena(Time stamp) const {
     const auto pose = truth.at(stamp);

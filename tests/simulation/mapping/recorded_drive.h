@@ -25,6 +25,9 @@ struct RecordedDrive {
     [[nodiscard]] Pose baseInArena(Time stamp) const;
 };
 
+/// Whether mapping wants to know it.
+[[nodiscard]] bool isForMapping(const HardwareSample& sample);
+
 /// Kurt3D with the tilting scanner of 2004 drives half a metre, stops and sweeps, @p stops times.
 [[nodiscard]] RecordedDrive stopScanGo(std::uint64_t seed, int stops);
 

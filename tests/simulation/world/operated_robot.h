@@ -55,6 +55,7 @@ public:
         }
         return found;
     }
+    [[nodiscard]] const std::vector<HardwareSample>& said() const { return m_said; }
     void forget() { m_said.clear(); }
     void turnEvery(std::chrono::nanoseconds period) { m_period = period; }  ///< of its agent; 5 ms
 

@@ -142,6 +142,29 @@ TEST(LiveMapper, OdometryMayBeWrongByAShareOfItsWayToAndFro) {
     }
 }
 
+TEST(LiveMapper, ARobotWhoseWheelsSpinStaysWhereItStands) {
+    MappedRoom room;
+    room.drive(4);
+    const Pose stands = room.last;
+    // Against a wall that its scanner does not see: by odometry it drives on, 0.3 m a turn.
+    for (int turn = 1; turn <= 10; ++turn) {
+        const MapUpdate update = room.add(
+            stands, Pose(Eigen::Translation3d(stands.linear() * Eigen::Vector3d(0.3 * turn, 0.0, 0.0))));
+        EXPECT_EQ(update.localisation.trust, ScanTrust::Certain) << turn;
+        EXPECT_LT(distanceBetween(update.scanInMap, room.poses().back().scanInMap), 0.05) << turn;
+    }
+    EXPECT_EQ(room.poses().size(), 4U) << "it adds nothing";
+}
+
+TEST(LiveMapper, ARobotThatCameFartherThanItsWheelsIsDoubted) {
+    MappedRoom room;
+    room.drive(4);
+    const Eigen::Vector3d ahead = room.last.linear().col(0);
+    const Pose comes = Eigen::Translation3d(0.7 * ahead) * room.last;
+    const MapUpdate update = room.add(comes, Pose(Eigen::Translation3d(-0.4 * ahead)));
+    EXPECT_EQ(update.localisation.doubts, static_cast<int>(ScanDoubt::Jump)) << "wheels do not do that";
+}
+
 TEST(LiveMapper, DecisionsAreSamplesThatCanBeTakenBack) {
     MappedRoom room;
     room.drive(4);
