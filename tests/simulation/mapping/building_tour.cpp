@@ -20,6 +20,18 @@ constexpr double Slowest = 0.1;  // by which a way takes too long [m/s]
 constexpr double Longer = 3.0;   // that a way is than the straight line
 constexpr const char* Explores = "explore";
 
+/// The place in the middle of the ring corridor that is nearest to @p room.
+Eigen::Vector3d inRing(const Eigen::AlignedBox2d& ring, const Eigen::Vector3d& room) {
+    Eigen::Vector2d at = room.head<2>().cwiseMax(ring.min()).cwiseMin(ring.max());
+    const Eigen::Array4d off(at.x() - ring.min().x(), ring.max().x() - at.x(), at.y() - ring.min().y(),
+                             ring.max().y() - at.y());
+    Eigen::Index side = 0;
+    off.minCoeff(&side);
+    const Eigen::Vector2d& corner = side % 2 == 0 ? ring.min() : ring.max();
+    at[side / 2] = corner[side / 2];
+    return {at.x(), at.y(), room.z()};
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> roomsInOrder(const BuildingWays& ways, int storeys) {
@@ -39,7 +51,10 @@ std::vector<Eigen::Vector3d> roomsInOrder(const BuildingWays& ways, int storeys)
         };
         std::sort(rooms.begin(), rooms.end(),
                   [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
-        places.insert(places.end(), rooms.begin(), rooms.end());
+        for (const Eigen::Vector3d& room : rooms) {
+            const Eigen::Vector3d before = inRing(ways.ring, room);
+            places.insert(places.end(), {before, room, before});
+        }
         if (storey + 1 >= storeys) break;
         const auto& ramp = ways.ramps.at(static_cast<std::size_t>(storey));
         places.insert(places.end(), ramp.begin(), ramp.end());

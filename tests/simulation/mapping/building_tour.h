@@ -13,7 +13,8 @@
 namespace leitstand::simulation::test {
 
 /// The rooms of all storeys, lowest first, each storey's in the order in which one passes them on the way
-/// around the ring, with the ramps between; arena's frame [m]. @p storeys: so many of them.
+/// around the ring: before each, and after it, the place before it in the corridor, since nobody is sent
+/// through walls that scanners do not see. The ramps between; arena's frame [m]. @p storeys: so many of them.
 [[nodiscard]] std::vector<Eigen::Vector3d> roomsInOrder(const BuildingWays& ways, int storeys);
 
 /// An operator who sends a robot through a building, from place to place as on a map. The robot finds its way
