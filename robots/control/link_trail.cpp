@@ -1,6 +1,12 @@
 #include "robots/control/link_trail.h"
 
+#include "robots/control/driving/floor_memory.h"
+
 namespace leitstand {
+
+bool LinkTrail::isAt(const Eigen::Vector3d& place, const Eigen::Vector3d& here) const {
+    return (place - here).head<2>().norm() < m_spacing && FloorMemory::isSameFloor(place.z(), here.z());
+}
 
 void LinkTrail::moved(const Pose& baseInOdom, bool linkGood, bool returning) {
     const Eigen::Vector3d here = baseInOdom.translation();
@@ -11,12 +17,12 @@ void LinkTrail::moved(const Pose& baseInOdom, bool linkGood, bool returning) {
         return;
     }
     if (!returning) {
-        if ((m_places.back() - here).norm() >= m_spacing) m_places.push_back(here);
-        m_atEnd = (m_places.front() - here).norm() < m_spacing;
+        if (!isAt(m_places.back(), here)) m_places.push_back(here);
+        m_atEnd = isAt(m_places.front(), here);
         return;
     }
-    while (m_places.size() > 1 && (m_places.back() - here).norm() < m_spacing) m_places.pop_back();
-    m_atEnd = (m_places.front() - here).norm() < m_spacing;
+    while (m_places.size() > 1 && isAt(m_places.back(), here)) m_places.pop_back();
+    m_atEnd = isAt(m_places.front(), here);
 }
 
 Eigen::Vector3d LinkTrail::next() const {

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] bool isBack() const { return m_places.size() <= 1 && m_atEnd; }
 
 private:
+    /// From above: heights drift, and tell storeys only.
+    [[nodiscard]] bool isAt(const Eigen::Vector3d& place, const Eigen::Vector3d& here) const;
+
     double m_spacing;
     std::vector<Eigen::Vector3d> m_places;  ///< in odom; the first is the good one [m]
     bool m_atEnd = false;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     }
     // One that was put somewhere may have been carried, of which its odometry knows nothing.
     const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
-    std::vector<Link> links = loops.add({key, before, others, match});
+    const auto came = robot.spun ? std::optional(robot.sinceKey) : std::nullopt;
+    std::vector<Link> links = loops.add({key, before, others, match, came});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -181,13 +182,16 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     const Schedules schedules = step.trusted ? Schedules{&settings.near, &settings.tight, &settings.wide}
                                              : Schedules{&settings.wide, &settings.near, &settings.tight};
     Match first;
+    std::optional<Match> spun;
     for (const std::vector<double>* schedule : schedules) {
         Match one = match(cloud, local, guess, step, up, settings, fit, *schedule);
-        // One that fits worse has only not found what the first one did.
-        if (one.doubts == 0 && one.icp.overlap >= first.icp.overlap) return one;
         if (schedule == schedules.front()) first = one;
+        // One that fits worse has only not found what the first one did.
+        if (one.doubts != 0 || one.icp.overlap < first.icp.overlap) continue;
+        if (!one.spun) return one;
+        if (!spun) spun = one;  // unless one fits where odometry says
     }
-    return first;
+    return spun.value_or(first);
 }
 
 Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,

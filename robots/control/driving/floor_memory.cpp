@@ -90,24 +90,26 @@ Eigen::Vector2d FloorMemory::middleOf(Key key) const {
 }
 
 FloorMemory::Place FloorMemory::find(Key square, double height) const {
-    for (int floor = 0; floor < MostFloors; ++floor, square += Floor) {
-        const auto cell = m_cells.find(square);
-        if (cell == m_cells.end()) break;
-        if (isSameFloor(cell->second.height, height)) return {square, &cell->second};
+    Place nearest{square, nullptr};
+    const auto off = [height](const Cell& cell) { return std::abs(cell.height - height); };
+    for (int floor = 0; floor < MostFloors; ++floor) {
+        const Key key = square + floor * Floor;
+        const auto cell = m_cells.find(key);
+        if (cell == m_cells.end()) {
+            if (nearest.cell == nullptr) nearest.key = key;  // a new one is to be there
+            break;
+        }
+        if (!isSameFloor(cell->second.height, height)) continue;
+        if (nearest.cell == nullptr || off(cell->second) < off(*nearest.cell)) nearest = {key, &cell->second};
     }
-    return {square, nullptr};
+    return nearest;
 }
 
 std::pair<FloorMemory::Key, FloorMemory::Cell*> FloorMemory::at(Key square, double height) {
-    Key key = square;
-    for (int floor = 0; floor < MostFloors; ++floor, key += Floor) {
-        const auto [cell, isNew] = m_cells.try_emplace(key);
-        const bool last = floor + 1 == MostFloors;
-        if (!isNew && !last && !isSameFloor(cell->second.height, height)) continue;
-        if (isNew) cell->second.height = static_cast<float>(height);
-        return {key, &cell->second};
-    }
-    return {square, &m_cells[square]};
+    const Key key = find(square, height).key;  // of the lowest where there is no room for another floor
+    const auto [cell, isNew] = m_cells.try_emplace(key);
+    if (isNew) cell->second.height = static_cast<float>(height);
+    return {key, &cell->second};
 }
 
 void FloorMemory::addEvidence(Key square, double height, int evidence) {

@@ -204,7 +204,8 @@ ApproachStep VictimApproach::goAround(const Eigen::Vector2d& place, const Virtua
                                       const Pose& baseInOdom, Time now) {
     double age = 60.0;
     for (const VirtualSector& sector : view.sectors) age = std::min(age, sector.age);
-    m_around.setGoal(Eigen::Vector3d(place.x(), place.y(), baseInOdom.translation().z()));
+    if (!m_around.goal() || m_around.goal()->head<2>() != place)
+        m_around.setGoal(Eigen::Vector3d(place.x(), place.y(), baseInOdom.translation().z()));
     const ExplorerStep around =
         m_around.step(view, baseInOdom, now - std::chrono::nanoseconds(std::llround(age * 1e9)), now);
     ApproachStep step;

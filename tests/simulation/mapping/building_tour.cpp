@@ -18,7 +18,7 @@ constexpr double Pull = 3.0;     // [s]
 constexpr int Tries = 3;         // for a place
 constexpr double Slowest = 0.1;  // by which a way takes too long [m/s]
 constexpr double Longer = 3.0;   // that a way is than the straight line
-constexpr const char* Explores = "explore";
+constexpr const char *Explores = "explore", *Operated = "teleoperation";
 
 /// The place in the middle of the ring corridor that is nearest to @p room.
 Eigen::Vector3d inRing(const Eigen::AlignedBox2d& ring, const Eigen::Vector3d& room) {
@@ -94,7 +94,7 @@ void BuildingTour::send(double now) {
 void BuildingTour::pullBack(double now) {
     ++m_pulls;
     ++m_tries;
-    ask("teleoperation");
+    ask(Operated);
     m_robot.wish(0.0);
     m_pullUntil = now + Pull;
 }
@@ -121,7 +121,7 @@ void BuildingTour::look(const std::vector<HardwareSample>& said) {
     }
     if (m_goal) {
         const bool there = (here - *m_goal).norm() < Near;
-        const bool given = m_mode.mode != Explores && now - m_sent > 1.0;
+        const bool given = m_mode.mode == Operated && now - m_sent > 1.0;
         if (there) ++m_reached;
         if (there || now - m_sent > m_longest) {
             m_goal.reset();

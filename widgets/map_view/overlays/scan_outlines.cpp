@@ -1,5 +1,7 @@
 #include "widgets/map_view/overlays/scan_outlines.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,14 +19,21 @@ namespace {
 /// The hull of what is seen of @p scan; empty where less than a triangle is.
 QPolygonF outlineOf(const SceneScan& scan, const SceneContent& content, const MapProjection& projection) {
     std::vector<cv::Point2f> seen;
-    const auto add = [&](const std::vector<std::uint16_t>& outermost) {
-        for (const std::uint16_t i : outermost) {
-            const auto at = projection.project(scan.poseInMap * scan.points->sample(i).cast<double>());
-            if (at) seen.emplace_back(float(at->position.x()), float(at->position.y()));
-        }
+    bool whole = true;
+    const auto add = [&](std::size_t i) {
+        const auto at = projection.project(scan.poseInMap * scan.points->sample(i).cast<double>());
+        if (at) seen.emplace_back(float(at->position.x()), float(at->position.y()));
+        whole = whole && at;
     };
-    add(scan.points->outermost);
-    if (content.settings.withCeiling()) add(scan.points->outermostOfCeiling);
+    const bool withCeiling = content.settings.withCeiling();
+    for (const std::uint16_t i : scan.points->outermost) add(i);
+    if (withCeiling) {
+        for (const std::uint16_t i : scan.points->outermostOfCeiling) add(i);
+    }
+    // Where one looks from amidst it, what lies outermost of what is ahead is not what lies outermost at all.
+    for (std::size_t i = 0; !whole && i < std::min(ScanPoints::Sampled, scan.points->points.size()); ++i) {
+        if (withCeiling || scan.points->labelOfSample(i) != Label::Ceiling) add(i);
+    }
     if (seen.size() < 3) return {};
     std::vector<cv::Point2f> hull;
     cv::convexHull(seen, hull);

@@ -88,9 +88,8 @@ std::vector<std::uint16_t> outermostOf(const ScanPoints& points, const std::vect
 }
 
 void addOutermost(ScanPoints& points) {
-    constexpr std::size_t Most = 600;  // samples: single ones far outside do not count
     std::vector<std::uint16_t> ceiling, rest;
-    for (std::uint16_t i = 0; i < std::min(Most, points.points.size()); ++i)
+    for (std::uint16_t i = 0; i < std::min(ScanPoints::Sampled, points.points.size()); ++i)
         (points.labelOfSample(i) == Label::Ceiling ? ceiling : rest).push_back(i);
     points.outermost = outermostOf(points, rest);
     points.outermostOfCeiling = outermostOf(points, ceiling);
