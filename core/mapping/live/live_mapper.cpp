@@ -198,12 +198,9 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     // What a break left of a turn need not be enough, and says nothing then.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;
-    if (step.measured) {
-        robot.sinceKey = robot.sinceKey * (match.spun ? robot.sensorInMap.inverse() * match.scanInMap
-                                                      : robot.sensorInOdom.inverse() * scan.sensorInOdom);
-        robot.spun = robot.spun || match.spun;
-    } else {
-        robot.spun = false;
+    if (match.spun) {
+        const Pose came = robot.sensorInMap.inverse() * match.scanInMap;
+        robot.unspun = robot.unspun * robot.sensorInOdom * came * scan.sensorInOdom.inverse();
     }
     // The ground of scans that do not fit stays new.
     const bool stillLost = match.doubts != 0 && robot.lost;
@@ -229,6 +226,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         key.entered = state.entering(now);
         if (live.levelKnown) key.up = live.up;
         key.odometryFrame = live.odometryFrame;
+        key.unspun = robot.unspun;
         key.reduced = state.matchedOf(key, ready.reduced);
         state.cropped.fit(key, state.clouds);  // what was cropped before was seen from the guess
         update.keyScan =
@@ -239,8 +237,6 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (state.settings.loops.on) state.link(update, robot, against, match, now);
         robot.keyInMap = match.scanInMap;
         robot.key = here.keyScan;
-        robot.sinceKey = Pose::Identity();
-        robot.spun = false;
     }
     if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0 && !match.spun) {
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;

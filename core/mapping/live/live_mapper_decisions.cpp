@@ -42,10 +42,8 @@ void LiveMapper::State::goOn(const std::string& name) {
     const Pose& inMap = newest->pose.scanInMap;
     const bool together =
         robot.odometry && newest->scan->hasOdometry && robot.odometryFrame == newest->odometryFrame;
-    const bool spun = robot.spun && robot.key == newest->id;
-    const Pose moved = !together ? Pose::Identity()
-                       : spun    ? robot.sinceKey
-                                 : newest->scan->sensorInOdom.inverse() * robot.sensorInOdom;
+    const Pose moved =
+        together ? newest->sensorByWheels().inverse() * robot.unspun * robot.sensorInOdom : Pose::Identity();
     robot.known = true;
     robot.key = newest->id;
     robot.sensorInMap = inMap * moved;
@@ -55,8 +53,6 @@ void LiveMapper::State::goOn(const std::string& name) {
     robot.doubts = newest->counts() ? std::uint8_t{0} : newest->pose.doubts;
     robot.way = moved.translation().norm();
     robot.turn = Eigen::AngleAxisd(moved.linear()).angle();
-    robot.sinceKey = moved;
-    robot.spun = spun;
     robot.moved = robot.sensorInMap.translation() - inMap.translation();
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,8 +18,7 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     }
     // One that was put somewhere may have been carried, of which its odometry knows nothing.
     const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
-    const auto came = robot.spun ? std::optional(robot.sinceKey) : std::nullopt;
-    std::vector<Link> links = loops.add({key, before, others, match, came});
+    std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);

@@ -35,10 +35,8 @@ struct RobotTrack {
     OdometryScale scale;                              ///< of the odometry's way
     Pose keyInMap = Pose::Identity();                 ///< newest key scan
     std::uint64_t key = 0;                            ///< its id; 0: none of this run
-    /// How the scanner came from there: by odometry, and where wheels spun as scans say.
-    Pose sinceKey = Pose::Identity();
-    bool spun = false;                ///< wheels did, since
-    std::optional<Pose> placedInMap;  ///< base_link, by the operator, for the next scan
+    Pose unspun = Pose::Identity();                   ///< LiveKeyScan::unspun, now
+    std::optional<Pose> placedInMap;                  ///< base_link, by the operator, for the next scan
 };
 
 /// Insides of LiveMapper.

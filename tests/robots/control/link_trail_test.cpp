@@ -29,5 +29,14 @@ TEST(LinkTrail, LeadsBackTheWayItCame) {
     EXPECT_LT(beside, 0.35) << "round the corner, not through the wall";
 }
 
+TEST(LinkTrail, LeadsBackAlsoWhereHeightsDrift) {
+    LinkTrail trail(0.3);
+    const auto at = [](double x, double z) { return poseFrom({x, 0.0, z}, 0.0, 0.0, 0.0); };
+    trail.moved(at(0.0, 0.0), true, false);
+    for (double x = 0.0; x < 3.0; x += 0.1) trail.moved(at(x, 0.0), false, false);
+    for (double x = 3.0; x > -0.05; x -= 0.1) trail.moved(at(x, 0.4), false, true);
+    EXPECT_TRUE(trail.isBack());
+}
+
 }  // namespace
 }  // namespace leitstand::test

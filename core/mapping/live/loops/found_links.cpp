@@ -47,7 +47,7 @@ Link odometryLink(const Entry& entry, const MatchSettings& match) {
         link.information = Information::Identity() / (Unmeasured * Unmeasured);
         return link;
     }
-    link.pose = entry.came.value_or(before.scan->sensorInOdom.inverse() * scan.scan->sensorInOdom);
+    link.pose = before.sensorByWheels().inverse() * scan.sensorByWheels();
     const Vector6 deviation = match.odometry.deviation(link.pose.translation().norm(),
                                                        Eigen::AngleAxisd(link.pose.linear()).angle());
     link.information = deviation.cwiseAbs2().cwiseInverse().asDiagonal();

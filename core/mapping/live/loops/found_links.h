@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,8 +26,6 @@ struct Entry {
     const LiveKeyScan* predecessor = nullptr;  ///< the robot's key scan before; null: none
     std::span<const LiveKeyScan> against;      ///< what it was matched with, nearest first
     const Match& match;
-    /// How it came from there where the odometry is known to be wrong, since wheels spun on the way.
-    std::optional<Pose> came = std::nullopt;
 };
 
 /// The link to its predecessor, and to what it was matched with where that fitted. Odometry says only what

@@ -27,8 +27,11 @@ struct LiveKeyScan {
     std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
     int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
     MatchedCloudPtr reduced;            ///< for registration, with normals; scan's frame
+    Pose unspun = Pose::Identity();     ///< takes out of its odometry what wheels spun before, this run
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
+    /// By odometry without what wheels spun: for ways between scans of one odometry frame.
+    [[nodiscard]] Pose sensorByWheels() const { return unspun * scan->sensorInOdom; }
 };
 
 /// The live map, a snapshot: immutable once shared.

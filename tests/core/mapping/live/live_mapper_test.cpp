@@ -156,6 +156,32 @@ TEST(LiveMapper, ARobotWhoseWheelsSpinStaysWhereItStands) {
     EXPECT_EQ(room.poses().size(), 4U) << "it adds nothing";
 }
 
+TEST(LiveMapper, WhatWheelsSpunCountsNeitherForLinksNorAfterADecision) {
+    MappedRoom room;
+    room.drive(4);
+    const Pose stands = room.last;
+    const Eigen::Vector3d ahead = stands.linear().col(0);
+    Pose drift = Pose::Identity();
+    for (int turn = 1; turn <= 10; ++turn) {
+        drift = Pose(Eigen::Translation3d(0.3 * turn * ahead));
+        room.add(stands, drift);
+    }
+    const Pose back = Eigen::Translation3d(-0.5 * ahead) * stands;
+    const MapUpdate update = room.add(back, drift);
+    ASSERT_TRUE(update.keyScan);
+    ASSERT_TRUE(update.links);
+    for (const Link& link : update.links->links) {
+        if (link.kind != LinkKind::Odometry) continue;
+        EXPECT_NEAR(link.pose.translation().norm(), 0.5, 0.1);
+    }
+    // Without its newest scan the robot goes on from the one before, by its odometry since.
+    const Pose here = room.mapper.fix("kurt3d")->baseInMap;
+    const auto decision = room.mapper.reject(update.keyScan->id, room.now);
+    ASSERT_TRUE(decision);
+    EXPECT_LT(distanceBetween(room.mapper.fix("kurt3d")->baseInMap, here), 0.1);
+    EXPECT_EQ(room.add(back, drift).localisation.doubts, 0);
+}
+
 TEST(LiveMapper, ARobotThatCameFartherThanItsWheelsIsDoubted) {
     MappedRoom room;
     room.drive(4);
