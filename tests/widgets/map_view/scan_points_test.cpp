@@ -118,34 +118,9 @@ TEST(ScanPoints, ItsCellsHaveEveryPointOnce) {
     EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](int count) { return count == 1; }));
 }
 
-TEST(ScanPoints, ItsOutermostOnesAreFewAndNearlyAsFarOutAsAnyInEveryDirection) {
-    const ScanPoints points =
-        drawablePoints(std::make_shared<const Scan>(keyScan(10'000)), MinRange, MaxRange);
-    EXPECT_LE(points.outermost.size(), 96U);
-    EXPECT_FALSE(points.outermostOfCeiling.empty());
-    for (const auto& [outermost, ceiling] :
-         {std::pair(points.outermost, false), std::pair(points.outermostOfCeiling, true)}) {
-        for (int step = 0; step < 40; ++step) {
-            const float turn = 0.157F * static_cast<float>(step);
-            const Eigen::Vector3f direction(std::cos(turn), std::sin(turn), 0.0F);
-            float all = -1e9F, few = -1e9F;
-            for (std::size_t i = 0; i < 600; ++i) {
-                if ((points.labelOfSample(i) == Label::Ceiling) == ceiling)
-                    all = std::max(all, direction.dot(points.sample(i)));
-            }
-            for (const std::uint16_t i : outermost) {
-                EXPECT_EQ(points.labelOfSample(i) == Label::Ceiling, ceiling);
-                few = std::max(few, direction.dot(points.sample(i)));
-            }
-            EXPECT_GT(few, 0.9F * all) << step;
-        }
-    }
-}
-
 TEST(ScanPoints, AnEmptyScanHasNone) {
     const ScanPoints points = drawablePoints(std::make_shared<const Scan>(), MinRange, MaxRange);
     EXPECT_TRUE(points.points.empty() && points.order->empty() && points.cells.empty());
-    EXPECT_TRUE(points.outermost.empty() && points.outermostOfCeiling.empty());
 }
 
 }  // namespace

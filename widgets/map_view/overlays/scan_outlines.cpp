@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <QPainter>
 #include <QPolygonF>
-#include <opencv2/imgproc.hpp>
 
 #include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
@@ -16,30 +14,43 @@
 namespace leitstand {
 namespace {
 
-/// The hull of what is seen of @p scan; empty where less than a triangle is.
-QPolygonF outlineOf(const SceneScan& scan, const SceneContent& content, const MapProjection& projection) {
-    std::vector<cv::Point2f> seen;
-    bool whole = true;
-    const auto add = [&](std::size_t i) {
-        const auto at = projection.project(scan.poseInMap * scan.points->sample(i).cast<double>());
-        if (at) seen.emplace_back(float(at->position.x()), float(at->position.y()));
-        whole = whole && at;
+constexpr std::size_t MostPoints = 600;  ///< of a scan, at random: single ones far outside do not count
+
+/// To which side of the line from @p a to @p b a point lies.
+double sideOf(const QPointF& a, const QPointF& b, const QPointF& point) {
+    return (b.x() - a.x()) * (point.y() - a.y()) - (b.y() - a.y()) * (point.x() - a.x());
+}
+
+/// The convex hull of @p points (Andrew 1979).
+QPolygonF hullOf(std::vector<QPointF> points) {
+    std::sort(points.begin(), points.end(), [](const QPointF& a, const QPointF& b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    QPolygonF hull;
+    const auto addChain = [&hull](auto from, auto to) {
+        const auto begin = hull.size();
+        for (auto point = from; point != to; ++point) {
+            while (hull.size() >= begin + 2 && sideOf(hull[hull.size() - 2], hull.back(), *point) <= 0.0)
+                hull.removeLast();
+            hull.append(*point);
+        }
+        hull.removeLast();  // the other chain begins with it
     };
-    const bool withCeiling = content.settings.withCeiling();
-    for (const std::uint16_t i : scan.points->outermost) add(i);
-    if (withCeiling) {
-        for (const std::uint16_t i : scan.points->outermostOfCeiling) add(i);
+    if (points.size() < 3) return {};
+    addChain(points.begin(), points.end());
+    addChain(points.rbegin(), points.rend());
+    return hull;
+}
+
+QPolygonF outlineOf(const SceneScan& scan, const SceneContent& content, const MapProjection& projection) {
+    std::vector<QPointF> seen;
+    const std::size_t count = std::min(MostPoints, scan.points->points.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        if (scan.points->labelOfSample(i) == Label::Ceiling && !content.settings.withCeiling()) continue;
+        const auto at = projection.project(scan.poseInMap * scan.points->sample(i).cast<double>());
+        if (at) seen.push_back(at->position);
     }
-    // Where one looks from amidst it, what lies outermost of what is ahead is not what lies outermost at all.
-    for (std::size_t i = 0; !whole && i < std::min(ScanPoints::Sampled, scan.points->points.size()); ++i) {
-        if (withCeiling || scan.points->labelOfSample(i) != Label::Ceiling) add(i);
-    }
-    if (seen.size() < 3) return {};
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(seen, hull);
-    QPolygonF outline;
-    for (const cv::Point2f& corner : hull) outline.append(QPointF(corner.x, corner.y));
-    return outline;
+    return hullOf(std::move(seen));
 }
 
 }  // namespace

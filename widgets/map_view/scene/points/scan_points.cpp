@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <span>
@@ -67,34 +66,6 @@ void addCells(ScanPoints& points) {
     points.cells.shrink_to_fit();
 }
 
-/// Those of @p samples that lie farthest in some direction.
-std::vector<std::uint16_t> outermostOf(const ScanPoints& points, const std::vector<std::uint16_t>& samples) {
-    constexpr int Directions = 96;  // evenly over the sphere, on a spiral
-    const float golden = std::numbers::pi_v<float> * (3.0F - std::sqrt(5.0F));
-    std::vector<std::uint16_t> farthest;
-    for (int i = 0; i < Directions && !samples.empty(); ++i) {
-        const float up = 1.0F - (2.0F * static_cast<float>(i) + 1.0F) / Directions;
-        const float level = std::sqrt(1.0F - up * up), turn = golden * static_cast<float>(i);
-        const Eigen::Vector3f direction(level * std::cos(turn), level * std::sin(turn), up);
-        const auto along = [&](std::uint16_t one) { return direction.dot(points.sample(one)); };
-        farthest.push_back(
-            *std::max_element(samples.begin(), samples.end(),
-                              [&](std::uint16_t a, std::uint16_t b) { return along(a) < along(b); }));
-    }
-    std::sort(farthest.begin(), farthest.end());
-    farthest.erase(std::unique(farthest.begin(), farthest.end()), farthest.end());
-    farthest.shrink_to_fit();
-    return farthest;
-}
-
-void addOutermost(ScanPoints& points) {
-    std::vector<std::uint16_t> ceiling, rest;
-    for (std::uint16_t i = 0; i < std::min(ScanPoints::Sampled, points.points.size()); ++i)
-        (points.labelOfSample(i) == Label::Ceiling ? ceiling : rest).push_back(i);
-    points.outermost = outermostOf(points, rest);
-    points.outermostOfCeiling = outermostOf(points, ceiling);
-}
-
 /// The points @p kept of @p scan and their labels, nothing else of it.
 ScanPtr copyOf(const Scan& scan, const std::vector<std::uint32_t>& kept, bool labelled) {
     auto copy = std::make_shared<Scan>();
@@ -124,8 +95,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan
 }  // namespace
 
 std::size_t ScanPoints::memory(const Scan& scan) const {
-    std::size_t bytes = cells.capacity() * sizeof(PointCell) + runs.capacity() * sizeof(PointRun) +
-                        (outermost.capacity() + outermostOfCeiling.capacity()) * sizeof(std::uint16_t);
+    std::size_t bytes = cells.capacity() * sizeof(PointCell) + runs.capacity() * sizeof(PointRun);
     if (order) bytes += order->memory();
     if (owner && owner.get() != &scan) bytes += points.size_bytes() + labels.size_bytes();
     if (shades && shades.get() != &scan.shades) bytes += shades->size();
@@ -152,7 +122,6 @@ ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange)
     std::shuffle(drawn.begin(), drawn.end(), std::minstd_rand(1));
     result.order = std::make_shared<const PointOrder>(drawn);
     addCells(result);
-    addOutermost(result);
     return result;
 }
 

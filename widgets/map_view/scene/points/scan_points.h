@@ -41,10 +41,6 @@ struct ScanPoints {
     /// The cells' points. A scanner passes through a cell in runs of a dozen: these are a fraction of the
     /// points.
     std::vector<PointRun> runs;
-    /// Which samples lie outermost, for its outline from wherever it is looked at: those of a few hundred
-    /// (single ones far outside do not count), without its ceiling's and of its ceiling alone.
-    std::vector<std::uint16_t> outermost, outermostOfCeiling;
-    static constexpr std::size_t Sampled = 600;  ///< of the samples, for these
 
     /// The @p i-th point at random.
     [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[(*order)[i]]; }
