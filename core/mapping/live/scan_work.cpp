@@ -228,10 +228,10 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     const bool turned = turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way;
     const bool jumped = jump > fit.jump + fit.jumpOfWay * step.way;
     // A robot that a wall holds drives on by its odometry.
-    result.spun = jumped && found.open == 0 && found.certainty >= settings.openBelow &&
-                  found.overlap >= fit.spunOverlap &&
+    result.spun = jumped && !turned && result.doubts == 0 && found.open == 0 &&
+                  found.certainty >= settings.openBelow && found.overlap >= fit.spunOverlap &&
                   isShortOf(found.pose.translation(), guess.translation(), step, fit);
-    doubtIf(step.measured && ((jumped && !result.spun) || turned), ScanDoubt::Jump);
+    doubtIf(step.measured && !result.spun && (jumped || turned), ScanDoubt::Jump);
     if (result.doubts != 0) return result;
     result.scanInMap = up ? levelled(found.pose, *up, settings.levelShare) : found.pose;
     return result;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "robots/control/driving/floor_memory.h"
+
 namespace leitstand {
 namespace {
 
-constexpr double SameBody = 0.8;   // [m]
+constexpr double SameBody = 0.8;   // from above [m]
 constexpr double BestRange = 1.5;  // to see a body from: whole, and its place is sure [m]
 constexpr int Enough = 4;          // pictures: not a flicker past an edge
 constexpr std::size_t Most = 20;   // bodies
@@ -16,17 +18,22 @@ double fromAbove(const Eigen::Vector3d& heat, const Eigen::Vector3d& place) {
     return (heat - place).head<2>().norm();
 }
 
-/// A way to another storey is a long one.
+/// Bodies sit, lie and stand: heights tell storeys only.
+bool isNear(const Eigen::Vector3d& heat, const Eigen::Vector3d& place, double radius) {
+    return fromAbove(heat, place) < radius && FloorMemory::isSameFloor(heat.z(), place.z());
+}
+
+/// The way to another storey is longer than any on this one.
 double wayTo(const Eigen::Vector3d& heat, const Eigen::Vector3d& here) {
-    constexpr double Uphill = 10.0;
-    return fromAbove(heat, here) + Uphill * std::abs(heat.z() - here.z());
+    constexpr double OtherStorey = 1'000.0;
+    return fromAbove(heat, here) + (FloorMemory::isSameFloor(heat.z(), here.z()) ? 0.0 : OtherStorey);
 }
 
 }  // namespace
 
 void PassedHeat::see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from) {
     const auto same = std::find_if(m_all.begin(), m_all.end(),
-                                   [&](const One& one) { return (one.heat - heat).norm() < SameBody; });
+                                   [&](const One& one) { return isNear(one.heat, heat, SameBody); });
     if (same == m_all.end()) {
         if (m_all.size() < Most) m_all.push_back({heat, from, 1});
         return;
@@ -48,7 +55,7 @@ std::optional<PassedHeat::One> PassedHeat::next(const Eigen::Vector3d& here) con
 }
 
 void PassedHeat::forget(const Eigen::Vector3d& place, double radius) {
-    std::erase_if(m_all, [&](const One& one) { return (one.heat - place).norm() < radius; });
+    std::erase_if(m_all, [&](const One& one) { return isNear(one.heat, place, radius); });
 }
 
 }  // namespace leitstand

@@ -20,7 +20,7 @@ public:
     void see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from);
     /// The nearest to @p here that was in enough pictures, of the same storey first; empty: there is none.
     [[nodiscard]] std::optional<One> next(const Eigen::Vector3d& here) const;
-    /// It has been to what is within @p radius of @p place [m].
+    /// It has been to what is within @p radius of @p place [m], from above, on its storey.
     void forget(const Eigen::Vector3d& place, double radius);
 
 private:
