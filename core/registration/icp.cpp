@@ -120,7 +120,7 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         result.stop = IcpStop::Degenerate;
         return result;
     }
-    Pairing pairing(target, search, source, settings.threads);
+    Pairing pairing(target, search, source, settings.threads, settings.facing);
     std::optional<GuessTerm> prior;
     if (settings.prior && usesNormals(settings.minimizer)) prior.emplace(*settings.prior, guess);
     const auto stages = static_cast<double>(settings.maxDistances.size());

@@ -35,6 +35,7 @@ struct IcpSettings {
     int maxIterations = 500;        ///< over all stages
     Minimizer minimizer = Minimizer::Gicp;
     int threads = 0;                  ///< 0: one per core
+    bool facing = false;              ///< points on either side of a wall are no pairs (Pairing)
     std::optional<GuessPrior> prior;  ///< how far the guess may be off; for Plane and Gicp
 };
 

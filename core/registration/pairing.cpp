@@ -3,9 +3,20 @@
 #include "core/base/parallel.h"
 
 namespace leitstand {
+namespace {
 
-Pairing::Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads)
-    : m_target(target), m_search(search), m_source(source), m_threads(threads), m_partners(source.size()) {}
+constexpr float Away = -0.5F;  ///< cosine between normals of which one is of a wall's other side
+
+}  // namespace
+
+Pairing::Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads,
+                 bool facing)
+    : m_target(target),
+      m_search(search),
+      m_source(source),
+      m_threads(threads),
+      m_facing(facing && !target.normals.empty() && !source.normals.empty()),
+      m_partners(source.size()) {}
 
 PairSums Pairing::update(const Pose& sourceInTarget, double maxDistance, const std::stop_token& stop) {
     const Eigen::Matrix3f rotation = sourceInTarget.linear().cast<float>();
@@ -40,13 +51,18 @@ PairSums Pairing::updateChunk(std::size_t first, std::size_t last, const Eigen::
         }
         const Neighbour nearer =
             m_search.nearest(query, labelled ? m_source.labels[i] : Label::Unlabelled, bound);
-        if (nearer.found()) partner = {nearer.index, nearer.squaredDistance};
+        if (nearer.found() && (!m_facing || fits(rotation * m_source.normals[i], nearer.index)))
+            partner = {nearer.index, nearer.squaredDistance};
         if (partner.index < 0) continue;
         sums.add(query.cast<double>(),
                  m_target.points[static_cast<std::size_t>(partner.index)].cast<double>(),
                  weighted ? static_cast<double>(m_source.weights[i]) : 1.0);
     }
     return sums;
+}
+
+bool Pairing::fits(const Eigen::Vector3f& normal, std::int32_t target) const {
+    return m_target.normals[static_cast<std::size_t>(target)].dot(normal) > Away;
 }
 
 }  // namespace leitstand

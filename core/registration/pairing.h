@@ -21,8 +21,11 @@ struct Partner {
 /// partner is never farther than the old one. Refers to both clouds and the search. One thread at a time.
 class Pairing {
 public:
-    /// @p threads: 0 is one per core. Results do not depend on it.
-    Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads);
+    /// @p threads: 0 is one per core. Results do not depend on it. @p facing: two points on surfaces that
+    /// face away from each other are no partners: they lie on either side of a wall. Where both clouds have
+    /// normals, towards where each point was seen from.
+    Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads,
+            bool facing = false);
 
     /// Finds the partners nearer than @p maxDistance [m] of the source at @p sourceInTarget; their sums with
     /// the source points in the target's frame. Ends early, with sums of no use, once @p stop is requested.
@@ -41,10 +44,14 @@ private:
     PairSums updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,
                          const Eigen::Vector3f& translation, float maxSquaredDistance);
 
+    /// Whether the target's point @p target may be the partner of one whose normal is @p normal there.
+    [[nodiscard]] bool fits(const Eigen::Vector3f& normal, std::int32_t target) const;
+
     const PointCloud& m_target;
     const Search& m_search;
     const PointCloud& m_source;
     int m_threads;
+    bool m_facing;
     std::vector<Partner> m_partners;
     PairSums m_sums;
 };

@@ -27,6 +27,7 @@ struct RobotTrack {
     int odometryFrame = -1;                           ///< negative: of an earlier run of the station
     bool odometry = false;                            ///< whether sensorInOdom was measured
     bool lost = false;                                ///< the newest scan did not fit
+    bool pushed = false;                              ///< ... was taken while something pushed the robot
     double certainty = 0.0;                           ///< RobotFix::certainty
     std::uint8_t doubts = 0;                          ///< of the newest scan
     double way = 0.0, turn = 0.0;                     ///< since a scan was certain [m, rad]
@@ -61,6 +62,8 @@ struct LiveMapper::State {
     void refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
+    /// Whether the map can do without this scan, if the next one enters.
+    [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
     /// Whether the newest scan of @p robot that is not set aside is uncertain.
     [[nodiscard]] bool awaitsDecision(const std::string& robot) const;

@@ -55,6 +55,9 @@ struct KeyScanRule {
     double angle = degrees(10);  ///< ... or turned [rad] ...
     double newGround = 0.15;     ///< ... or this share of its points is ...
     double newGroundFrom = 0.5;  ///< ... farther than this from all that is known [m]
+    /// One that came to lie so far from where odometry says [m], and so much of the way, was taken while
+    /// something pushed or held the robot: where the map can do without it, the next one enters.
+    double pushed = 0.05, pushedOfWay = 0.05;
 };
 
 /// When the map meets itself.

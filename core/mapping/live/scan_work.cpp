@@ -210,6 +210,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     icp.judgedWithin = settings.judgedWithin;
     icp.maxIterations = settings.maxIterations;
     icp.threads = 1;
+    icp.facing = true;
     icp.minStep = 5e-4;
     if (step.measured) icp.prior = priorOf(step, settings);
     result.icp = align(local.cloud, *local.search, cloud, guess, icp);

@@ -93,6 +93,7 @@ public:
             const auto target = static_cast<std::size_t>(nearest.index);
             const Eigen::Vector3d normalInMap = m_local.cloud.normals[target].cast<double>();
             if (!(normalInMap.squaredNorm() > 0.5)) continue;  // nobody knows the surface there
+            if (normalInMap.dot(inMap - m_scanInMap.translation()) > 0.0) continue;  // a wall's other side
             const double distance = normalInMap.dot(inMap - m_local.cloud.points[target].cast<double>());
             const Eigen::Vector3d normal = m_scanInMap.linear().transpose() * normalInMap;
             TurnDrift::Twist now;

@@ -182,5 +182,39 @@ TEST(Icp, ACorridorIsUncertainAlongItsAxis) {
     EXPECT_GT(aligned(room, room, settings).certainty, 3 * IcpResult::UncertainBelow);
 }
 
+/// Adds a wall of 4 x 2 m across x at @p x [m], seen from where @p normal points to.
+void addWall(PointCloud& cloud, double x, const Eigen::Vector3f& normal) {
+    for (double y = -2.0; y < 2.0; y += 0.05) {
+        for (double z = 0.0; z < 2.0; z += 0.05) {
+            cloud.points.push_back(Eigen::Vector3d(x, y, z).cast<float>());
+            cloud.normals.push_back(normal);
+        }
+    }
+}
+
+TEST(Icp, TheOtherSideOfAWallIsAnotherSurface) {
+    // What is known of a room is what one saw through its door, and the far side of its wall, from next door.
+    PointCloud known = tunnel(1.0), seen = tunnel(1.0);
+    addWall(known, 3.0, Eigen::Vector3f::UnitX());
+    addWall(seen, 2.9, -Eigen::Vector3f::UnitX());
+    for (PointCloud* cloud : {&known, &seen}) {
+        for (double y = -0.5; y < 0.5; y += 0.05) {
+            cloud->points.push_back(Eigen::Vector3d(0.0, y, 1.0).cast<float>());
+            cloud->normals.push_back(Eigen::Vector3f::UnitX());
+        }
+    }
+    IcpSettings settings;
+    settings.maxDistances = {0.5, 0.25, 0.15, 0.07};
+    EXPECT_GT(distanceBetween(aligned(known, seen, settings).pose, Pose::Identity()), 0.05);
+    settings.facing = true;
+    const IcpResult result = aligned(known, seen, settings);
+    EXPECT_LT(distanceBetween(result.pose, Pose::Identity()), 0.01);
+    EXPECT_LT(result.overlap, 0.7) << "the wall is new";
+    PointCloud without = known;
+    without.normals.clear();
+    settings.minimizer = Minimizer::Svd;
+    EXPECT_GT(aligned(without, seen, settings).overlap, 0.9) << "nobody knows which side it is";
+}
+
 }  // namespace
 }  // namespace leitstand

@@ -20,10 +20,12 @@ std::vector<Eigen::Vector3d> around(const Eigen::AlignedBox2d& ring, double heig
     return {{a.x(), a.y(), height}, {b.x(), a.y(), height}, {b.x(), b.y(), height}, {a.x(), b.y(), height}};
 }
 
-/// Key scans where the map has them at the end, and where they truly were.
-Trajectory finalPoses(const MappedDrive& mapped, const RecordedDrive& drive) {
+/// Key scans where the map has them at the end, and where they truly were. @p counting: without those that
+/// are uncertain.
+Trajectory finalPoses(const MappedDrive& mapped, const RecordedDrive& drive, bool counting) {
     Trajectory trajectory;
     for (const LiveKeyScan& key : mapped.map->scans) {
+        if (counting && !key.counts()) continue;
         trajectory.found.push_back(key.pose.scanInMap * key.sensorInBase.inverse());
         trajectory.truth.push_back(drive.baseInArena(key.scan->end));
     }
@@ -195,9 +197,9 @@ BuildingRow rowOf(const Building& building, const RecordedDrive& drive, const Ma
     const TrajectoryError entry = errorOf(result.live);
     row.entry = {entry.distance, entry.height, entry.angle, worstSeam(result.live),
                  surfaceErrorOf(*result.map, surfaces, entry.mapInArena, entryOfKeys(result))};
-    const Trajectory last = finalPoses(result, drive);
+    const Trajectory last = finalPoses(result, drive, false);
     const TrajectoryError final = errorOf(last);
-    row.final = {final.distance, final.height, final.angle, worstSeam(last),
+    row.final = {final.distance, final.height, final.angle, worstSeam(finalPoses(result, drive, true)),
                  surfaceErrorOf(*result.map, surfaces, final.mapInArena, last.found)};
     row.finds = findErrors(building.arena, last, final.mapInArena);
     return row;

@@ -105,5 +105,28 @@ TEST(LiveMapperEntry, AStandingRobotThatIsLostTellsSoOnce) {
     EXPECT_TRUE(room.add(covered(here, 23)).keyScan) << "after that was decided it is news";
 }
 
+/// A scan 0.15 m from where odometry says, @p ahead [m] of where @p room has the last one.
+MapUpdate pushed(MappedRoom& room, double ahead, double off) {
+    const Pose on = room.last * Eigen::Translation3d(ahead, 0.0, 0.0);
+    return room.add(on, Pose(Eigen::Translation3d(0.0, off, 0.0)));
+}
+
+TEST(LiveMapperEntry, AScanOfARobotThatWasPushedWaitsForTheNextOne) {
+    MappedRoom room;
+    room.drive(3);
+    EXPECT_FALSE(pushed(room, 0.4, 0.15).keyScan) << "its points were put together by what odometry told";
+    EXPECT_EQ(room.poses().size(), 3U);
+    EXPECT_TRUE(pushed(room, 0.0, 0.15).keyScan) << "odometry says the same of this one";
+    // One that is pushed all the time is mapped, too.
+    EXPECT_FALSE(pushed(room, 0.4, 0.3).keyScan);
+    EXPECT_TRUE(pushed(room, 0.1, 0.45).keyScan);
+}
+
+TEST(LiveMapperEntry, AScanFarFromTheLastOneEntersAlsoOfARobotThatWasPushed) {
+    MappedRoom room;
+    room.drive(3);
+    EXPECT_TRUE(pushed(room, 0.7, 0.15).keyScan);
+}
+
 }  // namespace
 }  // namespace leitstand::test
