@@ -13,10 +13,12 @@ namespace {
 constexpr double SamePlace = 0.1;             ///< so near the local map is the same [m]
 constexpr std::chrono::seconds ClockStep(1);  ///< a station's clock that goes back farther was set
 
-/// Whether a scan that came to lie at @p found instead of at @p guess was taken while something pushed or
+/// Whether @p live, which came to lie at @p found instead of at @p guess, was taken while something pushed or
 /// held the robot: its points were put together by what odometry told of the motion within the turn.
-bool wasPushed(const Pose& guess, const Pose& found, const Step& step, const KeyScanRule& rule) {
-    return step.measured && distanceBetween(guess, found) > rule.pushed + rule.pushedOfWay * step.way;
+bool wasPushed(const LiveScan& live, const Pose& guess, const Pose& found, const Step& step,
+               const KeyScanRule& rule) {
+    return step.trusted && live.end != TurnEnd::Sweep && live.way > rule.pushed &&
+           distanceBetween(guess, found) > rule.pushed + rule.pushedOfWay * step.way;
 }
 
 }  // namespace
@@ -93,7 +95,8 @@ bool LiveMapper::State::enters(const RobotTrack& robot, const Pose& scanInMap, d
 
 bool LiveMapper::State::canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const {
     const KeyScanRule& rule = settings.keyScans;
-    return distanceBetween(robot.keyInMap, scanInMap) < 2.0 * rule.distance && fresh < rule.newGround;
+    return distanceBetween(robot.keyInMap, scanInMap) < 2.0 * rule.distance &&
+           angleBetween(robot.keyInMap, scanInMap) < rule.waitsWithin && fresh < rule.newGround;
 }
 
 bool LiveMapper::State::empty() const {
@@ -217,11 +220,11 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     const bool stillLost = match.doubts != 0 && robot.lost;
     // Also of a robot that stands the operator learns that it is lost; once, not whenever it is in doubt.
     const bool nowLost = match.doubts != 0 && !robot.lost && !state.awaitsDecision(scan.robot);
-    const bool pushed = match.doubts == 0 && wasPushed(guess, match.scanInMap, step, state.settings.keyScans);
-    const bool waits = pushed && !robot.pushed && state.canWait(robot, match.scanInMap, fresh);
-    robot.pushed = pushed;
-    if (first || !robot.known || nowLost ||
-        (!waits && state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh))) {
+    const bool pushed =
+        match.doubts == 0 && wasPushed(live, guess, match.scanInMap, step, state.settings.keyScans);
+    const bool wanted = state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh);
+    robot.waited = wanted && pushed && !robot.waited && state.canWait(robot, match.scanInMap, fresh);
+    if (first || !robot.known || nowLost || (wanted && !robot.waited)) {
         LiveKeyScan key;
         key.id = here.keyScan = state.nextId++;
         key.scan = keptOf(ready.scan);

@@ -27,7 +27,7 @@ struct RobotTrack {
     int odometryFrame = -1;                           ///< negative: of an earlier run of the station
     bool odometry = false;                            ///< whether sensorInOdom was measured
     bool lost = false;                                ///< the newest scan did not fit
-    bool pushed = false;                              ///< ... was taken while something pushed the robot
+    bool waited = false;                              ///< ... was left out for the next one
     double certainty = 0.0;                           ///< RobotFix::certainty
     std::uint8_t doubts = 0;                          ///< of the newest scan
     double way = 0.0, turn = 0.0;                     ///< since a scan was certain [m, rad]

@@ -56,8 +56,9 @@ struct KeyScanRule {
     double newGround = 0.15;     ///< ... or this share of its points is ...
     double newGroundFrom = 0.5;  ///< ... farther than this from all that is known [m]
     /// One that came to lie so far from where odometry says [m], and so much of the way, was taken while
-    /// something pushed or held the robot: where the map can do without it, the next one enters.
+    /// something pushed or held the robot: where the map can do without it, it is left out for the next.
     double pushed = 0.05, pushedOfWay = 0.05;
+    double waitsWithin = degrees(60);  ///< it cannot where the robot turned farther since the last one [rad]
 };
 
 /// When the map meets itself.

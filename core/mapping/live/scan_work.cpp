@@ -46,6 +46,19 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     return selected(scan, kept);
 }
 
+/// Turns @p normals of the organised @p scan to where each point was seen from: its rows follow each other in
+/// time, and its sensor came in a straight line from @p began. A robot that drove through a door within the
+/// turn saw the wall about it from both sides.
+void faceSensor(std::vector<Eigen::Vector3f>& normals, const Scan& scan, const Eigen::Vector3d& began) {
+    const auto columns = static_cast<std::size_t>(scan.columns);
+    const auto last = static_cast<double>(std::max(1, scan.rows - 1));
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double left = 1.0 - static_cast<double>(i / columns) / last;
+        const Eigen::Vector3f sensor = (left * began).cast<float>();
+        if (normals[i].dot(scan.points[i] - sensor) > 0.0F) normals[i] = -normals[i];
+    }
+}
+
 /// What odometry tells after @p step, for the match.
 GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     GuessPrior prior;
@@ -83,7 +96,10 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     labels.up = live.up;
     scan.labels = labelScan(scan, labels);
     std::vector<Eigen::Vector3f> normals;
-    if (scan.organised()) normals = gridNormals(scan);
+    if (scan.organised()) {
+        normals = gridNormals(scan);
+        if (live.end != TurnEnd::Sweep) faceSensor(normals, scan, live.began);
+    }
     const MatchSettings& match = settings.match;
     ReadyScan ready;
     ready.reduced = voxelGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce,

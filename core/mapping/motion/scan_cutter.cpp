@@ -134,6 +134,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     if (!scan || !seesAnything(*scan)) return;
     LiveScan live;
     live.end = row.assembler.ended();
+    live.began = row.assembler.began();
     live.extrapolated = parts.guessed > 0;
     if (parts.poses > 0) live.guessed = static_cast<double>(parts.guessed) / parts.poses;
     live.bridged = parts.bridged;

@@ -163,6 +163,9 @@ std::optional<Scan> TurnAssembler::take(TurnEnd end) {
     forget();
     m_ended = end;
     const Slice& last = slices.back();
+    m_began = slices.front().sensorInOdom && last.sensorInOdom
+                  ? (last.sensorInOdom->inverse() * *slices.front().sensorInOdom).translation()
+                  : Eigen::Vector3d(Eigen::Vector3d::Zero());
     Scan scan;
     scan.sweep = Sweep::Yawing;
     scan.start = slices.front().cloud.header.stamp;

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] std::optional<Scan> finish();
     /// Why the scan that was returned last ended.
     [[nodiscard]] TurnEnd ended() const { return m_ended; }
+    /// Where the sensor was at the end of that scan's first slice, in the scan's frame [m]; zero: unknown.
+    [[nodiscard]] const Eigen::Vector3d& began() const { return m_began; }
     [[nodiscard]] bool gathers() const { return !m_slices.empty(); }
 
 private:
@@ -75,6 +77,7 @@ private:
     double m_way = 0.0;                   ///< of the sensor from the first slice gathered [m]
     double m_rotated = 0.0;               ///< likewise [rad]
     TurnEnd m_ended = TurnEnd::Turn;
+    Eigen::Vector3d m_began = Eigen::Vector3d::Zero();
 };
 
 }  // namespace leitstand

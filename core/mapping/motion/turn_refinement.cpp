@@ -13,6 +13,8 @@
 namespace leitstand {
 namespace {
 
+constexpr double Behind = 0.5;  ///< cosine to the ray that meets a surface from behind: a wall's other side
+
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 
@@ -93,7 +95,10 @@ public:
             const auto target = static_cast<std::size_t>(nearest.index);
             const Eigen::Vector3d normalInMap = m_local.cloud.normals[target].cast<double>();
             if (!(normalInMap.squaredNorm() > 0.5)) continue;  // nobody knows the surface there
-            if (normalInMap.dot(inMap - m_scanInMap.translation()) > 0.0) continue;  // a wall's other side
+            if (normalInMap.dot((inMap - m_scanInMap.translation()).normalized()) > Behind) {
+                sum.cost += maxSquared;
+                continue;
+            }
             const double distance = normalInMap.dot(inMap - m_local.cloud.points[target].cast<double>());
             const Eigen::Vector3d normal = m_scanInMap.linear().transpose() * normalInMap;
             TurnDrift::Twist now;

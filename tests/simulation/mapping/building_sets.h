@@ -23,7 +23,7 @@ struct BuildingResult {
     double ate = 0.0;       ///< root mean square of positions after rigid alignment [m]
     double height = 0.0;    ///< of that, along z [m]
     double angle = 0.0;     ///< likewise of attitudes [rad]
-    double seam = 0.0;      ///< worstSeam() [m]
+    double seam = 0.0;      ///< worstSeam() [m]: final, of key scans that count; entry, of all scans
     double surfaces = 0.0;  ///< root mean square distance of points within 6 m from true surfaces [m]
 };
 struct BuildingRow {

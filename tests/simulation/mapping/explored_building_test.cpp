@@ -113,6 +113,7 @@ TEST(ExploredBuildingLong, TwoStoreysInHalfAnHour) {
     EXPECT_GT(made.highest, 0.9 * building.ways.storeyHeight) << "up the ramp";
     EXPECT_GE(static_cast<double>(made.reached), 0.75 * static_cast<double>(made.places));
     EXPECT_LE(row.final.ate, 0.05);
+    EXPECT_LE(row.uncertain, 0.15 * static_cast<double>(row.scans));
     EXPECT_GE(row.finds.size(), 4U);
     for (const double error : row.finds) EXPECT_LE(error, 0.05);
     EXPECT_LE(row.final.seam, 0.10) << "not as good as it is to be";

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mapping/live/scan_doubts.h"
+#include "core/mapping/live/scan_work.h"
 #include "tests/core/mapping/live/mapped_room.h"
 
 namespace leitstand::test {
@@ -105,10 +106,17 @@ TEST(LiveMapperEntry, AStandingRobotThatIsLostTellsSoOnce) {
     EXPECT_TRUE(room.add(covered(here, 23)).keyScan) << "after that was decided it is news";
 }
 
-/// A scan 0.15 m from where odometry says, @p ahead [m] of where @p room has the last one.
+/// A turn of a robot that came @p ahead [m] since the last scan of @p room; its odometry is @p off [m] by
+/// then.
+LiveScan moving(MappedRoom& room, double ahead, double off) {
+    room.last = room.last * Eigen::Translation3d(ahead, 0.0, 0.0);
+    LiveScan scan = scanAt(room.last, room.seed++, Pose(Eigen::Translation3d(0.0, off, 0.0)));
+    scan.way = 0.4;
+    return scan;
+}
+
 MapUpdate pushed(MappedRoom& room, double ahead, double off) {
-    const Pose on = room.last * Eigen::Translation3d(ahead, 0.0, 0.0);
-    return room.add(on, Pose(Eigen::Translation3d(0.0, off, 0.0)));
+    return room.add(moving(room, ahead, off));
 }
 
 TEST(LiveMapperEntry, AScanOfARobotThatWasPushedWaitsForTheNextOne) {
@@ -120,6 +128,48 @@ TEST(LiveMapperEntry, AScanOfARobotThatWasPushedWaitsForTheNextOne) {
     // One that is pushed all the time is mapped, too.
     EXPECT_FALSE(pushed(room, 0.4, 0.3).keyScan);
     EXPECT_TRUE(pushed(room, 0.1, 0.45).keyScan);
+    // One that would not have entered has not waited.
+    EXPECT_FALSE(pushed(room, 0.1, 0.6).keyScan);
+    EXPECT_FALSE(pushed(room, 0.3, 0.75).keyScan);
+}
+
+TEST(LiveMapperEntry, AScanTakenAtRestDoesNotWaitHoweverTheRobotCameThere) {
+    MappedRoom room;
+    room.drive(3);
+    LiveScan sweep = moving(room, 0.4, 0.15);
+    sweep.end = TurnEnd::Sweep;
+    EXPECT_TRUE(room.add(sweep).keyScan);
+    LiveScan atRest = moving(room, 0.4, 0.3);
+    atRest.way = 0.0;
+    EXPECT_TRUE(room.add(atRest).keyScan);
+}
+
+TEST(LiveMapperEntry, SurfacesFaceWhereTheyWereSeenFromAlsoOfARobotThatPassedThem) {
+    // The plane x = 1, seen row by row while the sensor comes from x = 2.
+    constexpr int Rows = 40, Columns = 30;
+    Scan scan;
+    scan.sweep = Sweep::Yawing;
+    scan.rows = Rows;
+    scan.columns = Columns;
+    for (int row = 0; row < Rows; ++row) {
+        for (int column = 0; column < Columns; ++column)
+            scan.points.emplace_back(1.0F, 0.05F * static_cast<float>(row),
+                                     0.05F * static_cast<float>(column) - 0.7F);
+    }
+    LiveScan live;
+    live.scan = std::make_shared<const Scan>(scan);
+    live.began = {2.0, 0.0, 0.0};
+    const PointCloud reduced = readyScan(live, {}, Pose::Identity(), {}).reduced;
+    std::size_t before = 0, after = 0;
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+        const float y = reduced.points[i].y(), x = reduced.normals[i].x();
+        if (y < 0.85F && x > 0.9F) ++before;
+        if (y > 1.15F && x < -0.9F) ++after;
+        EXPECT_TRUE(y > 0.85F || x > 0.9F) << y;
+        EXPECT_TRUE(y < 1.15F || x < -0.9F) << y;
+    }
+    EXPECT_GT(before, 100U);
+    EXPECT_GT(after, 100U);
 }
 
 TEST(LiveMapperEntry, AScanFarFromTheLastOneEntersAlsoOfARobotThatWasPushed) {

@@ -241,6 +241,13 @@ TEST(ScanCutter, AScanIsCutWhereTheRobotMovedTooFar) {
     for (std::size_t i = 0; i + 1 < scans.size(); ++i) EXPECT_EQ(scans[i].end, TurnEnd::Distance);
     EXPECT_EQ(rowsIn(scans), allRows(45 * SliceMaker::Rows));
     EXPECT_LT((scans[0].scan->end - scans[0].scan->start), milliseconds(1100));
+    // From the end of its first slice to its last shot.
+    EXPECT_NEAR(
+        scans[1].began.norm(),
+        0.6 * std::chrono::duration<double>(scans[1].scan->end - scans[1].scan->start - SliceMaker::Slice)
+                  .count(),
+        0.05);
+    EXPECT_LT(scans[1].began.x(), 0.0) << "it drives ahead";
 }
 
 TEST(ScanCutter, WholeSweepsAreScansBesideATurn) {
