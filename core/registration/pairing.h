@@ -13,7 +13,7 @@ namespace leitstand {
 
 /// A source point with its partner in the target.
 struct Partner {
-    std::int32_t index = -1;       ///< in the target cloud; -1: none near enough
+    std::int32_t index = -1;       ///< in the target cloud; -1: none near enough that may be one
     float squaredDistance = 0.0F;  ///< [m^2]; only where there is a partner
 };
 
@@ -23,7 +23,8 @@ class Pairing {
 public:
     /// @p threads: 0 is one per core. Results do not depend on it. @p facing: two points on surfaces that
     /// face away from each other are no partners: they lie on either side of a wall. Where both clouds have
-    /// normals, towards where each point was seen from.
+    /// normals, towards where each point was seen from. A point whose nearest one faces away keeps the
+    /// partner that it had, if that is still near enough.
     Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads,
             bool facing = false);
 

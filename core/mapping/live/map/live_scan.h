@@ -22,9 +22,8 @@ struct LiveScan {
     double guessed = 0.0;       ///< share of its motion that is extrapolated, 0 to 1
     int odometryFrame = 0;      ///< sensorInOdom of scans of another number has another origin
     double way = 0.0, turn = 0.0;  ///< of the robot since the end of the scan before, to and fro [m, rad]
-    Eigen::Vector3d began =
-        Eigen::Vector3d::Zero();  ///< where the sensor was at its first shot, scan's frame [m]
-    int slices = 0;               ///< that it is made of
+    Eigen::Vector3d began = Eigen::Vector3d::Zero();  ///< TurnAssembler::began()
+    int slices = 0;                                   ///< that it is made of
 
     /// Nobody measured how the robot moved within it; a few guessed points at its end do not count.
     [[nodiscard]] bool isGuessed() const { return bridged || guessed > 0.5; }
