@@ -632,6 +632,10 @@
         <source>not heard: %1</source>
         <translation>nicht zu hören: %1</translation>
     </message>
+    <message>
+        <source>wheels turned for %1 m, the map says it stands</source>
+        <translation>Räder drehten sich %1 m weit, laut Karte steht er</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmListModel</name>

@@ -632,6 +632,10 @@
         <source>not heard: %1</source>
         <translation>受信なし: %1</translation>
     </message>
+    <message>
+        <source>wheels turned for %1 m, the map says it stands</source>
+        <translation>車輪は %1 m 回転したが、地図では止まったまま</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AlarmListModel</name>

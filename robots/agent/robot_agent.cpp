@@ -237,6 +237,7 @@ std::vector<HardwareSample> RobotAgent::step() {
     }
     if (const auto remote = m_hardware.remote()) inputs.remote = velocityOf(*remote);
     inputs.cue = report.cue;
+    inputs.sent = report.sent;
     inputs.done = report.done;
     inputs.failed = report.failed;
     inputs.report = std::move(report.text);

@@ -46,7 +46,7 @@ public:
 protected:
     /// What the robot's own drivers and eyes report to the modes.
     struct Report {
-        bool cue = false, done = false, failed = false;
+        bool cue = false, sent = false, done = false, failed = false;
         std::string text;
     };
     virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is said

@@ -98,7 +98,8 @@ RobotAgent::Report SelfDrivingAgent::report(Time now) {
         consider(m_view, *here, now);
     }
     Report told = m_report;
-    m_report.done = m_report.failed = false;
+    told.sent = m_report.sent || m_goal;
+    m_report.sent = m_report.done = m_report.failed = false;
     m_report.text.clear();
     return told;
 }
@@ -181,6 +182,7 @@ DriveVelocity SelfDrivingAgent::explore(const std::optional<Eigen::Vector3d>& go
     m_report.done = step.done;
     m_report.failed = step.failed;
     m_report.text = step.reason;
+    m_report.sent = m_goal.has_value();
     if (step.done || step.failed) m_goal.reset();
     return step.velocity;
 }

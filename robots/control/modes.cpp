@@ -218,7 +218,7 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
     if (!isAutonomous() || m_held || m_link == Link::Standing || m_link == Link::Returning) return;
     const std::string& report = inputs.report;
     if (m_mode == DriveMode::Explore) {
-        if (inputs.cue && whyNot(DriveMode::VictimApproach).empty()) {
+        if (inputs.cue && !inputs.sent && whyNot(DriveMode::VictimApproach).empty()) {
             m_before = DriveMode::Explore;
             change(DriveMode::VictimApproach, robot_says::HeatInSight);
         } else if (inputs.done || inputs.failed) {

@@ -59,6 +59,7 @@ struct ModeInputs {
     std::string stopReason;               ///< in words
     std::optional<DriveVelocity> remote;  ///< of the radio remote, while it is in use
     bool cue = false;                     ///< the heat detector has a body to go to
+    bool sent = false;                    ///< the operator sent it somewhere: it goes there first
     bool done = false;                    ///< the driver of before has reached its aim, or is at the end
     bool failed = false;                  ///< ... or has given up
     std::string report;                   ///< of done or failed, in words

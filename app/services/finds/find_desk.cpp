@@ -60,7 +60,7 @@ void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const 
         chosen.frozen.found = pressed;
         chosen.frozen.deviation = PointedDeviation;
         const MissionStatePtr state = m_setup.mission();
-        hang(chosen.frozen, *state, newestScan(*state, found->name), placeInMap);
+        hang(chosen.frozen, *state, scanBeside(*state, found->name, placeInMap), placeInMap);
         file(std::move(chosen.frozen), kind);
     });
 }
@@ -107,7 +107,8 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     }
     // Better roughly than not at all: the operator moves it.
     frozen.deviation = NearbyDeviation;
-    hang(frozen, *state, newestScan(*state, frozen.robot), *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0));
+    const Eigen::Vector3d ahead = *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0);
+    hang(frozen, *state, scanBeside(*state, frozen.robot, ahead), ahead);
     file(std::move(frozen), kind);
     m_setup.tell(
         translate("leitstand::Station", "no range there: filed ahead of the robot; move it on the map"));

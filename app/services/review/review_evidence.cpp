@@ -22,7 +22,7 @@ FrozenEvidence evidenceAt(const ReviewMoment& moment, const std::string& robot, 
         const bool thermal = event.role == StreamRole::Thermal;
         frozen.evidence.push_back(evidenceOf(thermal ? "thermal" : "picture", event));
     }
-    hang(frozen, shown, newestScan(*moment.mission, robot), placeInMap);
+    hang(frozen, shown, scanBeside(shown, robot, placeInMap), placeInMap);
     return frozen;
 }
 

@@ -141,6 +141,7 @@ void Station::State::watch() {
     setup.view = [this](const std::string& robot) { return view(robot); };
     setup.mission = [this] { return mission->state(); };
     setup.scans = [this] { return mapping->scans(); };
+    setup.places = [this] { return mapping->robots(); };
     setup.onLog = [this](const AlarmSample& alarm) {
         if (const auto kept = mission->say(alarm, station_topic::Alarms); !kept) say(kept.error().text);
     };

@@ -35,6 +35,7 @@ const std::array Keys = {
     Key{"battery", &AlarmLimits::batteryShare, 0.0, 100.0, " %", Percent},
     Key{"battery_act", &AlarmLimits::batteryShareAct, 0.0, 100.0, " %", Percent},
     Key{"stop_unanswered", &AlarmLimits::unanswered, 0.5, 60.0, " s"},
+    Key{"wheels_spin", &AlarmLimits::spinning, 0.1, 100.0, " m"},
     Key{"frozen_picture", &AlarmLimits::frozen, 0.5, 60.0, " s"},
     Key{"clock", &AlarmLimits::clock, 0.1, 1e6, " s"},
 };

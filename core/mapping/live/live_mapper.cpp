@@ -260,6 +260,12 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
         robot.scale.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
     }
+    if (robot.known && step.measured && match.doubts == 0 && match.icp.open == 0) {
+        const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
+        robot.wheels.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
+    } else {
+        robot.wheels.forget();
+    }
     robot.known = true;
     robot.placedInMap.reset();
     robot.stamp = scan.end;
@@ -286,7 +292,7 @@ std::optional<RobotFix> LiveMapper::fix(const std::string& name) const {
     if (track.placedInMap)
         return RobotFix{track.stamp, *track.placedInMap, 0.0, static_cast<std::uint8_t>(ScanDoubt::Odometry)};
     return RobotFix{track.stamp, track.sensorInMap * track.sensorInBase.inverse(), track.certainty,
-                    track.doubts};
+                    track.doubts, track.wheels.way()};
 }
 
 LiveMapPtr LiveMapper::map() const {

@@ -52,6 +52,7 @@ struct RobotFix {
     Pose baseInMap = Pose::Identity();  ///< then
     double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
     std::uint8_t doubts = 0;            ///< bits of ScanDoubt
+    double spinning = 0.0;              ///< SpinningWheels::way() [m]
 };
 
 /// What came of solving.

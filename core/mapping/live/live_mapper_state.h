@@ -13,6 +13,7 @@
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
 #include "core/mapping/motion/odometry_scale.h"
+#include "core/mapping/motion/spinning_wheels.h"
 
 namespace leitstand {
 
@@ -34,10 +35,11 @@ struct RobotTrack {
     double openWay = 0.0;                             ///< since surfaces held all directions [m]
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();  ///< Step::moved
     OdometryScale scale;                              ///< of the odometry's way
-    Pose keyInMap = Pose::Identity();                 ///< newest key scan
-    std::uint64_t key = 0;                            ///< its id; 0: none of this run
-    Pose unspun = Pose::Identity();                   ///< LiveKeyScan::unspun, now
-    std::optional<Pose> placedInMap;                  ///< base_link, by the operator, for the next scan
+    SpinningWheels wheels;
+    Pose keyInMap = Pose::Identity();  ///< newest key scan
+    std::uint64_t key = 0;             ///< its id; 0: none of this run
+    Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
+    std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
 };
 
 /// Insides of LiveMapper.

@@ -27,6 +27,7 @@ struct RobotInMap {
     bool certain = false;    ///< its newest scan fits; else its odometry alone carries it on
     std::string how;         ///< it came there, or why that is doubted, in words, in English
     TrailPtr trail = std::make_shared<const Trail>();  ///< some 10 cm from place to place; never null
+    double spinning = 0.0;  ///< way that its wheels turned while its scans say that it stands [m]
     bool afterGap = false;  ///< nobody knows the way to baseInMap from the trail's end
 };
 /// All robots of the station by name, immutable.

@@ -12,7 +12,8 @@ namespace {
 using Status = VictimSample::Status;
 using SignState = VictimSign::State;
 
-constexpr double Storey = 2.0;  ///< what is higher above a floor is not on it [m]
+constexpr double Storey = 2.0;   ///< what is higher above a floor is not on it [m]
+constexpr double InSight = 4.0;  ///< of a scan: what it shows well enough to hang on it [m]
 
 const VictimSample* find(const MissionState& state, const FindKey& key) {
     const auto found = state.victims->find(key);
@@ -211,12 +212,27 @@ void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
     frozen.positionInScan = known->second.pose.scanInMap.inverse() * inMap;
 }
 
-std::uint64_t newestScan(const MissionState& state, const std::string& robot) {
-    std::uint64_t newest = 0;
+std::uint64_t scanBeside(const MissionState& state, const std::string& robot, const Eigen::Vector3d& inMap) {
+    std::uint64_t newest = 0, doubtful = 0, nearest = 0;
+    double shortest = std::numeric_limits<double>::infinity(), ofNewest = shortest;
     for (const auto& [id, scan] : *state.keyScans) {
-        if (scan.pose.trust != ScanTrust::SetAside && (scan.entry.robot == robot || newest == 0)) newest = id;
+        const bool own = scan.entry.robot == robot;
+        if (scan.pose.trust == ScanTrust::Uncertain &&
+            (own || doubtful == 0 || state.keyScans->at(doubtful).entry.robot != robot))
+            doubtful = id;
+        if (scan.pose.trust != ScanTrust::Certain) continue;
+        const double distance = (scan.pose.scanInMap.translation() - inMap).norm();
+        if (own) {
+            newest = id;
+            ofNewest = distance;
+        }
+        if (distance <= shortest) {
+            shortest = distance;
+            nearest = id;
+        }
     }
-    return newest;
+    if (ofNewest < InSight) return newest;
+    return nearest != 0 ? nearest : doubtful;
 }
 
 VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,

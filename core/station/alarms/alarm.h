@@ -37,6 +37,7 @@ inline constexpr const char* LinkDegraded = "link_degraded";      ///< note: why
 inline constexpr const char* Unheard = "unheard";                 ///< note: what is announced, in words
 inline constexpr const char* Battery = "battery";                 ///< value: minutes or share left, see note
 inline constexpr const char* Gas = "gas";                         ///< value: [ppm]
+inline constexpr const char* WheelsSpin = "wheels_spin";          ///< value: for such a way [m]
 inline constexpr const char* Bump = "bump";                       ///< detail: bumper
 inline constexpr const char* Diagnostics = "diagnostics";         ///< detail: part; note: what it says
 inline constexpr const char* StopUnanswered = "stop_unanswered";  ///< value: for so long [s]

@@ -38,6 +38,7 @@ public:
             battery();
             gas();
             bump();
+            wheels();
             diagnostics();
             pictures();
             clock();
@@ -146,6 +147,12 @@ private:
             add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention,
                 fmt::format(alarm_says::Bumped, m_robot.bumper));
         }
+    }
+
+    void wheels() {
+        if (m_robot.spinning < m_limits.spinning) return;
+        add(idOf(alarm_key::WheelsSpin), Severity::Attention,
+            fmt::format(alarm_says::WheelsSpin, saidFigure(m_robot.spinning, 1)), m_robot.spinning);
     }
 
     void diagnostics() {

@@ -21,6 +21,7 @@ struct AlarmLimits {
     double batteryMinutes = 10.0, batteryMinutesAct = 3.0;  ///< left at the present load [min]
     double batteryShare = 0.20, batteryShareAct = 0.08;     ///< of a full one, 0 to 1
     double gas = 2000.0;      ///< CO2: the breath of a victim, clearly above air [ppm]
+    double spinning = 0.5;    ///< way that wheels turn while the map says that the robot stands [m]
     double bumped = 3.0;      ///< a bump is told for so long [s]
     double unanswered = 2.0;  ///< a stop without an answer [s]
     double frozen = 2.0;      ///< pictures that are always the same [s]
@@ -35,6 +36,7 @@ struct RobotWatch {
     const RobotState& said;
     std::optional<double> bumpAge = {};  ///< since a bumper was hit [s]
     std::string bumper = {};             ///< which one
+    double spinning = 0.0;               ///< RobotInMap::spinning [m]
 };
 
 /// What the operator has to be told of a robot at @p now, station's clock. @p book: what stands already,

@@ -13,6 +13,7 @@ inline constexpr const char* BatteryShare = "battery {} %";
 inline constexpr const char* BatteryMinutes = "battery, {} min left";
 inline constexpr const char* BatteryBoth = "battery {} %, {} min left";
 inline constexpr const char* Gas = "CO2 {} ppm";
+inline constexpr const char* WheelsSpin = "its wheels turned for {} m, the map says it stands";
 inline constexpr const char* Bumped = "bumped: {}";
 inline constexpr const char* Part = "{}: {}";  ///< detail and note
 inline constexpr const char* Frozen = "camera {} repeats one picture for {} s";

@@ -32,6 +32,7 @@ constexpr MeasuredSentence MeasuredSentences[] = {
     {alarm_key::Battery, alarm_says::BatteryMinutes, 1.0, 0, "minutes"},
     {alarm_key::Battery, alarm_says::BatteryShare, 0.01, 0, "share"},
     {alarm_key::Gas, alarm_says::Gas},
+    {alarm_key::WheelsSpin, alarm_says::WheelsSpin},
     {alarm_key::StopUnanswered, alarm_says::StopUnanswered},
     {alarm_key::FrozenPicture, alarm_says::Frozen, 1.0, 1},
     {alarm_key::ClockOffset, alarm_says::ClockAhead},

@@ -293,6 +293,23 @@ TEST(Modes, RuleReturnDrivesBackAndWaits) {
     EXPECT_EQ(back.reason, "the link is back: waits to be asked again");
 }
 
+TEST(Modes, ARobotThatIsSentSomewhereGoesThereThoughABodyIsInSight) {
+    Robot robot = robotIn(Explore);
+    robot.inputs.cue = robot.inputs.sent = true;
+    EXPECT_EQ(robot.run(5.0).driver, Driver::Explorer);
+    EXPECT_TRUE(robot.ask(VictimApproach)) << "unless the operator wants it to";
+    EXPECT_EQ(robot.run().driver, Driver::Approacher);
+    EXPECT_TRUE(robot.ask(Explore));
+    robot.inputs.done = true;
+    robot.inputs.report = "at the goal";
+    EXPECT_EQ(robot.run().reason, "at the goal");
+    robot.inputs = {};
+    robot.inputs.cue = true;
+    EXPECT_EQ(robot.run(5.0).driver, Driver::Nobody) << "waits there";
+    EXPECT_TRUE(robot.ask(Explore));
+    EXPECT_EQ(robot.run().driver, Driver::Approacher);
+}
+
 TEST(Modes, HeatTakesAnExploringRobotToTheVictim) {
     Robot robot = robotIn(Explore);
     robot.inputs.cue = true;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "tests/simulation/mapping/near_surfaces.h"
@@ -137,28 +136,6 @@ std::vector<Eigen::Vector3d> storeysRoute(const BuildingWays& ways) {
         route.push_back(above[i]);
     route.push_back(ramp.back() + Eigen::Vector3d(east ? -8.0 : 8.0, 0.0, 0.0));
     return route;
-}
-
-double worstSeam(const Trajectory& trajectory) {
-    constexpr double Near = 1.5, Apart = 10.0;
-    std::vector<double> way = {0.0};
-    for (std::size_t i = 1; i < trajectory.truth.size(); ++i)
-        way.push_back(way.back() + distanceBetween(trajectory.truth[i - 1], trajectory.truth[i]));
-    double worst = 0.0;
-    for (std::size_t i = 0; i < trajectory.truth.size(); ++i) {
-        for (std::size_t j = 0; j < i && way[i] - way[j] > Apart; ++j) {
-            if (distanceBetween(trajectory.truth[i], trajectory.truth[j]) > Near) continue;
-            const Pose found = trajectory.found[j].inverse() * trajectory.found[i];
-            const Pose truth = trajectory.truth[j].inverse() * trajectory.truth[i];
-            worst = std::max(worst, distanceBetween(found, truth));
-        }
-    }
-    return worst;
-}
-
-std::uint64_t measuredSeed() {
-    const char* told = std::getenv("LEITSTAND_BUILDING_SEED");
-    return told == nullptr ? 101 : std::strtoull(told, nullptr, 10);
 }
 
 void tell(const char* how, const BuildingResult& result) {

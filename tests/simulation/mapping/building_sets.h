@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "robots/simulation/arena/building_generator.h"
 #include "tests/simulation/mapping/mapped_drive.h"
+#include "tests/simulation/mapping/measured_seed.h"
 #include "tests/simulation/mapping/scripted_drive.h"
 
 namespace leitstand::simulation::test {
@@ -42,13 +42,6 @@ struct BuildingRow {
            settling = 0.0;  ///< processor time of the longest, apart and on the mapper's thread [s]
 };
 
-/// Where the way meets itself: of all pairs of scans that are truly within 1.5 m of each other and more than
-/// 10 m apart along the way, the largest error of their relative position [m]; 0 where it nowhere does.
-[[nodiscard]] double worstSeam(const Trajectory& trajectory);
-
-/// Of the worlds that are measured. Worlds 1 to 9 are for tuning, 101 and up for measuring:
-/// LEITSTAND_BUILDING_SEED=3 takes another one.
-[[nodiscard]] std::uint64_t measuredSeed();
 /// Prints @p result as a line of a table.
 void tell(const char* how, const BuildingResult& result);
 

@@ -10,6 +10,7 @@
 #include "robots/simulation/arena/building_generator.h"
 #include "tests/simulation/mapping/building_sets.h"
 #include "tests/simulation/mapping/building_tour.h"
+#include "tests/simulation/mapping/toured_in_world.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -29,8 +30,8 @@ class Exploring {
 public:
     Exploring(const Building& building, std::uint64_t seed)
         : m_world(building.arena, seed),
-          m_kurts(m_kurt, roomsInOrder(building.ways, 2)),
-          m_crawlers(m_crawler, theOtherWay(roomsInOrder(building.ways, 1))) {
+          m_kurts(m_touredKurt, roomsInOrder(building, 2)),
+          m_crawlers(m_touredCrawler, theOtherWay(roomsInOrder(building, 1))) {
         result.drive.arena = building.arena;
         result.drive.robot = m_kurt.description();
         m_was = m_kurt.state().baseInArena.translation();
@@ -40,8 +41,10 @@ public:
         const double begin = m_world.seconds();
         int minutes = 0;
         while (m_world.seconds() - begin < longest && !(m_kurts.isOver() && m_crawlers.isOver())) {
-            m_kurts.look(passes(0.1));
-            m_crawlers.look(m_crawler.said());
+            m_touredKurt.hear(passes(0.1));
+            m_kurts.look();
+            m_touredCrawler.hear(m_crawler.said());
+            m_crawlers.look();
             m_crawler.forget();
             if (m_world.seconds() - begin < 60.0 * (minutes + 1)) continue;
             std::printf("%3d min, %4.0f m: Kurt3D %s\n                the Crawler %s\n", ++minutes,
@@ -82,6 +85,7 @@ private:
 
     World m_world;
     OperatedRobot m_kurt{m_world, "kurt3d"}, m_crawler{m_world, "crawler"};
+    TouredInWorld m_touredKurt{m_kurt}, m_touredCrawler{m_crawler};
     BuildingTour m_kurts, m_crawlers;
     Eigen::Vector3d m_was = Eigen::Vector3d::Zero();
 };

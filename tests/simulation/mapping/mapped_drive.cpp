@@ -40,31 +40,6 @@ double processorTime() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-TrajectoryError errorOf(const Trajectory& trajectory) {
-    const auto count = static_cast<Eigen::Index>(trajectory.found.size());
-    Eigen::Matrix3Xd found(3, count), truth(3, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        found.col(i) = trajectory.found[static_cast<std::size_t>(i)].translation();
-        truth.col(i) = trajectory.truth[static_cast<std::size_t>(i)].translation();
-    }
-    Pose mapInArena = Pose::Identity();
-    mapInArena.matrix() = Eigen::umeyama(found, truth, false);
-    TrajectoryError error;
-    for (std::size_t i = 0; i < trajectory.found.size(); ++i) {
-        const Pose pose = mapInArena * trajectory.found[i];
-        error.distance += (pose.translation() - trajectory.truth[i].translation()).squaredNorm();
-        error.height += std::pow(pose.translation().z() - trajectory.truth[i].translation().z(), 2);
-        error.angle += std::pow(angleBetween(pose, trajectory.truth[i]), 2);
-        const Eigen::Vector3d up = trajectory.found[i].linear().row(2),
-                              trueUp = trajectory.truth[i].linear().row(2);
-        error.tilt += std::pow(std::atan2(up.cross(trueUp).norm(), up.dot(trueUp)), 2);
-    }
-    error.mapInArena = mapInArena;
-    for (double* sum : {&error.distance, &error.height, &error.angle, &error.tilt})
-        *sum = std::sqrt(*sum / static_cast<double>(count));
-    return error;
-}
-
 std::vector<LiveScan> cutScans(const RecordedDrive& drive, const ScanCutterSettings& settings) {
     ScanCutter cutter(drive.robot.name, settings);
     std::vector<LiveScan> scans;

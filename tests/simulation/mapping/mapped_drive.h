@@ -7,25 +7,10 @@
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/motion/scan_cutter.h"
 #include "tests/simulation/mapping/recorded_drive.h"
+#include "tests/simulation/mapping/trajectory.h"
 #include "tests/simulation/mapping/true_surfaces.h"
 
 namespace leitstand::simulation::test {
-
-/// Poses that were found of scans, and the true ones.
-struct Trajectory {
-    std::vector<Pose> found;  ///< base_link in the map
-    std::vector<Pose> truth;  ///< base_link in the arena
-};
-
-/// How far a trajectory is from the truth, after the rigid motion that brings it nearest to it (Horn 1987).
-struct TrajectoryError {
-    double distance = 0.0;               ///< root mean square [m]
-    double angle = 0.0;                  ///< likewise [rad]
-    double height = 0.0;                 ///< of the distance, along z [m]
-    double tilt = 0.0;                   ///< of the angle, about level axes, without the alignment [rad]
-    Pose mapInArena = Pose::Identity();  ///< the alignment
-};
-[[nodiscard]] TrajectoryError errorOf(const Trajectory& trajectory);
 
 /// What mapping made of a drive.
 struct MappedDrive {

@@ -44,6 +44,7 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Battery, 0.18, "", "share"), "battery: 18 % left");
     EXPECT_EQ(textOf(alarm_key::Gas, 2345), "CO₂ 2,345 ppm");
     EXPECT_EQ(textOf(alarm_key::Bump, 0.3, "front_left"), "bumped: front left");
+    EXPECT_EQ(textOf(alarm_key::WheelsSpin, 0.84), "wheels turned for 0.8 m, the map says it stands");
     EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", "hot"), "motor driver: hot");
     EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", ""), "motor driver") << "it says no more";
     EXPECT_EQ(textOf(alarm_key::StopUnanswered, 3.1), "does not answer STOP for 3 s");
@@ -89,10 +90,10 @@ TEST_F(AlarmWords, TheDiskTellsItsFiguresAsTheLanguageWritesThem) {
 
 TEST_F(AlarmWords, WithoutItsNumbersAnAlarmSaysWhatWasLogged) {
     constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
-    for (const char* key :
-         {alarm_key::Attitude, alarm_key::RollOver, alarm_key::LinkLost, alarm_key::Battery, alarm_key::Gas,
-          alarm_key::StopUnanswered, alarm_key::FrozenPicture, alarm_key::ClockOffset,
-          alarm_key::UncertainScan, alarm_key::LinkDegraded, alarm_key::Diagnostics, alarm_key::GrantLost})
+    for (const char* key : {alarm_key::Attitude, alarm_key::RollOver, alarm_key::LinkLost, alarm_key::Battery,
+                            alarm_key::Gas, alarm_key::StopUnanswered, alarm_key::FrozenPicture,
+                            alarm_key::ClockOffset, alarm_key::UncertainScan, alarm_key::WheelsSpin,
+                            alarm_key::LinkDegraded, alarm_key::Diagnostics, alarm_key::GrantLost})
         EXPECT_EQ(textOf(key, Nan), "in English") << key << ": the robot is named beside it";
     EXPECT_EQ(textOf("what_is_this", Nan), "Kurt3D: in English");
     EXPECT_EQ(alarmText({{"", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "link: gone", Nan, ""}),

@@ -99,10 +99,14 @@ void StationAlarms::addOfStation(const MissionState& mission, std::vector<AlarmC
 std::vector<AlarmCause> StationAlarms::causes(const MissionState& mission, Time now) const {
     static const RobotState nothing;
     std::vector<AlarmCause> all;
+    const RobotsInMapPtr places = m_setup.places ? m_setup.places() : std::make_shared<const RobotsInMap>();
     for (const RobotDescription& robot : m_setup.robots) {
         const auto said = mission.robots.find(robot.name);
         const RobotView view = m_setup.view(robot.name);
         RobotWatch watch{robot, view, said == mission.robots.end() ? nothing : *said->second};
+        for (const RobotInMap& place : *places) {
+            if (place.robot == robot.name) watch.spinning = place.spinning;
+        }
         const std::lock_guard lock(m_mutex);
         if (const auto bump = m_bumps.find(robot.name); bump != m_bumps.end() && bump->second.at) {
             watch.bumpAge =

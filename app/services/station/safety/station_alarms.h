@@ -12,6 +12,7 @@
 
 #include "core/event/event.h"
 #include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
 #include "core/mission/state/mission_state.h"
 #include "core/station/alarms/alarm_book.h"
 #include "core/station/alarms/alarm_rules.h"
@@ -27,6 +28,7 @@ struct StationAlarmsSetup {
     std::function<RobotView(const std::string& robot)> view;
     std::function<MissionStatePtr()> mission;
     std::function<LiveMapPtr()> scans;              ///< those of the map
+    std::function<RobotsInMapPtr()> places = {};    ///< of robots in it
     std::function<void(const AlarmSample&)> onLog;  ///< to be kept in the mission
 };
 

@@ -165,6 +165,7 @@ TEST(LiveMapper, WhatWheelsSpunCountsNeitherForLinksNorAfterADecision) {
     for (int turn = 1; turn <= 10; ++turn) {
         drift = Pose(Eigen::Translation3d(0.3 * turn * ahead));
         room.add(stands, drift);
+        EXPECT_NEAR(room.mapper.fix("kurt3d")->spinning, 0.3 * turn, 0.05);
     }
     const Pose back = Eigen::Translation3d(-0.5 * ahead) * stands;
     const MapUpdate update = room.add(back, drift);
@@ -180,6 +181,7 @@ TEST(LiveMapper, WhatWheelsSpunCountsNeitherForLinksNorAfterADecision) {
     ASSERT_TRUE(decision);
     EXPECT_LT(distanceBetween(room.mapper.fix("kurt3d")->baseInMap, here), 0.1);
     EXPECT_EQ(room.add(back, drift).localisation.doubts, 0);
+    EXPECT_EQ(room.mapper.fix("kurt3d")->spinning, 0.0) << "they stand";
 }
 
 TEST(LiveMapper, ARobotThatCameFartherThanItsWheelsIsDoubted) {

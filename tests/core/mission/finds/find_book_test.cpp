@@ -60,6 +60,33 @@ TEST(FindBook, WhatIsFrozenIsANewFindOrJoinsTheOneThatIsThere) {
     EXPECT_EQ(first.status, Status::Hypothesis);
 }
 
+TEST(FindBook, AFindHangsOnAScanThatCountsAndShowsItsPlace) {
+    Mission mission;
+    const auto enters = [&](std::uint64_t id, const std::string& robot, double x, ScanTrust trust) {
+        Scan scan;
+        scan.robot = robot;
+        KeyScanSample key;
+        key.id = id;
+        key.scan = std::make_shared<const Scan>(scan);
+        mission.say(key);
+        ScanPosesSample poses;
+        poses.poses = {{.scan = id, .scanInMap = Pose(Eigen::Translation3d(x, 0.0, 0.0)), .trust = trust}};
+        mission.say(poses);
+    };
+    const auto beside = [&](const std::string& robot, double x) {
+        return scanBeside(mission.state, robot, {x, 0.0, 0.0});
+    };
+    EXPECT_EQ(beside("kurt3d", 1.0), 0U) << "there is none";
+    enters(1, "kurt3d", 0.0, ScanTrust::Uncertain);
+    EXPECT_EQ(beside("kurt3d", 1.0), 1U) << "better than none";
+    enters(2, "kurt3d", 10.0, ScanTrust::Certain);
+    enters(3, "kurt3d", 12.0, ScanTrust::Certain);
+    enters(4, "kurt3d", 13.0, ScanTrust::Uncertain);
+    EXPECT_EQ(beside("kurt3d", 9.0), 3U) << "the newest that counts, from which it is in sight";
+    EXPECT_EQ(beside("kurt3d", 5.0), 2U) << "an older part of the map: the nearest";
+    EXPECT_EQ(beside("crawler", 9.0), 2U) << "it has no scans: the nearest of others";
+}
+
 TEST(FindBook, TheOperatorsWordStandsAgainstLaterMeasurements) {
     Mission mission;
     const auto key = mission.file(seenAt(1.0));

@@ -47,13 +47,14 @@ struct Calm {
     }
     BatterySample& battery() { return said.battery->sample; }
     [[nodiscard]] std::vector<AlarmCause> causes(const AlarmBook& book = AlarmBook()) const {
-        return alarmsOf({description, view, said, bumpAge, "front_left"}, book, wallAt(0));
+        return alarmsOf({description, view, said, bumpAge, "front_left", spinning}, book, wallAt(0));
     }
 
     RobotDescription description;
     RobotView view;
     RobotState said;
     std::optional<double> bumpAge;
+    double spinning = 0.0;
 };
 
 struct Case {
@@ -90,7 +91,7 @@ TEST_P(AlarmRule, IsToldSo) {
 double roundingOf(const AlarmCause& cause) {
     if (cause.id.key == alarm_key::Attitude || cause.note == "share") return 0.005;
     if (cause.id.key == alarm_key::RollOver) return degrees(0.5);
-    return cause.id.key == alarm_key::ClockOffset ? 0.05 : 0.5;
+    return cause.id.key == alarm_key::ClockOffset || cause.id.key == alarm_key::WheelsSpin ? 0.05 : 0.5;
 }
 
 TEST_P(AlarmRule, IsReadAgainFromTheLog) {
@@ -184,6 +185,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"a broken sensor", [](Calm& r) { r.said.gas->sample.ppm = Unknown; }, nullptr},
         Case{"a bump", [](Calm& r) { r.bumpAge = 0.4; }, alarm_key::Bump, Look, "front_left"},
         Case{"a bump of before", [](Calm& r) { r.bumpAge = 3.4; }, nullptr},
+        Case{"wheels that spin", [](Calm& r) { r.spinning = 0.84; }, alarm_key::WheelsSpin, Look,
+             "for 0.8 m"},
+        Case{"wheels that slip", [](Calm& r) { r.spinning = 0.3; }, nullptr},
         Case{"a part in error",
              [](Calm& r) { r.said.diagnostics->sample.statuses[0].level = DiagnosticStatus::Level::Error; },
              alarm_key::Diagnostics, Act, "motor_driver: warm"},

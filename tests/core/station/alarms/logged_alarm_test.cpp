@@ -28,6 +28,8 @@ TEST(LoggedAlarm, FiguresComeFromTheText) {
     EXPECT_DOUBLE_EQ(read("clock_offset", "A: its clock is 9.0 s behind the station's").value, -9.0);
     EXPECT_DOUBLE_EQ(read("uncertain_scan", "1 uncertain scan to be decided on").value, 1.0);
     EXPECT_DOUBLE_EQ(read("uncertain_scan", "2 uncertain scans to be decided on").value, 2.0);
+    EXPECT_DOUBLE_EQ(read("wheels_spin", "A: its wheels turned for 0.8 m, the map says it stands").value,
+                     0.8);
     const AlarmCause minutes = read("battery", "A: battery, 7 min left");
     EXPECT_DOUBLE_EQ(minutes.value, 7.0);
     EXPECT_EQ(minutes.note, "minutes");

@@ -44,10 +44,10 @@ QString clockText(double ahead) {
 }
 
 /// Keys whose words need the value, and those that need the note.
-constexpr std::array<std::string_view, 9> Measured = {
-    alarm_key::Attitude,      alarm_key::RollOver,    alarm_key::LinkLost,
-    alarm_key::Battery,       alarm_key::Gas,         alarm_key::StopUnanswered,
-    alarm_key::FrozenPicture, alarm_key::ClockOffset, alarm_key::UncertainScan};
+constexpr std::array<std::string_view, 10> Measured = {
+    alarm_key::Attitude,      alarm_key::RollOver,       alarm_key::LinkLost,      alarm_key::Battery,
+    alarm_key::Gas,           alarm_key::StopUnanswered, alarm_key::FrozenPicture, alarm_key::ClockOffset,
+    alarm_key::UncertainScan, alarm_key::WheelsSpin};
 constexpr std::array<std::string_view, 3> Noted = {alarm_key::LinkDegraded, alarm_key::GrantLost,
                                                    alarm_key::Unheard};
 
@@ -120,6 +120,9 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::Battery) return batteryText(cause);
     if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
     if (key == alarm_key::Bump) return AlarmTexts::tr("bumped: %1").arg(robotSaysText(detail.toStdString()));
+    if (key == alarm_key::WheelsSpin)
+        return AlarmTexts::tr("wheels turned for %1 m, the map says it stands")
+            .arg(numberText(cause.value, 1));
     // Parts may have nothing to say.
     if (key == alarm_key::Diagnostics && cause.note.empty())
         return detail.isEmpty() ? loggedText(cause) : robotSaysText(detail.toStdString());

@@ -1,0 +1,35 @@
+#include "tests/simulation/mapping/toured_in_world.h"
+
+#include <variant>
+
+namespace leitstand::simulation::test {
+
+TouredInWorld::TouredInWorld(OperatedRobot& robot) : m_robot(robot) {
+    m_station.bytes[0] = 1;
+}
+
+void TouredInWorld::hear(const std::vector<HardwareSample>& said) {
+    for (const HardwareSample& sample : said) {
+        if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) m_mode = *mode;
+        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
+            m_baseInOdom = odometry->baseInOdom;
+    }
+}
+
+void TouredInWorld::ask(const std::string& mode) {
+    m_robot.agent().hear(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", mode}, m_station);
+}
+
+void TouredInWorld::send(const Eigen::Vector3d& inBase) {
+    PoseSample goal;
+    goal.header.frame = m_robot.description().odomFrame;
+    goal.poseInFrame.translation() = m_baseInOdom * inBase;
+    m_robot.agent().hear(StreamRole::GoalPose, goal, m_station);
+}
+
+bool TouredInWorld::take() {
+    m_robot.wish(0.0);
+    return true;
+}
+
+}  // namespace leitstand::simulation::test
