@@ -9,6 +9,7 @@
 #include "core/mapping/placement/placement_says.h"
 #include "core/mapping/placement/wall_fit.h"
 #include "core/mapping/placement/wall_map.h"
+#include "core/mapping/sighting/contradiction.h"
 
 namespace leitstand {
 namespace {
@@ -22,10 +23,11 @@ constexpr double WidestSearch = 1.2, WidestTurn = degrees(40);
 
 void LaserLocaliser::begin(const MapFix& fix) {
     m_last = fix;
-    m_way = m_turn = 0.0;
+    m_way = m_turn = m_drift = 0.0;
     m_certainty = fix.certainty;
     m_doubted = fix.certain ? 0 : m_settings.searchAfter;
     m_foundAgain = false;
+    m_own.forget();
 }
 
 bool LaserLocaliser::due(Time stamp, const MotionBuffer& motion) const {
@@ -42,6 +44,7 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     const Travel travel = motion.travelled(m_last.stamp, view.stamp);
     m_way += travel.way;
     m_turn += travel.turn;
+    m_drift += travel.way;
     m_foundAgain = false;
     const WallMap map = wallMap(local, predicted, view.low, view.high);
     const FlatPose guess = FlatPose::of(predicted);
@@ -57,47 +60,106 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     const double swing = std::abs(std::remainder(fit.pose.heading - guess.heading, 2.0 * M_PI));
     const bool sure =
         fit.overlap >= how.placement.plentyOverlap && fit.direction >= 0.5 * how.placement.plentyDirection;
+    // A lost robot may be anywhere that it could have come to; what it saw on the last metres tells.
+    const double way = lost() ? m_way : m_drift;
     std::string doubt;
     if (static_cast<int>(view.points.size()) < how.placement.leastPoints) {
         doubt = placement_says::TooLittle;
     } else if (fit.overlap < how.leastOverlap) {
         doubt = fmt::format(placement_says::OnlyInMap, std::lround(100.0 * fit.overlap));
-    } else if (jump > (sure ? how.sureJump + how.sureJumpOfWay * m_way : how.jump + how.jumpOfWay * m_way) ||
-               swing > how.swing + how.swingOfTurn * m_turn + how.swingOfWay * m_way) {
+    } else if (jump > (sure ? how.sureJump + how.sureJumpOfWay * way : how.jump + how.jumpOfWay * way) ||
+               swing > how.swing + how.swingOfTurn * m_turn + how.swingOfWay * way) {
         doubt = fmt::format(placement_says::FarFromTracks, std::lround(100.0 * jump));
+    } else if (lost() && !meetsAll(view, map, guess, fit.pose)) {
+        doubt = placement_says::LittleInMap;
     }
     MapFix fix{view.stamp, predicted, 0.0, false, doubt};
     if (doubt.empty()) {
-        const bool open = fit.direction < WallFit::OpenBelow;
+        const bool open = fit.direction < how.leastDirection;
         fix.baseInMap = fit.pose.standing(map.ground) * view.tilt;
         const double meets = std::clamp(fit.overlap / how.placement.plentyOverlap, 0.0, 1.0);
         if (open) {
             fix.how = placement_says::DirectionOpen;
-            fix.certainty = std::min(meets, m_certainty * std::exp(-m_way / how.fades));
+            fix.certainty = std::min(meets, m_certainty * std::exp(-m_drift / how.fades));
         } else {
             fix.how = fmt::format(placement_says::LaserInMap, std::lround(100.0 * fit.overlap));
             fix.certainty = meets * std::clamp(fit.direction / how.placement.plentyDirection, 0.0, 1.0);
             fix.certain = true;
-            m_way = m_turn = 0.0;
+            m_way = m_turn = m_drift = 0.0;
             m_certainty = fix.certainty;
+            m_own.correct(guess, FlatPose::of(fix.baseInMap));
         }
         m_doubted = 0;
     } else {
-        fix.certainty = m_certainty * std::exp(-(m_way + 0.1 * ++m_doubted) / how.fades);
-        if (m_doubted >= how.searchAfter && m_doubted % how.searchAfter == 0) fix = sought(view, local, fix);
+        ++m_doubted;
+        if (const auto carried = carriedOn(view, map, predicted, travel)) {
+            fix.baseInMap = *carried;
+            m_drift -= (1.0 - how.ownDrift) * travel.way;
+        } else {
+            m_own.breakOff();
+        }
+        fix.certainty = m_certainty * std::exp(-(m_drift + 0.1 * m_doubted) / how.fades);
+        if (m_doubted >= how.searchAfter && m_doubted % how.searchAfter == 0) {
+            const FlatPose before = FlatPose::of(fix.baseInMap);
+            fix = sought(view, local, fix);
+            if (m_foundAgain) m_own.correct(before, FlatPose::of(fix.baseInMap));
+        }
     }
+    m_own.add(view, FlatPose::of(fix.baseInMap));
+    if (fix.certain) m_own.settle();
     m_last = fix;
     return fix;
 }
 
+std::optional<Pose> LaserLocaliser::carriedOn(const LaserView& view, const WallMap& map,
+                                              const Pose& predicted, const Travel& travel) const {
+    if (m_own.empty()) return std::nullopt;
+    const FlatPose guess = FlatPose::of(predicted);
+    const WallMap both = m_own.with(map);
+    WallFit fit = fitToWalls(view, both, guess, Near);
+    if (fit.overlap < m_settings.ownOverlap && travel.turn > m_settings.turn / 2) {
+        const Correlation about = correlate(view, both, guess, {0.15, degrees(12)});
+        const WallFit other = fitToWalls(view, both, about.pose, Far);
+        if (other.overlap > fit.overlap + 0.05) fit = other;
+    }
+    const double jump = (fit.pose.place - guess.place).norm();
+    const double swing = std::abs(std::remainder(fit.pose.heading - guess.heading, 2.0 * M_PI));
+    if (fit.overlap < m_settings.ownOverlap ||
+        jump > m_settings.sureJump + m_settings.sureJumpOfWay * travel.way ||
+        swing > m_settings.swing + m_settings.swingOfTurn * travel.turn)
+        return std::nullopt;
+    return Pose(fit.pose.standing(0.0) * guess.standing(0.0).inverse() * predicted);
+}
+
+bool LaserLocaliser::meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,
+                              const FlatPose& found) const {
+    if (!map.search) return false;
+    // Unless it shows nothing of that any more: somebody stood before it.
+    const bool goesOn =
+        fitToWalls(view, m_own.with(WallMap()), guess, Near).overlap >= m_settings.leastOverlap;
+    const LaserView all = goesOn ? m_own.seenFrom(guess, view) : view;
+    std::size_t met = 0;
+    for (const Eigen::Vector2f& point : all.points) {
+        const Eigen::Vector2f at = (found * point.cast<double>()).cast<float>();
+        const auto wall = map.search->nearest({at.x(), at.y(), 0.0F}, Label::Unlabelled,
+                                              static_cast<float>(std::pow(WallFit::OverlapDistance, 2)));
+        met += wall.found() ? 1 : 0;
+    }
+    return static_cast<double>(met) >= m_settings.allOverlap * static_cast<double>(all.points.size());
+}
+
 MapFix LaserLocaliser::sought(const LaserView& view, const LocalMap& local, MapFix doubted) {
-    const SearchWindow window{std::min(WidestSearch, 0.3 + 0.3 * m_way),
+    const SearchWindow window{std::min(WidestSearch, 0.3 + 0.3 * m_drift),
                               std::min(WidestTurn, degrees(12) + 0.2 * m_turn)};
     const Placement found = placeRobot(view, local, doubted.baseInMap, window, m_settings.placement);
     if (!found.certain || found.overlap < m_settings.sureOverlap) return doubted;
+    const WallMap map = wallMap(local, found.baseInMap, view.low, view.high);
+    const FlatPose place = FlatPose::of(found.baseInMap);
+    if (!meetsAll(view, map, FlatPose::of(doubted.baseInMap), place)) return doubted;
+    if (contradiction(view, local, map, place) > m_settings.mostAgainst) return doubted;
     m_foundAgain = true;
     m_doubted = 0;
-    m_way = m_turn = 0.0;
+    m_way = m_turn = m_drift = 0.0;
     m_certainty = found.certainty;
     return {view.stamp, found.baseInMap, found.certainty, true,
             fmt::format(placement_says::FoundAgain, found.how)};

@@ -10,6 +10,7 @@
 #include "core/mapping/live/robot_tracker.h"
 #include "core/mapping/motion/motion_buffer.h"
 #include "core/mapping/placement/laser_view.h"
+#include "core/mapping/placement/own_walls.h"
 #include "core/mapping/placement/placement.h"
 
 namespace leitstand {
@@ -28,14 +29,20 @@ struct LocaliserSettings {
     double swingOfTurn = 0.3;                     ///< ... of the turn
     double swingOfWay = degrees(5);               ///< ... [rad / m]
     double fades = 1.0;                           ///< certainty falls to 1/e on so much way without a fit [m]
+    double mostAgainst = 0.25;                    ///< contradiction() of a place where it is found again
     double sureOverlap = 0.65;                    ///< likewise, to be found away from there
-    int searchAfter = 4;                          ///< doubts in a row, then it is looked for in a window
-    PlacementSettings placement;                  ///< how it is looked for
+    double ownOverlap = 0.7;  ///< of what the laser sees with what it saw before: it carries the robot on ...
+    double allOverlap = 0.6;  ///< of what it saw on the last metres with the map, to be there after doubts
+    double leastDirection = 0.05;  ///< WallFit::direction: less is open
+    double ownDrift = 0.1;         ///< ... which counts as so much of its way without a fit
+    int searchAfter = 4;           ///< doubts in a row, then it is looked for in a window
+    PlacementSettings placement;   ///< how it is looked for
 };
 
 /// Keeps a robot that has a plane laser where it is in the map while it drives: what the laser sees is laid
 /// onto the map's walls, from where the odometry carried the robot. A fit that jumps, or that meets too
-/// little of the map, is no fit: the odometry goes on and certainty falls. One thread at a time.
+/// little of the map, is no fit: then what the laser sees is laid onto what it saw before, and where that
+/// does not fit either, the odometry goes on; certainty falls. One thread at a time.
 class LaserLocaliser {
 public:
     explicit LaserLocaliser(const LocaliserSettings& settings = {}) : m_settings(settings) {}
@@ -54,12 +61,21 @@ public:
     [[nodiscard]] double overlap() const { return m_overlap; }  ///< of the last view
 
 private:
+    /// Where @p predicted is by what the laser saw before and what the map has; empty: neither tells.
+    [[nodiscard]] std::optional<Pose> carriedOn(const LaserView& view, const WallMap& map,
+                                                const Pose& predicted, const Travel& travel) const;
+    /// Whether the map has what the laser saw on the last metres, too, if the robot that was taken to be at
+    /// @p guess is at @p found.
+    [[nodiscard]] bool meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,
+                                const FlatPose& found) const;
     [[nodiscard]] MapFix sought(const LaserView& view, const LocalMap& local, MapFix doubted);
 
     LocaliserSettings m_settings;
     MapFix m_last;
+    OwnWalls m_own;
     double m_way = 0.0, m_turn = 0.0;  ///< since it was certain [m, rad]
-    double m_certainty = 0.0;          ///< then
+    double m_drift = 0.0;      ///< of that way, what nothing but odometry tells: all, or ownDrift of it [m]
+    double m_certainty = 0.0;  ///< then
     double m_overlap = 0.0;
     int m_doubted = 0;  ///< views in a row
     bool m_foundAgain = false;

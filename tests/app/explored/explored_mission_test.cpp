@@ -43,6 +43,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double HalfAnHour = 1800.0;      ///< [s]
 constexpr std::chrono::seconds Stands(4);  ///< until it is sent: a turn of the scanner, and some
 constexpr double Sees = 2.5;               ///< a victim, whoever stands so near to it [m]
+constexpr double Shows = 4.0;              ///< likewise, a scan taken so near to it [m]
 constexpr double SameStorey = 1.0;         ///< [m]
 constexpr double LoopIsRight = 0.3;        ///< by the truth [m]
 const std::vector<std::string> Robots = {"kurt3d", "crawler"};
@@ -144,7 +145,7 @@ private:
     static double seconds(Clock::time_point since) {
         return std::chrono::duration<double>(Clock::now() - since).count();
     }
-    /// Points at each victim on the map that a robot is near to, as long as the map is sure of that robot.
+    /// Points at each victim on the map that a robot is near to, where the nearest scan that counts shows it.
     void files() {
         if (m_station->finds().isFiling()) return;
         if (m_filing && m_station->finds().filings() > m_filings) {
@@ -153,21 +154,34 @@ private:
             m_filing = nullptr;
             ++filed;
         }
-        const RobotsInMapPtr robots = m_station->mapping().robots();
-        for (const RobotInMap& robot : *robots) {
-            if (!robot.placed || !robot.certain || m_filing) continue;
-            const auto base = m_truth.at(robot.robot, robot.stamp);
-            if (!base) continue;
+        if (m_filing) return;
+        for (const std::string& robot : Robots) {
+            const auto base = m_truth.newest(robot);
             for (Victim& victim : m_victims) {
                 const Eigen::Vector3d off = victim.inArena - base->translation();
                 if (victim.filed || off.norm() > Sees || std::abs(off.z()) > SameStorey) continue;
+                const auto place = onMap(victim.inArena);
+                if (!place) continue;
                 m_filings = m_station->finds().filings();
                 m_filing = &victim;
-                m_station->finds().freezeAt(robot.robot, VictimSample::Kind::Victim,
-                                            robot.baseInMap * (base->inverse() * victim.inArena));
-                break;
+                m_station->finds().freezeAt(robot, VictimSample::Kind::Victim, *place);
+                return;
             }
         }
+    }
+    /// Where the map shows what is at @p inArena: as the nearest scan that counts has it.
+    [[nodiscard]] std::optional<Eigen::Vector3d> onMap(const Eigen::Vector3d& inArena) const {
+        std::optional<Eigen::Vector3d> place;
+        double nearest = Shows;
+        for (const LiveKeyScan& key : map()->scans) {
+            const auto base = m_truth.at("kurt3d", key.scan->end);
+            if (!base || !key.counts()) continue;
+            const Eigen::Vector3d inScan = (*base * key.sensorInBase).inverse() * inArena;
+            if (inScan.norm() > nearest) continue;
+            nearest = inScan.norm();
+            place = key.pose.scanInMap * inScan;
+        }
+        return place;
     }
     /// Remembers where the map shows robots.
     void watches() {

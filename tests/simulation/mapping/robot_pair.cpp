@@ -7,6 +7,8 @@
 
 #include "core/mapping/sighting/other_bodies.h"
 #include "robots/simulation/arena/arena_generator.h"
+#include "tests/simulation/mapping/building_tour.h"
+#include "tests/simulation/mapping/toured_in_world.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -29,8 +31,25 @@ double nearest(const RangesSample& scan, double towards, double angle) {
 
 }  // namespace
 
-RobotPair::RobotPair(std::uint64_t seed, const Pose& wrongSlot) {
-    m_world = std::make_unique<World>(generateArena(Grade::Yellow, seed), seed);
+RobotPair::RobotPair(std::uint64_t yellow, const Pose& wrongSlot)
+    : m_world(std::make_unique<World>(generateArena(Grade::Yellow, yellow), yellow)) {
+    begin(wrongSlot, yellow);
+}
+
+RobotPair::RobotPair(const Building& building, std::uint64_t seed)
+    : m_world(std::make_unique<World>(building.arena, seed)) {
+    begin(Pose::Identity(), seed);
+    std::vector<Eigen::Vector3d> back = roomsInOrder(building, 1);
+    std::reverse(back.begin(), back.end());
+    m_touredKurt = std::make_unique<TouredInWorld>(*m_kurt);
+    m_touredCrawler = std::make_unique<TouredInWorld>(*m_crawler);
+    m_kurtsTour = std::make_unique<BuildingTour>(*m_touredKurt, roomsInOrder(building, 1));
+    m_crawlersTour = std::make_unique<BuildingTour>(*m_touredCrawler, std::move(back));
+}
+
+RobotPair::~RobotPair() = default;
+
+void RobotPair::begin(const Pose& wrongSlot, std::uint64_t seed) {
     HardwareSettings fitting;
     fitting.seed = seed;
     fitting.cameras = false;
@@ -54,6 +73,20 @@ Pose RobotPair::truth() const {
 
 double RobotPair::off() const {
     return (truth().translation() - crawler().baseInMap.translation()).head<2>().norm();
+}
+
+double RobotPair::offNearby() const {
+    const Pose& crawler = m_crawler->state().baseInArena;
+    double nearest = std::numeric_limits<double>::infinity(), off = nearest;
+    for (const LiveKeyScan& key : m_map->scans) {
+        const Pose inArena = m_takenAt.at(key.id) * key.sensorInBase;
+        const Pose inScan = inArena.inverse() * crawler;
+        if (!key.counts() || inScan.translation().norm() > nearest) continue;
+        nearest = inScan.translation().norm();
+        const Eigen::Vector3d inMap = key.pose.scanInMap * inScan.translation();
+        off = (inMap - this->crawler().baseInMap.translation()).head<2>().norm();
+    }
+    return off;
 }
 
 double RobotPair::turned() const {
@@ -110,12 +143,29 @@ void RobotPair::pass(double seconds, bool kurtDrives, bool crawlerDrives) {
     }
     for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
         steer(*m_crawler, crawlerDrives, 0.25);
-        simulation::pass(*m_world, {m_kurt.get(), m_crawler.get()}, 0.01);
-        hear();
-        const Eigen::Vector2d here = m_crawler->state().baseInArena.translation().head<2>();
-        way += (here - m_last).norm();
-        m_last = here;
+        step();
     }
+}
+
+void RobotPair::tour(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
+        step();
+        if (i % 10 != 0) continue;
+        m_kurtsTour->look();
+        m_crawlersTour->look();
+    }
+}
+
+void RobotPair::step() {
+    simulation::pass(*m_world, {m_kurt.get(), m_crawler.get()}, 0.01);
+    if (m_touredKurt) {
+        m_touredKurt->hear(m_kurt->said());
+        m_touredCrawler->hear(m_crawler->said());
+    }
+    hear();
+    const Eigen::Vector2d here = m_crawler->state().baseInArena.translation().head<2>();
+    way += (here - m_last).norm();
+    m_last = here;
 }
 
 void RobotPair::hear() {
@@ -133,7 +183,10 @@ void RobotPair::hear() {
         if (leavesOut) addBodies(others, m_tracker, crawlersBody, scan.scan->start, scan.scan->end);
         const MapUpdate update = m_mapper.add(scan, now, others);
         if (update.keyScan && m_tracker.now().certain) bodyPoints += onCrawler(*update.keyScan);
-        if (update.keyScan) m_map = m_mapper.map();
+        if (update.keyScan) {
+            m_map = m_mapper.map();
+            m_takenAt[update.keyScan->id] = m_world->baseInArena(m_kurt->number(), scan.scan->end);
+        }
         if (!m_mapInArena) {
             m_mapInArena = m_world->baseInArena(m_kurt->number(), scan.scan->end) * scan.sensorInBase *
                            update.keyScan->scanInMap.inverse();

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "robots/simulation/arena/building_generator.h"
+#include "tests/simulation/mapping/measured_seed.h"
+#include "tests/support/latency.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -127,6 +133,34 @@ TEST(RobotPairLong, AMinuteInFourYellowArenas) {
         EXPECT_LE(certainMost, 0.15) << seed << "\n" << saidOf(pair);
         EXPECT_LE(most, 0.35) << seed << ": where Kurt3D has not been, tracks alone carry it on";
     }
+}
+
+// The Crawler goes through a building on its own, mostly where Kurt3D has not been: its own laser carries it
+// on.
+TEST(RobotPairLong, QuarterOfAnHourInABuilding) {
+    const std::uint64_t seed = measuredSeed();
+    BuildingSettings settings;
+    settings.width = 30.0;
+    settings.depth = 20.0;
+    RobotPair pair(std::move(generateBuilding(settings, seed)).value(), seed);
+    pair.pass(6.0, false, false);
+    ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+    std::vector<double> all, certain;
+    for (int i = 0; i < 900; ++i) {
+        pair.tour(1.0);
+        all.push_back(pair.offNearby());
+        if (pair.crawler().certain) certain.push_back(pair.offNearby());
+    }
+    using leitstand::test::quantile;
+    std::printf(
+        "  building %llu, %.0f m: %.2f m off (median), %.2f (95 %%), %.2f (worst); certain %zu of %zu times: "
+        "%.2f (95 %%), %.2f (worst); "
+        "%.1f ms a view\n",
+        static_cast<unsigned long long>(seed), pair.way, quantile(all, 0.5), quantile(all, 0.95),
+        quantile(all, 1.0), certain.size(), all.size(), quantile(certain, 0.95), quantile(certain, 1.0),
+        1e3 * pair.seconds / pair.views);
+    EXPECT_LE(quantile(all, 0.95), 0.5);
+    EXPECT_LE(quantile(certain, 0.95), 0.15);
 }
 
 }  // namespace
