@@ -280,7 +280,7 @@ void LiveMapping::tellRobots() {
     for (const auto& [name, robot] : m_robots) {
         places->push_back(robot.tracker.now());
         places->back().matched = robot.matched;
-        if (robot.followed) places->back().spinning = robot.followed->spinning;
+        if (robot.followed) places->back().spinning = robot.followed->spinningAt(places->back().stamp);
     }
     const std::lock_guard lock(m_mutex);
     for (RobotInMap& place : *places) {

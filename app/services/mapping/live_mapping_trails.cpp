@@ -35,7 +35,9 @@ void LiveMapping::carryAlong() {
     const MovedPlaces places(*m_map, *m_mapper.map());
     if (!places.any()) return;
     for (auto& [name, robot] : m_robots) {
-        if (robot.tracker.placed() && !m_mapper.fix(name)) robot.tracker.move(places);
+        if (!robot.tracker.placed() || m_mapper.fix(name)) continue;
+        robot.tracker.move(places);
+        robot.laser.move(places);
     }
 }
 

@@ -260,7 +260,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
         robot.scale.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
     }
-    if (robot.known && step.measured && match.doubts == 0 && match.icp.open == 0) {
+    if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0) {
         const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
         robot.wheels.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
     } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,6 +54,12 @@ struct RobotFix {
     double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
     std::uint8_t doubts = 0;            ///< bits of ScanDoubt
     double spinning = 0.0;              ///< SpinningWheels::way() [m]
+
+    /// The same at @p now, robot's clock: 0 where no scan came of late, which alone would tell.
+    [[nodiscard]] double spinningAt(Time now) const {
+        constexpr std::chrono::seconds Fresh(6);  // two turns of a slow scanner, and some
+        return now - stamp < Fresh ? spinning : 0.0;
+    }
 };
 
 /// What came of solving.

@@ -41,10 +41,10 @@ inline constexpr double LyingHeight = 0.2;
 /// Puts @p frozen to @p inMap [m], hanging on key scan @p scan; on none where @p state does not have that.
 void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
           const Eigen::Vector3d& inMap);
-/// The key scan that a find at @p inMap [m] hangs on which @p robot sees now, or a person points to: the
-/// newest of that robot which counts, where that was taken near enough to see it; else, for what lies in an
-/// older part of the map or was found by a robot without key scans, the nearest one that counts. Where none
-/// counts, the newest of that robot or of anybody that is not set aside; 0: none.
+/// The key scan that a find at @p inMap [m] hangs on, which @p robot sees or a person points to. It is that
+/// robot's newest one that counts, where it was taken near enough to show the place. Else it is the nearest
+/// one that counts: in an older part of the map, or of a robot without key scans. Where none counts: the
+/// newest of that robot, or of anybody, that is not set aside; 0: none.
 [[nodiscard]] std::uint64_t scanBeside(const MissionState& state, const std::string& robot,
                                        const Eigen::Vector3d& inMap);
 

@@ -139,7 +139,8 @@ bool BuildingTour::approaches(double now) {
         return false;
     }
     if (!m_approaches) m_approaches = now;
-    if (mode.reason == robot_says::HeatInSight) return now - *m_approaches < Approach;
+    if (now - *m_approaches > Approach) return false;
+    if (mode.reason == robot_says::HeatInSight) return true;
     if (m_goal && now - m_sent > 1.0) send(now);  // it waits at the body, or gave it up
     return true;
 }

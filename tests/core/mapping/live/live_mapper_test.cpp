@@ -165,7 +165,9 @@ TEST(LiveMapper, WhatWheelsSpunCountsNeitherForLinksNorAfterADecision) {
     for (int turn = 1; turn <= 10; ++turn) {
         drift = Pose(Eigen::Translation3d(0.3 * turn * ahead));
         room.add(stands, drift);
-        EXPECT_NEAR(room.mapper.fix("kurt3d")->spinning, 0.3 * turn, 0.05);
+        const RobotFix fix = *room.mapper.fix("kurt3d");
+        EXPECT_NEAR(fix.spinningAt(fix.stamp + std::chrono::seconds(2)), 0.3 * turn, 0.05);
+        EXPECT_EQ(fix.spinningAt(fix.stamp + std::chrono::seconds(7)), 0.0) << "its scanner is silent";
     }
     const Pose back = Eigen::Translation3d(-0.5 * ahead) * stands;
     const MapUpdate update = room.add(back, drift);
