@@ -37,7 +37,7 @@ void LiveMapping::carryAlong() {
     for (auto& [name, robot] : m_robots) {
         if (!robot.tracker.placed() || m_mapper.fix(name)) continue;
         robot.tracker.move(places);
-        robot.laser.move(places);
+        robot.laser.mapMoved();
     }
 }
 

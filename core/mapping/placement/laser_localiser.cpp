@@ -63,7 +63,6 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     // A lost robot may be anywhere that it could have come to; what it saw on the last metres tells.
     const double way = lost() ? m_way : m_drift;
     std::string doubt;
-    bool refused = false;
     if (static_cast<int>(view.points.size()) < how.placement.leastPoints) {
         doubt = placement_says::TooLittle;
     } else if (fit.overlap < how.leastOverlap) {
@@ -71,7 +70,6 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     } else if (jump > (sure ? how.sureJump + how.sureJumpOfWay * way : how.jump + how.jumpOfWay * way) ||
                swing > how.swing + how.swingOfTurn * m_turn + how.swingOfWay * way) {
         doubt = fmt::format(placement_says::FarFromTracks, std::lround(100.0 * jump));
-        refused = true;
     } else if (lost() && !meetsAll(view, map, guess, fit.pose)) {
         doubt = placement_says::LittleInMap;
     }
@@ -89,15 +87,14 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
             fix.certain = true;
             m_way = m_turn = m_drift = 0.0;
             m_certainty = fix.certainty;
+            m_own.correct(guess, FlatPose::of(fix.baseInMap));
         }
-        m_own.correct(guess, FlatPose::of(fix.baseInMap));
-        if (!open || !lost()) m_doubted = 0;
+        m_doubted = 0;
     } else {
         ++m_doubted;
-        const WallMap nothing;
-        if (const auto carried = carriedOn(view, refused ? nothing : map, predicted, travel)) {
-            fix.baseInMap = carried->baseInMap;
-            if (carried->held) m_drift -= (1.0 - how.ownDrift) * travel.way;
+        if (const auto carried = carriedOn(view, map, predicted, travel)) {
+            fix.baseInMap = *carried;
+            m_drift -= (1.0 - how.ownDrift) * travel.way;
         } else {
             m_own.breakOff();
         }
@@ -108,15 +105,14 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
             if (m_foundAgain) m_own.correct(before, FlatPose::of(fix.baseInMap));
         }
     }
-    m_own.add(view, FlatPose::of(fix.baseInMap), fix.baseInMap.translation().z());
+    m_own.add(view, FlatPose::of(fix.baseInMap));
     if (fix.certain) m_own.settle();
     m_last = fix;
     return fix;
 }
 
-std::optional<LaserLocaliser::Carried> LaserLocaliser::carriedOn(const LaserView& view, const WallMap& map,
-                                                                 const Pose& predicted,
-                                                                 const Travel& travel) const {
+std::optional<Pose> LaserLocaliser::carriedOn(const LaserView& view, const WallMap& map,
+                                              const Pose& predicted, const Travel& travel) const {
     if (m_own.empty()) return std::nullopt;
     const FlatPose guess = FlatPose::of(predicted);
     const WallMap both = m_own.with(map);
@@ -132,8 +128,7 @@ std::optional<LaserLocaliser::Carried> LaserLocaliser::carriedOn(const LaserView
         jump > m_settings.sureJump + m_settings.sureJumpOfWay * travel.way ||
         swing > m_settings.swing + m_settings.swingOfTurn * travel.turn)
         return std::nullopt;
-    return Carried{Pose(fit.pose.standing(0.0) * guess.standing(0.0).inverse() * predicted),
-                   fit.direction >= m_settings.leastDirection};
+    return Pose(fit.pose.standing(0.0) * guess.standing(0.0).inverse() * predicted);
 }
 
 bool LaserLocaliser::meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,

@@ -29,20 +29,20 @@ struct LocaliserSettings {
     double swingOfTurn = 0.3;                     ///< ... of the turn
     double swingOfWay = degrees(5);               ///< ... [rad / m]
     double fades = 1.0;                           ///< certainty falls to 1/e on so much way without a fit [m]
-    double leastDirection = 0.05;                 ///< WallFit::direction: with less, the robot is not certain
+    double mostAgainst = 0.25;                    ///< contradiction() of a place where it is found again
+    double sureOverlap = 0.65;                    ///< likewise, to be found away from there
     double ownOverlap = 0.7;  ///< of what the laser sees with what it saw before: it carries the robot on ...
-    double ownDrift = 0.1;    ///< ... which counts as so much of its way without a fit
-    int searchAfter = 4;      ///< doubts in a row, then it is looked for in a window
-    double sureOverlap = 0.65;    ///< least of what it sees with the map, to be found there ...
-    double allOverlap = 0.6;      ///< ... and of what it saw on the last metres
-    double mostAgainst = 0.25;    ///< contradiction() there
-    PlacementSettings placement;  ///< how it is looked for
+    double allOverlap = 0.6;  ///< of what it saw on the last metres with the map, to be there after doubts
+    double leastDirection = 0.05;  ///< WallFit::direction: less is open
+    double ownDrift = 0.1;         ///< ... which counts as so much of its way without a fit
+    int searchAfter = 4;           ///< doubts in a row, then it is looked for in a window
+    PlacementSettings placement;   ///< how it is looked for
 };
 
 /// Keeps a robot that has a plane laser where it is in the map while it drives: what the laser sees is laid
 /// onto the map's walls, from where the odometry carried the robot. A fit that jumps, or that meets too
-/// little of the map, is no fit. Then what the laser sees is laid onto what it saw before. Where that does
-/// not fit either, the odometry goes on. Certainty falls in both cases. One thread at a time.
+/// little of the map, is no fit: then what the laser sees is laid onto what it saw before, and where that
+/// does not fit either, the odometry goes on; certainty falls. One thread at a time.
 class LaserLocaliser {
 public:
     explicit LaserLocaliser(const LocaliserSettings& settings = {}) : m_settings(settings) {}
@@ -54,8 +54,8 @@ public:
     /// @p predicted: base_link in the map at the view's stamp by odometry.
     [[nodiscard]] MapFix follow(const LaserView& view, const LocalMap& local, const Pose& predicted,
                                 const MotionBuffer& motion);
-    /// Scans of the map moved, and the robot with them.
-    void move(const MovedPlaces& places) { m_own.move(places); }
+    /// Scans of the map moved, and the robot with them: what it saw before lies elsewhere now.
+    void mapMoved() { m_own.forget(); }
     /// Whether the last follow() found the robot elsewhere than its odometry had it.
     [[nodiscard]] bool foundAgain() const { return m_foundAgain; }
     /// Whether it was looked for about where its odometry has it, in vain.
@@ -63,14 +63,9 @@ public:
     [[nodiscard]] double overlap() const { return m_overlap; }  ///< of the last view
 
 private:
-    struct Carried {
-        Pose baseInMap = Pose::Identity();
-        bool held = false;  ///< in all directions
-    };
-    /// Where the robot at @p predicted is by what the laser saw before and what @p map has; empty: neither
-    /// tells.
-    [[nodiscard]] std::optional<Carried> carriedOn(const LaserView& view, const WallMap& map,
-                                                   const Pose& predicted, const Travel& travel) const;
+    /// Where @p predicted is by what the laser saw before and what the map has; empty: neither tells.
+    [[nodiscard]] std::optional<Pose> carriedOn(const LaserView& view, const WallMap& map,
+                                                const Pose& predicted, const Travel& travel) const;
     /// Whether the map has what the laser saw on the last metres, too, if the robot that was taken to be at
     /// @p guess is at @p found.
     [[nodiscard]] bool meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,

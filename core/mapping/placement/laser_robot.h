@@ -55,7 +55,7 @@ public:
     /// What belongs into the map: once it is placed, what its laser sees outside says nothing of where it is.
     void setCrop(MapCrop crop) { m_crop = std::move(crop); }
     /// Scans of the map moved, and the robot with them.
-    void move(const MovedPlaces& places) { m_localiser.move(places); }
+    void mapMoved() { m_localiser.mapMoved(); }
     /// As the log has it, when the station starts again: uncertain, until its laser fits there or where its
     /// odometry went on to.
     void restore(const RobotPlaceSample& place);

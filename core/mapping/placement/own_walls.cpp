@@ -15,7 +15,6 @@ constexpr std::size_t MostViews = 40, LastViews = 8;
 constexpr double Apart = 0.3, TurnedApart = degrees(20);  ///< of views that are kept [m], [rad]
 constexpr std::size_t Aside = 3;                          ///< points to either side that tell a direction
 constexpr float Together = 0.08F, PerMetre = 0.03F;       ///< of neighbours on a wall, by range [m], [m / m]
-constexpr double Storey = 1.0;                            ///< up or down is another one [m]
 constexpr float Spacing = 0.04F;                          ///< of points that are kept [m]
 
 /// How the wall at point @p i faces; zero where nobody knows.
@@ -40,15 +39,8 @@ double turnBetween(const FlatPose& a, const FlatPose& b) {
 
 }  // namespace
 
-std::size_t OwnWalls::last() const {
-    return std::max(chain(), m_views.size() - std::min(m_views.size(), LastViews));
-}
-
-void OwnWalls::add(const LaserView& view, const FlatPose& place, double height) {
-    if (std::abs(height - m_height) > Storey) forget();
-    if (m_views.empty()) m_height = height;
-    const auto recent = m_views.begin() + static_cast<std::ptrdiff_t>(last());
-    const bool known = std::any_of(recent, m_views.end(), [&](const View& there) {
+void OwnWalls::add(const LaserView& view, const FlatPose& place) {
+    const bool known = std::any_of(m_views.begin(), m_views.end(), [&](const View& there) {
         return (there.place.place - place.place).norm() < Apart &&
                turnBetween(there.place, place) < TurnedApart;
     });
@@ -70,17 +62,10 @@ void OwnWalls::add(const LaserView& view, const FlatPose& place, double height) 
 
 void OwnWalls::correct(const FlatPose& taken, const FlatPose& found) {
     const double turn = found.heading - taken.heading;
-    for (std::size_t i = chain(); i < m_views.size(); ++i) {
+    for (std::size_t i = m_settled; i < m_views.size(); ++i) {
         FlatPose& place = m_views[i].place;
         place.place = found.place + Eigen::Rotation2Dd(turn) * (place.place - taken.place);
         place.heading += turn;
-    }
-}
-
-void OwnWalls::move(const MovedPlaces& places) {
-    for (View& view : m_views) {
-        const Pose stood = view.place.standing(m_height);
-        view.place = FlatPose::of(places.at(stood.translation()) * stood);
     }
 }
 
@@ -91,8 +76,10 @@ void OwnWalls::forget() {
 
 LaserView OwnWalls::seenFrom(const FlatPose& place, const LaserView& newest) const {
     LaserView all = newest;
+    const std::size_t since = std::max(m_settled, m_chain);
+    const std::size_t first = std::max(since, m_views.size() - std::min(m_views.size(), LastViews));
     const Eigen::Rotation2Dd back(-place.heading);
-    for (std::size_t i = last(); i < m_views.size(); ++i) {
+    for (std::size_t i = first; i < m_views.size(); ++i) {
         for (const Eigen::Vector2f& point : m_views[i].points)
             all.points.push_back(
                 (back * (m_views[i].place * point.cast<double>() - place.place)).cast<float>());
