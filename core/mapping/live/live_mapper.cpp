@@ -256,13 +256,11 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         robot.keyInMap = match.scanInMap;
         robot.key = here.keyScan;
     }
-    if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0 && !match.spun) {
-        const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
-        robot.scale.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
-    }
     if (robot.known && step.trusted && match.doubts == 0 && match.icp.open == 0) {
-        const Pose moved = robot.sensorInOdom.inverse() * scan.sensorInOdom;
-        robot.wheels.add(moved.translation().norm(), distanceBetween(robot.sensorInMap, match.scanInMap));
+        const double byWheels = distanceBetween(robot.sensorInOdom, scan.sensorInOdom);
+        const double found = distanceBetween(robot.sensorInMap, match.scanInMap);
+        if (!match.spun) robot.scale.add(byWheels, found);
+        robot.wheels.add(byWheels, found);
     } else {
         robot.wheels.forget();
     }

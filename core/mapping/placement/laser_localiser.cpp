@@ -19,6 +19,16 @@ const std::vector<double> Far = {0.3, 0.15, 0.1};
 constexpr double Moved = 0.02, Turned = degrees(2);  ///< less is at rest [m], [rad]
 constexpr double WidestSearch = 1.2, WidestTurn = degrees(40);
 
+/// @p view on the walls of @p map; where less than @p enough of it meets them, also looked for about @p
+/// guess.
+WallFit fitAbout(const LaserView& view, const WallMap& map, const FlatPose& guess, double enough) {
+    const WallFit fit = fitToWalls(view, map, guess, Near);
+    if (fit.overlap >= enough) return fit;
+    const Correlation about = correlate(view, map, guess, {0.15, degrees(12)});
+    const WallFit other = fitToWalls(view, map, about.pose, Far);
+    return other.overlap > fit.overlap + 0.05 ? other : fit;
+}
+
 }  // namespace
 
 void LaserLocaliser::begin(const MapFix& fix) {
@@ -48,13 +58,8 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     m_foundAgain = false;
     const WallMap map = wallMap(local, predicted, view.low, view.high);
     const FlatPose guess = FlatPose::of(predicted);
-    WallFit fit = fitToWalls(view, map, guess, Near);
-    if (fit.overlap < how.sureOverlap && m_turn > how.turn) {
-        // Tracks that slip turn the robot farther than pairs find each other.
-        const Correlation about = correlate(view, map, guess, {0.15, degrees(12)});
-        const WallFit other = fitToWalls(view, map, about.pose, Far);
-        if (other.overlap > fit.overlap + 0.05) fit = other;
-    }
+    // Tracks that slip turn the robot farther than pairs find each other.
+    const WallFit fit = fitAbout(view, map, guess, m_turn > how.turn ? how.sureOverlap : 0.0);
     m_overlap = fit.overlap;
     const double jump = (fit.pose.place - guess.place).norm();
     const double swing = std::abs(std::remainder(fit.pose.heading - guess.heading, 2.0 * M_PI));
@@ -116,12 +121,8 @@ std::optional<Pose> LaserLocaliser::carriedOn(const LaserView& view, const WallM
     if (m_own.empty()) return std::nullopt;
     const FlatPose guess = FlatPose::of(predicted);
     const WallMap both = m_own.with(map);
-    WallFit fit = fitToWalls(view, both, guess, Near);
-    if (fit.overlap < m_settings.ownOverlap && travel.turn > m_settings.turn / 2) {
-        const Correlation about = correlate(view, both, guess, {0.15, degrees(12)});
-        const WallFit other = fitToWalls(view, both, about.pose, Far);
-        if (other.overlap > fit.overlap + 0.05) fit = other;
-    }
+    const WallFit fit =
+        fitAbout(view, both, guess, travel.turn > m_settings.turn / 2 ? m_settings.ownOverlap : 0.0);
     const double jump = (fit.pose.place - guess.place).norm();
     const double swing = std::abs(std::remainder(fit.pose.heading - guess.heading, 2.0 * M_PI));
     if (fit.overlap < m_settings.ownOverlap ||
@@ -133,19 +134,11 @@ std::optional<Pose> LaserLocaliser::carriedOn(const LaserView& view, const WallM
 
 bool LaserLocaliser::meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,
                               const FlatPose& found) const {
-    if (!map.search) return false;
     // Unless it shows nothing of that any more: somebody stood before it.
     const bool goesOn =
         fitToWalls(view, m_own.with(WallMap()), guess, Near).overlap >= m_settings.leastOverlap;
     const LaserView all = goesOn ? m_own.seenFrom(guess, view) : view;
-    std::size_t met = 0;
-    for (const Eigen::Vector2f& point : all.points) {
-        const Eigen::Vector2f at = (found * point.cast<double>()).cast<float>();
-        const auto wall = map.search->nearest({at.x(), at.y(), 0.0F}, Label::Unlabelled,
-                                              static_cast<float>(std::pow(WallFit::OverlapDistance, 2)));
-        met += wall.found() ? 1 : 0;
-    }
-    return static_cast<double>(met) >= m_settings.allOverlap * static_cast<double>(all.points.size());
+    return fitToWalls(all, map, found, {}).overlap >= m_settings.allOverlap;
 }
 
 MapFix LaserLocaliser::sought(const LaserView& view, const LocalMap& local, MapFix doubted) {

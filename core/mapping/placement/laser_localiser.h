@@ -29,14 +29,14 @@ struct LocaliserSettings {
     double swingOfTurn = 0.3;                     ///< ... of the turn
     double swingOfWay = degrees(5);               ///< ... [rad / m]
     double fades = 1.0;                           ///< certainty falls to 1/e on so much way without a fit [m]
-    double mostAgainst = 0.25;                    ///< contradiction() of a place where it is found again
-    double sureOverlap = 0.65;                    ///< likewise, to be found away from there
+    double leastDirection = 0.05;                 ///< WallFit::direction: with less, the robot is not certain
     double ownOverlap = 0.7;  ///< of what the laser sees with what it saw before: it carries the robot on ...
-    double allOverlap = 0.6;  ///< of what it saw on the last metres with the map, to be there after doubts
-    double leastDirection = 0.05;  ///< WallFit::direction: less is open
-    double ownDrift = 0.1;         ///< ... which counts as so much of its way without a fit
-    int searchAfter = 4;           ///< doubts in a row, then it is looked for in a window
-    PlacementSettings placement;   ///< how it is looked for
+    double ownDrift = 0.1;    ///< ... which counts as so much of its way without a fit
+    int searchAfter = 4;      ///< doubts in a row, then it is looked for in a window
+    double sureOverlap = 0.65;    ///< least of what it sees with the map, to be found there ...
+    double allOverlap = 0.6;      ///< ... and of what it saw on the last metres
+    double mostAgainst = 0.25;    ///< contradiction() of a place where it is found
+    PlacementSettings placement;  ///< how it is looked for
 };
 
 /// Keeps a robot that has a plane laser where it is in the map while it drives: what the laser sees is laid

@@ -20,9 +20,8 @@ constexpr double SeenWindow = 0.35;            ///< about a body that is seen [m
 constexpr double MostOff = 0.13;               ///< so far from its middle the robot is found at most [m]
 constexpr double BodyMargin = 0.12;            ///< ... whose points lie on the robot, grown by this [m] ...
 constexpr double LeastOfBody = 0.7;            ///< ... by this share
-constexpr double LeastSure = 0.6;     ///< certainty: it is looked for everywhere, and all headings are tried
-constexpr double MostAgainst = 0.25;  ///< of what its laser sees, against it: contradiction()
-constexpr double AsGood = 0.7;        ///< of the best: it may as well be the other one
+constexpr double LeastSure = 0.6;  ///< certainty: it is looked for everywhere, and all headings are tried
+constexpr double AsGood = 0.7;     ///< of the best: it may as well be the other one
 constexpr SearchWindow ResumedWindow{0.5, degrees(20)};
 
 }  // namespace
@@ -126,7 +125,7 @@ bool LaserRobot::contradicted(const Pose& baseInMap, std::span<const Disc> other
     leaveOut(view, baseInMap, others);
     leaveOutCropped(view, baseInMap, m_crop);
     const WallMap walls = wallMap(m_local, baseInMap, view.low, view.high);
-    return contradiction(view, m_local, walls, FlatPose::of(baseInMap)) > MostAgainst;
+    return contradiction(view, m_local, walls, FlatPose::of(baseInMap)) > m_settings.mostAgainst;
 }
 
 bool LaserRobot::wantsSeen() const {

@@ -213,13 +213,11 @@ void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
 }
 
 std::uint64_t scanBeside(const MissionState& state, const std::string& robot, const Eigen::Vector3d& inMap) {
-    std::uint64_t newest = 0, doubtful = 0, nearest = 0;
+    std::uint64_t newest = 0, nearest = 0, doubted = 0, othersDoubted = 0;
     double shortest = std::numeric_limits<double>::infinity(), ofNewest = shortest;
     for (const auto& [id, scan] : *state.keyScans) {
         const bool own = scan.entry.robot == robot;
-        if (scan.pose.trust == ScanTrust::Uncertain &&
-            (own || doubtful == 0 || state.keyScans->at(doubtful).entry.robot != robot))
-            doubtful = id;
+        if (scan.pose.trust == ScanTrust::Uncertain) (own ? doubted : othersDoubted) = id;
         if (scan.pose.trust != ScanTrust::Certain) continue;
         const double distance = (scan.pose.scanInMap.translation() - inMap).norm();
         if (own) {
@@ -232,7 +230,8 @@ std::uint64_t scanBeside(const MissionState& state, const std::string& robot, co
         }
     }
     if (ofNewest < InSight) return newest;
-    return nearest != 0 ? nearest : doubtful;
+    if (nearest != 0) return nearest;
+    return doubted != 0 ? doubted : othersDoubted;
 }
 
 VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,

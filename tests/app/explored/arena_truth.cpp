@@ -1,6 +1,5 @@
 #include "tests/app/explored/arena_truth.h"
 
-#include <stdexcept>
 #include <utility>
 #include <variant>
 
