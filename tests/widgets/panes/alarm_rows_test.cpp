@@ -32,6 +32,7 @@ std::vector<Alarm> everyAlarm() {
         {{"crawler", alarm_key::Battery, ""}, Severity::Act, "", 0.18, "share"},
         {{"crawler", alarm_key::Gas, ""}, Severity::Attention, "", 12'345.0, ""},
         {{"crawler", alarm_key::Bump, "front_left"}, Severity::Attention, "", 0.3, ""},
+        {{"kurt3d", alarm_key::WheelsSpin, ""}, Severity::Attention, "", 98.7, ""},
         {{"kurt3d", alarm_key::Diagnostics, "motor_driver"}, Severity::Act, "", 0.0, "hot, 87 degrees"},
         {{"kurt3d", alarm_key::StopUnanswered, ""}, Severity::Act, "", 98.0, ""},
         {{"kurt3d", alarm_key::FrozenPicture, "left"}, Severity::Attention, "", 98.0, ""},
