@@ -32,8 +32,8 @@ protected:
         event.sample = std::move(sample);
         for (Station* station : m_hearing) station->mapping().take(event);
     }
-    /// It drives on by 0.4 m and looks around; @p slip: its odometry is wrong by that from then on.
-    void scan(const Pose& slip = Pose::Identity()) {
+    /// It drives on by @p way [m] and looks around; @p slip: its odometry is wrong by that from then on.
+    void scan(const Pose& slip = Pose::Identity(), double way = 0.4) {
         const auto baseInRoom = [](double way) { return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0); };
         const Pose before = m_slip;
         for (int i = 1; i <= 20; ++i) {
@@ -42,10 +42,10 @@ protected:
             OdometrySample odometry;
             odometry.header = {m_time, "odom"};
             odometry.childFrame = "base_link";
-            odometry.baseInOdom = baseInRoom(m_way + 0.4 * i / 20.0) * m_slip;
+            odometry.baseInOdom = baseInRoom(m_way + way * i / 20.0) * m_slip;
             say(odometry, StreamRole::Odometry);
         }
-        m_way += 0.4;
+        m_way += way;
         RoomSettings room;
         room.sensorInRoom = baseInRoom(m_way) * poseFrom({0, 0, 0.9}, 0, 0, 0);
         room.sweep = Sweep::Yawing;

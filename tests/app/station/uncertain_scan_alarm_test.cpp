@@ -44,6 +44,24 @@ protected:
     std::unique_ptr<Station> m_station = stationFor({m_description});
 };
 
+TEST_F(UncertainScanAlarm, WheelsThatSpinAreToldUntilTheRobotDrivesAgain) {
+    ASSERT_TRUE(holdsMap(*m_station)) << words();
+    const auto spins = [&] {
+        const auto all = m_station->alarms().view().alarms;
+        return std::any_of(all.begin(), all.end(), [](const Alarm& one) {
+            return one.cause.id.key == alarm_key::WheelsSpin && !one.ended;
+        });
+    };
+    scan();
+    scan();
+    ASSERT_TRUE(scans(2));
+    EXPECT_FALSE(spins());
+    for (int i = 0; i < 3; ++i) scan(poseFrom({0.3, 0, 0}, 0, 0, 0), 0.0);  // it pushes against something
+    EXPECT_TRUE(waitUntil(spins));
+    scan();
+    EXPECT_TRUE(waitUntil([&] { return !spins(); }));
+}
+
 TEST_F(UncertainScanAlarm, IsRaisedAndEndsWhenTheScanIsRejectedOrAccepted) {
     ASSERT_TRUE(holdsMap(*m_station)) << words();
     scan();
