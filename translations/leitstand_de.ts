@@ -2837,6 +2837,10 @@ Funk: %4 %5</translation>
         <source>picture: PNG: expected data of {} bytes for its pixels, found more</source>
         <translation>Bild: PNG: {} Bytes für die Pixel erwartet, mehr gefunden</translation>
     </message>
+    <message>
+        <source>{}: write this below sensors, {}, by hand: {}</source>
+        <translation>{}: von Hand unter sensors, {} einzutragen: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -7092,6 +7096,65 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ScannerFeature</name>
+    <message>
+        <source>Co&amp;rrect the scanner as the map says</source>
+        <translation>Scanne&amp;r so berichtigen, wie die Karte es sagt</translation>
+    </message>
+    <message>
+        <source>Leave the sca&amp;nner as it is</source>
+        <translation>Scan&amp;ner lassen, wie er ist</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Berichtigen</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Lassen</translation>
+    </message>
+    <message>
+        <source>The map finds no scanner to be off</source>
+        <translation>Die Karte findet keinen Scanner, der falsch misst</translation>
+    </message>
+    <message>
+        <source>From its next scan on, and in the robot&apos;s file: also when it is connected next time. What is in the map stays</source>
+        <translation>Ab seinem nächsten Scan, und in der Datei des Roboters: auch wenn er das nächste Mal verbunden wird. Was in der Karte ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing changes, and it is not asked about again</source>
+        <translation>Nichts ändert sich, und danach wird nicht mehr gefragt</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner measures %2 too far. Correct that?</source>
+        <translation>%1: sein 3D-Scanner misst um %2 zu weit. Berichtigen?</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner measures %2 too short. Correct that?</source>
+        <translation>%1: sein 3D-Scanner misst um %2 zu kurz. Berichtigen?</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner leans, %2 to the %3 and %4 %5, against where it is said to sit. Correct that?</source>
+        <translation>%1: sein 3D-Scanner neigt sich um %2 nach %3 und um %4 nach %5, gegenüber dem, wie er sitzen soll. Berichtigen?</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::ScansPanel</name>
     <message>
         <source>Scans of the map</source>
@@ -7684,6 +7747,22 @@ F1 listet alle Tasten</translation>
     <message>
         <source>the map is as it was before it was tidied</source>
         <translation>die Karte ist, wie sie vor dem Aufräumen war</translation>
+    </message>
+    <message>
+        <source>{}: what its 3D scanner measures does not fit together: say whether it is to be corrected</source>
+        <translation>{}: was sein 3D-Scanner misst, passt nicht zusammen: sagen Sie, ob es berichtigt werden soll</translation>
+    </message>
+    <message>
+        <source>{}: its 3D scanner is corrected from its next scan on</source>
+        <translation>{}: sein 3D-Scanner wird ab dem nächsten Scan berichtigt</translation>
+    </message>
+    <message>
+        <source>, and from now on by its file {}</source>
+        <translation>, und von nun an durch seine Datei {}</translation>
+    </message>
+    <message>
+        <source>nothing is asked about the scanner any more</source>
+        <translation>zum Scanner wird nichts mehr gefragt</translation>
     </message>
 </context>
 <context>

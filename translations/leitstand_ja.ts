@@ -2837,6 +2837,10 @@ Link: %4 %5</source>
         <source>picture: PNG: expected data of {} bytes for its pixels, found more</source>
         <translation>画像: PNG: 画素のデータは {} バイトのはずですが、それより多くあります</translation>
     </message>
+    <message>
+        <source>{}: write this below sensors, {}, by hand: {}</source>
+        <translation>{}: sensors の {} の下に次の行を手で書いてください: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -7092,6 +7096,65 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ScannerFeature</name>
+    <message>
+        <source>Co&amp;rrect the scanner as the map says</source>
+        <translation>地図のとおりにスキャナーを補正(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Leave the sca&amp;nner as it is</source>
+        <translation>スキャナーをそのままにする(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>補正する</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>そのまま</translation>
+    </message>
+    <message>
+        <source>The map finds no scanner to be off</source>
+        <translation>地図から見て、ずれているスキャナーはありません</translation>
+    </message>
+    <message>
+        <source>From its next scan on, and in the robot&apos;s file: also when it is connected next time. What is in the map stays</source>
+        <translation>次のスキャンから補正し、ロボットのファイルにも書きます。次に接続するときも有効です。地図にあるものは変わりません</translation>
+    </message>
+    <message>
+        <source>Nothing changes, and it is not asked about again</source>
+        <translation>何も変わらず、再び尋ねることもありません</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner measures %2 too far. Correct that?</source>
+        <translation>%1: 3Dスキャナーの測定値が %2 長すぎます。補正しますか？</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner measures %2 too short. Correct that?</source>
+        <translation>%1: 3Dスキャナーの測定値が %2 短すぎます。補正しますか？</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner leans, %2 to the %3 and %4 %5, against where it is said to sit. Correct that?</source>
+        <translation>%1: 3Dスキャナーが、取り付けの記載に対して%3に %2、%5に %4 傾いています。補正しますか？</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>後ろ</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::ScansPanel</name>
     <message>
         <source>Scans of the map</source>
@@ -7684,6 +7747,22 @@ F1 でキー一覧</translation>
     <message>
         <source>the map is as it was before it was tidied</source>
         <translation>地図は整える前の状態に戻りました</translation>
+    </message>
+    <message>
+        <source>{}: what its 3D scanner measures does not fit together: say whether it is to be corrected</source>
+        <translation>{}: 3Dスキャナーの測定値が互いに合いません。補正するかどうか答えてください</translation>
+    </message>
+    <message>
+        <source>{}: its 3D scanner is corrected from its next scan on</source>
+        <translation>{}: 3Dスキャナーを次のスキャンから補正します</translation>
+    </message>
+    <message>
+        <source>, and from now on by its file {}</source>
+        <translation>。今後はファイル {} でも補正します</translation>
+    </message>
+    <message>
+        <source>nothing is asked about the scanner any more</source>
+        <translation>スキャナーについての質問はもうありません</translation>
     </message>
 </context>
 <context>

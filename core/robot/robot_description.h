@@ -11,6 +11,7 @@
 
 #include "core/base/pose.h"
 #include "core/event/stream_role.h"
+#include "core/robot/scanner_correction.h"
 #include "core/robot/streams/qos.h"
 
 namespace leitstand {
@@ -59,6 +60,7 @@ struct SensorDescription {
     Pose sensorInBase = Pose::Identity();        ///< used where tf does not tell
     SensorMotion motion = SensorMotion::Unsaid;  ///< tells what a simulated robot carries
     std::optional<PanTiltMount> panTilt = {};    ///< of a camera that can be turned
+    ScannerCorrection correction = {};           ///< of a 3D scanner
 };
 
 enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
@@ -74,9 +76,10 @@ enum class TfPrefix : std::uint8_t { Topic, Frame, None };
 
 /// Everything the station knows about a robot beforehand: its file.
 struct RobotDescription {
-    std::string letter;  ///< one capital letter, "K"
-    std::string name;    ///< "kurt3d": lower case, as in topics
-    std::string title;   ///< what the operator sees, "Kurt3D"
+    std::string file = {};  ///< that it was read from; empty: none
+    std::string letter;     ///< one capital letter, "K"
+    std::string name;       ///< "kurt3d": lower case, as in topics
+    std::string title;      ///< what the operator sees, "Kurt3D"
     std::vector<StreamDescription> streams;
     std::map<std::string, SensorDescription> sensors;
     std::string baseFrame, odomFrame;

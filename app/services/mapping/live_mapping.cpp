@@ -1,5 +1,7 @@
 #include "app/services/mapping/live_mapping.h"
 
+#include "app/services/mapping/scanner_advice.h"
+
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -68,7 +70,10 @@ void restore(LiveMapper& mapper, const EarlierMap& earlier) {
 }
 
 LiveMapping::Robot::Robot(const RobotDescription& description, const std::string& station)
-    : poses(description), tracker(description.name), laser(tracker, station) {
+    : poses(description),
+      tracker(description.name),
+      laser(tracker, station),
+      scanner(onlyScanner(description)) {
     // They know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
         if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
@@ -168,7 +173,9 @@ void LiveMapping::work(const Event& event) {
         robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
-        cutterOf(robot, event).add(*cloud, sensor, event.received);
+        CloudSample corrected = *cloud;
+        robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
+        cutterOf(robot, event).add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
         if (m_mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans tell more
         RangesSample stamped = *ranges;
@@ -200,11 +207,27 @@ void LiveMapping::registerDone(Time now) {
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
+                if (update.keyScan) tellScanner(name, robot);
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
                 placeSeen(update, before, now);
             }
         }
     }
+}
+
+void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
+    if (robot.scanner.empty() || !m_listener.onScanner) return;
+    const auto more = m_mapper.calibration(name).advised();
+    if (std::exchange(robot.advised, more.has_value()) != more.has_value()) m_listener.onScanner(name, more);
+}
+
+void LiveMapping::correct(const std::string& name, const ScannerCorrection& correction) {
+    post([this, name, correction](LiveMapper& mapper) {
+        Robot& robot = m_robots.at(name);
+        robot.poses.setCorrection(robot.scanner, robot.scanner, correction);
+        robot.advised = false;
+        mapper.recalibrate(name);
+    });
 }
 
 void LiveMapping::solveLoops() {

@@ -40,6 +40,10 @@ struct LiveMappingListener {
     std::function<void(ScanBodiesSample)> onBodies = {};
     /// A robot was looked for in the whole map in vain: so many places look as what it sees, or none.
     std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
+    /// The map advises to correct the scanner of a robot so, beyond what is corrected already; empty: not any
+    /// more. Told when that changes.
+    std::function<void(const std::string& robot, const std::optional<ScannerCorrection>& more)> onScanner =
+        {};
     std::function<bool()> makesMap = {};                ///< whether scans stand where we say; empty: they do
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };
@@ -93,6 +97,8 @@ public:
     void preview(std::vector<Link> links, std::function<void(LoopPreview)> done);
     /// Looks for @p robot, by name one of ours, in the whole map, by its newest 3D scan; on a thread beside.
     void lookFor(const std::string& robot);
+    /// Scans of @p robot, by name one of ours, are corrected so from the next one on.
+    void correct(const std::string& robot, const ScannerCorrection& correction);
     /// Where the robots are; never null.
     [[nodiscard]] RobotsInMapPtr robots() const;
 
@@ -113,6 +119,8 @@ private:
         std::optional<RobotFix> followed;        ///< that the tracker was corrected by last
         std::shared_ptr<const SeenScan> newest;  ///< its newest scan
         std::uint64_t put = 0;                   ///< how often somebody said where it stands
+        std::string scanner;                     ///< its only one; empty: it has several, or none
+        bool advised = false;                    ///< the map has an advice about it
         bool certain = false;                    ///< its place is
         std::optional<Time> wasSure;             ///< when it was last, station's clock; empty: never
         std::optional<Pose> wasSureBy;           ///< where its odometry lay in the map then
@@ -131,6 +139,7 @@ private:
     void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
     void solveLoops();                                ///< where the map meets itself, on a thread beside
     void settle(const MapSolution& solution);
+    void tellScanner(const std::string& name, Robot& robot);
     void seekPlace();            ///< where the map may meet itself far off, likewise
     void carryAlong();           ///< robots without scans in the map, with the scans about them
     void followFixes();          ///< robots stand where the mapper says

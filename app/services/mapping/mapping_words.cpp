@@ -61,4 +61,18 @@ std::string lookedFor(const std::string& title, std::size_t alike) {
     return fmt::format("{}: {}", title, what);
 }
 
+std::string scannerIsOff(const std::string& title) {
+    return fill(translate("leitstand::Station",
+                          "{}: what its 3D scanner measures does not fit together: say whether it is to be "
+                          "corrected"),
+                title);
+}
+
+std::string scannerCorrected(const std::string& title, const std::string& file) {
+    const std::string what =
+        fill(translate("leitstand::Station", "{}: its 3D scanner is corrected from its next scan on"), title);
+    if (file.empty()) return what;
+    return what + fill(translate("leitstand::Station", ", and from now on by its file {}"), file);
+}
+
 }  // namespace leitstand::mapping_words

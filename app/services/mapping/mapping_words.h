@@ -20,4 +20,9 @@ namespace leitstand::mapping_words {
 /// It was looked for in the whole map in vain: @p alike places look as what it sees.
 [[nodiscard]] std::string lookedFor(const std::string& title, std::size_t alike);
 
+/// The map finds the scanner of the robot of this @p title to be off.
+[[nodiscard]] std::string scannerIsOff(const std::string& title);
+/// It is corrected from now on, also in @p file, if any.
+[[nodiscard]] std::string scannerCorrected(const std::string& title, const std::string& file);
+
 }  // namespace leitstand::mapping_words

@@ -128,7 +128,9 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         const auto track = [&](Time at) {
             return robot.poses.sensorInOdom(event, cloud->header, at + lane.late);
         };
-        keep(lane.assembler.add(*cloud, track), event.robot, lane);
+        CloudSample corrected = *cloud;
+        robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
+        keep(lane.assembler.add(std::move(corrected), track), event.robot, lane);
     });
     for (auto& [name, robot] : m_robots) {
         for (auto& [topic, lane] : robot.lanes) keep(lane.assembler.finish(), name, lane);

@@ -47,14 +47,37 @@ std::optional<std::pair<std::string, Pose>> SensorPoses::parentOf(const std::str
     return std::pair(parent->second.frame, parent->second.childInParent);
 }
 
-Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
-    if (const auto pose = inBaseByTransforms(frame)) return *pose;
-    if (const auto described = m_robot->sensors.find(sensor); described != m_robot->sensors.end()) {
-        return described->second.sensorInBase;
-    }
+std::string SensorPoses::nameOf(const std::string& sensor, const std::string& frame) const {
+    if (m_robot->sensors.contains(sensor)) return sensor;
     for (const auto& [name, described] : m_robot->sensors) {
-        if (withoutPrefix(described.frame) == withoutPrefix(frame)) return described.sensorInBase;
+        if (withoutPrefix(described.frame) == withoutPrefix(frame)) return name;
     }
+    return {};
+}
+
+void SensorPoses::setCorrection(const std::string& sensor, const std::string& frame,
+                                const ScannerCorrection& correction) {
+    const std::string name = nameOf(sensor, frame);
+    m_corrections.insert_or_assign(name.empty() ? sensor : name, correction);
+}
+
+ScannerCorrection SensorPoses::correctionOf(const std::string& sensor, const std::string& frame) const {
+    const std::string name = nameOf(sensor, frame);
+    const auto set = m_corrections.find(name.empty() ? sensor : name);
+    if (set != m_corrections.end()) return set->second;
+    const auto described = m_robot->sensors.find(name);
+    return described == m_robot->sensors.end() ? ScannerCorrection{} : described->second.correction;
+}
+
+Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
+    return correctionOf(sensor, frame).corrected(saidInBase(sensor, frame));
+}
+
+Pose SensorPoses::saidInBase(const std::string& sensor, const std::string& frame) {
+    if (const auto pose = inBaseByTransforms(frame)) return *pose;
+    if (const auto described = m_robot->sensors.find(nameOf(sensor, frame));
+        described != m_robot->sensors.end())
+        return described->second.sensorInBase;
     m_remarks.insert(leitstand::fill(
         translate(
             "leitstand::Error",

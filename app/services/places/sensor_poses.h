@@ -28,6 +28,11 @@ public:
     /// Pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by its file,
     /// else the base itself, which remarks() tells.
     [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
+    /// The correction of sensor @p sensor, or of the one of frame @p frame, is @p correction from now on.
+    void setCorrection(const std::string& sensor, const std::string& frame,
+                       const ScannerCorrection& correction);
+    /// That of its file, unless it was set since; its lean is in inBase().
+    [[nodiscard]] ScannerCorrection correctionOf(const std::string& sensor, const std::string& frame) const;
     /// What a frame hangs on by the transforms that came, and its pose in it; empty: nobody told.
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
@@ -41,11 +46,15 @@ private:
         Pose childInParent = Pose::Identity();
     };
     [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
+    /// Name of the sensor in the robot's file; empty: it has none like it.
+    [[nodiscard]] std::string nameOf(const std::string& sensor, const std::string& frame) const;
+    [[nodiscard]] Pose saidInBase(const std::string& sensor, const std::string& frame);
 
     const RobotDescription* m_robot;
     PoseTrack m_baseInOdom;
-    std::string m_baseFrame;                  ///< as the odometry names it
-    std::map<std::string, Parent> m_parents;  ///< by child frame
+    std::string m_baseFrame;                                 ///< as the odometry names it
+    std::map<std::string, Parent> m_parents;                 ///< by child frame
+    std::map<std::string, ScannerCorrection> m_corrections;  ///< set since, by sensor
     std::set<std::string> m_remarks;
 };
 

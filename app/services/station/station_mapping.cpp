@@ -51,10 +51,16 @@ struct StationMapping::State {
     std::deque<std::function<void(LiveMapper&)>> settled;  ///< to be done then, on the mapping's thread
     std::map<std::string, std::string> titles;             ///< by robot; fixed
     LoopPreviews previews;
+    ScannerAdvice scanners;
     std::unique_ptr<LiveMapping> mapping;  ///< last: its thread ends first
 
-    State(LiveMission& log, std::function<bool()> may, std::string name, StationMappingListener told)
-        : mission(log), mayMap(std::move(may)), station(std::move(name)), listener(std::move(told)) {}
+    State(LiveMission& log, std::function<bool()> may, const StationMappingSetup& setup,
+          StationMappingListener told)
+        : mission(log),
+          mayMap(std::move(may)),
+          station(setup.station),
+          listener(std::move(told)),
+          scanners(setup.robots, setup.mission) {}
 
     void tell(const std::string& text) const {
         if (listener.onMessage) listener.onMessage(text);
@@ -272,7 +278,7 @@ Result<void> StationMapping::State::takeBack(Undoing undoing, const std::string&
 
 StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMap, StationMappingSetup setup,
                                StationMappingListener listener)
-    : m_state(std::make_unique<State>(mission, std::move(mayMap), setup.station, std::move(listener))) {
+    : m_state(std::make_unique<State>(mission, std::move(mayMap), setup, std::move(listener))) {
     State& state = *m_state;
     state.usualCrop = setup.settings.crop;
     setup.settings.crop = state.crop = state.cropInLog();
@@ -287,6 +293,9 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     };
     listening.onLookedFor = [&state](const std::string& robot, std::size_t alike) {
         state.tell(mapping_words::lookedFor(state.titleOf(robot), alike));
+    };
+    listening.onScanner = [&state](const std::string& robot, const std::optional<ScannerCorrection>& more) {
+        if (state.scanners.follow(robot, more)) state.tell(mapping_words::scannerIsOff(state.titleOf(robot)));
     };
     listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log(place); };
@@ -462,6 +471,26 @@ Result<void> StationMapping::place(const std::string& robot, const Pose& baseInM
 Result<void> StationMapping::lookFor(const std::string& robot) {
     if (auto may = m_state->placeable(robot); !may) return may;
     m_state->mapping->lookFor(robot);
+    return {};
+}
+
+std::optional<ScannerQuestion> StationMapping::scannerQuestion() const {
+    return m_state->scanners.question();
+}
+
+Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool correct) {
+    if (auto may = m_state->granted(); !may) return may;
+    const auto question = m_state->scanners.question();
+    if (!question || question->robot != asked.robot)
+        return Error{translate("leitstand::Station", "nothing is asked about the scanner any more")};
+    if (!correct) {
+        m_state->scanners.leave(asked);
+        return {};
+    }
+    const ScannerAdvice::Used used = m_state->scanners.use(asked);
+    m_state->mapping->correct(asked.robot, used.total);
+    m_state->tell(mapping_words::scannerCorrected(m_state->titleOf(asked.robot), used.file));
+    if (!used.notWritten.empty()) m_state->tell(used.notWritten);
     return {};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/services/mapping/scanner_advice.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/event/event.h"
@@ -36,6 +37,7 @@ struct StationMappingSetup {
     LiveSettings settings;
     std::vector<KeyScanSample> earlier;           ///< key scans of the mission's earlier sessions ...
     std::vector<ScanLinksSample> earlierLinks{};  ///< ... and what they were registered against
+    std::filesystem::path mission{};              ///< its folder, which keeps the robots' files
 };
 
 /// The map of a station on live robots, and the operator's decisions on its scans. What comes of them is in
@@ -95,6 +97,13 @@ public:
     /// Looks for a robot in the whole map by its newest 3D scan, and puts it to where it is found: its next
     /// scan tells whether it stands there. The listener is told what came of it.
     Result<void> lookFor(const std::string& robot);
+
+    /// A scanner that the map finds to be off; empty: none, or the operator has answered.
+    [[nodiscard]] std::optional<ScannerQuestion> scannerQuestion() const;
+    /// Answers it: the scanner is corrected from its next scan on and in the robot's file, or is left as it
+    /// is and not asked about again. What came of it is told as a message. Errors: another station has the
+    /// map, something else is asked by now.
+    Result<void> answerScanner(const ScannerQuestion& asked, bool correct);
 
     [[nodiscard]] LiveMapPtr scans() const;       ///< never null
     [[nodiscard]] RobotsInMapPtr robots() const;  ///< where they are now; never null

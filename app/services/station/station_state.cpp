@@ -124,7 +124,7 @@ void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLin
     mapping = std::make_unique<StationMapping>(
         *mission, [this] { return grants->mayAct(MapGrant); },
         StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
-                            std::move(earlier), std::move(links)},
+                            std::move(earlier), std::move(links), settings.mission.folder},
         std::move(listening));
     grants->ask(MapGrant);
 }

@@ -135,6 +135,21 @@ PanTiltMount panTiltOf(const YamlPlace& place, const std::string& sensor, YamlEr
     return mount;
 }
 
+ScannerCorrection correctionOf(const YamlPlace& place, YamlErrors& errors) {
+    using Correction = ScannerCorrection;
+    const YamlFields fields(place, detail::CorrectionKeys, errors);
+    Correction correction;
+    fields.number("range", correction.range, -Correction::MostRange, Correction::MostRange, " m");
+    const double most = inDegrees(Correction::MostLean);
+    const auto angle = [&](const char* key, double& radians) {
+        double value = 0.0;
+        if (fields.has(key) && fields.number(key, value, -most, most, " degrees")) radians = degrees(value);
+    };
+    angle("roll", correction.roll);
+    angle("pitch", correction.pitch);
+    return correction;
+}
+
 void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
     if (!fields.has("sensors")) return;
     const YamlFields sensors(fields.at("sensors"), errors);
@@ -150,6 +165,7 @@ void readSensors(const YamlFields& fields, RobotDescription& robot, YamlErrors& 
                                        degrees(rotation[1]), degrees(rotation[2]));
         one.choice("motion", sensor.motion, detail::motionWords());
         if (one.has("pan_tilt")) sensor.panTilt = panTiltOf(one.at("pan_tilt"), name, errors);
+        if (one.has("correction")) sensor.correction = correctionOf(one.at("correction"), errors);
         robot.sensors.emplace(name, sensor);
     }
 }
@@ -233,7 +249,11 @@ Result<RobotDescription> readRobot(const std::filesystem::path& file) {
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
-    return parseRobot(text, file.string());
+    auto read = parseRobot(text, file.string());
+    if (!read) return read;
+    RobotDescription robot = std::move(read).value();
+    robot.file = file.string();
+    return robot;
 }
 
 }  // namespace leitstand

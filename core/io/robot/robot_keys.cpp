@@ -14,6 +14,7 @@ std::vector<std::string> allRobotKeys() {
     add("limits.", LimitKeys);
     add("sensors.NAME.", SensorKeys);
     add("sensors.NAME.pan_tilt.", PanTiltKeys);
+    add("sensors.NAME.correction.", CorrectionKeys);
     add("streams[].", StreamKeys);
     add("streams[].qos.", QosKeys);
     add("streams[].thermal.", ThermalKeys);

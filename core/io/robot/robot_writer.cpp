@@ -49,6 +49,13 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
         entry(out, "down", angle(sensor.panTilt->down));
         out << YAML::EndMap;
     }
+    if (!sensor.correction.isNone()) {
+        out << YAML::Key << "correction" << YAML::Value << YAML::Flow << YAML::BeginMap;
+        entry(out, "range", number(sensor.correction.range));
+        entry(out, "roll", angle(sensor.correction.roll));
+        entry(out, "pitch", angle(sensor.correction.pitch));
+        out << YAML::EndMap;
+    }
     out << YAML::EndMap;
 }
 

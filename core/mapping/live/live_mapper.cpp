@@ -10,8 +10,9 @@
 namespace leitstand {
 namespace {
 
-constexpr double SamePlace = 0.1;             ///< so near the local map is the same [m]
-constexpr std::chrono::seconds ClockStep(1);  ///< a station's clock that goes back farther was set
+constexpr double SamePlace = 0.1;                     ///< so near the local map is the same [m]
+constexpr double CompareFrom = 0.8, CompareTo = 2.5;  ///< scans that tell of their scanner's ranges [m]
+constexpr std::chrono::seconds ClockStep(1);          ///< a station's clock that goes back farther was set
 
 /// Whether @p live, which came to lie at @p found instead of at @p guess, was taken while something pushed or
 /// held the robot: its points were put together by what odometry told of the motion within the turn.
@@ -61,7 +62,8 @@ const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& 
 
 Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                  const Pose& guess, const Step& step) {
-    const auto up = live.levelKnown ? std::optional(live.up) : std::nullopt;
+    const auto up =
+        live.levelKnown ? std::optional(robot.lean.corrected(live.up, live.sensorInBase)) : std::nullopt;
     Match result = match(cloud, localAt(guess, robot), guess, step, up, settings.match, settings.fit);
     if (result.doubts == 0 || robot.odometryFrame >= 0 || robot.placedInMap) return result;
     // The odometry may have begun anew while the station was away.
@@ -97,6 +99,37 @@ bool LiveMapper::State::canWait(const RobotTrack& robot, const Pose& scanInMap, 
     const KeyScanRule& rule = settings.keyScans;
     return distanceBetween(robot.keyInMap, scanInMap) < 2.0 * rule.distance &&
            angleBetween(robot.keyInMap, scanInMap) < rule.waitsWithin && fresh < rule.newGround;
+}
+
+void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud,
+                                  std::span<const std::uint64_t> against) {
+    const LiveKeyScan* chosen = nullptr;
+    for (const std::uint64_t id : against) {
+        const LiveKeyScan* const other = find(id);
+        if (other == nullptr || !other->counts() || other->scan->robot != entered.scan->robot) continue;
+        const double distance = distanceBetween(other->pose.scanInMap, entered.pose.scanInMap);
+        if (distance < CompareFrom || distance > CompareTo || other->id <= robot.calibrated ||
+            other->odometryFrame < 0)
+            continue;  // what an earlier run made of it is not known
+        if (chosen == nullptr || other->id > chosen->id) chosen = other;
+    }
+    if (chosen == nullptr) return;
+    robot.rangeBias.add(cloud, chosen->reduced->unpacked(),
+                        chosen->pose.scanInMap.inverse() * entered.pose.scanInMap);
+}
+
+ScannerCalibration LiveMapper::calibration(const std::string& name) const {
+    const auto robot = m_state->robots.find(name);
+    if (robot == m_state->robots.end()) return {};
+    return {robot->second.rangeBias.estimate(), robot->second.lean.lean(), robot->second.lean.deviation()};
+}
+
+void LiveMapper::recalibrate(const std::string& name) {
+    const auto robot = m_state->robots.find(name);
+    if (robot == m_state->robots.end()) return;
+    robot->second.rangeBias = {};
+    robot->second.lean = {};
+    robot->second.calibrated = m_state->nextId - 1;
 }
 
 bool LiveMapper::State::empty() const {
@@ -212,6 +245,10 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     // What a break left of a turn need not be enough, and says nothing then.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;
+    if (!first && match.doubts == 0 && live.levelKnown) {
+        robot.lean.add(match.icp.pose, live.sensorInBase, live.up, step.way);
+        robot.lean.levelled(match.icp.pose, match.scanInMap, live.up);
+    }
     if (match.spun) {
         const Pose came = robot.sensorInMap.inverse() * match.scanInMap;
         robot.unspun = robot.unspun * robot.sensorInOdom * came * scan.sensorInOdom.inverse();
@@ -242,7 +279,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
         key.entered = state.entering(now);
-        if (live.levelKnown) key.up = live.up;
+        if (live.levelKnown) key.up = robot.lean.corrected(live.up, live.sensorInBase);
         key.odometryFrame = live.odometryFrame;
         key.unspun = robot.unspun;
         key.reduced = state.matchedOf(key, ready.reduced);
@@ -251,6 +288,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
+        if (key.counts() && !first) state.calibrate(robot, key, ready.reduced, against);
         state.map.scans.push_back(std::move(key));
         if (state.settings.loops.on) state.link(update, robot, against, match, now);
         robot.keyInMap = match.scanInMap;

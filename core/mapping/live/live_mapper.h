@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/event/map_samples.h"
 #include "core/event/scan_links.h"
+#include "core/mapping/calibration/scanner_calibration.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/loops/map_problem.h"
 #include "core/mapping/live/loops/sought_place.h"
@@ -157,6 +158,10 @@ public:
     /// Puts the scans to where @p solution has them. What entered meanwhile goes along with what it was
     /// registered against. Where decisions came in between it changes nothing, and problem() begins anew.
     [[nodiscard]] Settled settle(const MapSolution& solution, Time now);
+    /// What the map tells of @p robot's scanner so far, where it has one.
+    [[nodiscard]] ScannerCalibration calibration(const std::string& robot) const;
+    /// What @p robot's scanner says is corrected otherwise from its next scan on.
+    void recalibrate(const std::string& robot);
     void leaveUnsettled();  ///< instead, where the map is another station's now: problem() begins anew
 
     /// Empty: nobody knows.

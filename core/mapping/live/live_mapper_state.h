@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/mapping/calibration/range_bias.h"
+#include "core/mapping/calibration/scanner_lean.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/loop_closer.h"
 #include "core/mapping/live/map/cropped_scans.h"
@@ -36,6 +38,9 @@ struct RobotTrack {
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();  ///< Step::moved
     OdometryScale scale;                              ///< of the odometry's way
     SpinningWheels wheels;
+    RangeBias rangeBias;
+    ScannerLean lean;
+    std::uint64_t calibrated = 0;      ///< the scanner is as it is now from the scan after this id on
     Pose keyInMap = Pose::Identity();  ///< newest key scan
     std::uint64_t key = 0;             ///< its id; 0: none of this run
     Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
@@ -67,6 +72,9 @@ struct LiveMapper::State {
     /// Whether the map can do without this scan, if the next one enters.
     [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
+    /// What @p entered, matched with the scans @p against, tells of its scanner.
+    void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud,
+                   std::span<const std::uint64_t> against);
     /// Whether the newest scan of @p robot that is not set aside is uncertain.
     [[nodiscard]] bool awaitsDecision(const std::string& robot) const;
     /// When a scan enters that came to be registered @p now: scans of one batch differ in it.

@@ -39,6 +39,9 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
         EXPECT_EQ(sensor.frame, b.sensors.at(name).frame);
         EXPECT_EQ(sensor.motion, b.sensors.at(name).motion);
         EXPECT_TRUE(sensor.sensorInBase.isApprox(b.sensors.at(name).sensorInBase, 1e-9)) << name;
+        EXPECT_EQ(sensor.correction.range, b.sensors.at(name).correction.range) << name;
+        EXPECT_NEAR(sensor.correction.roll, b.sensors.at(name).correction.roll, 1e-12) << name;
+        EXPECT_NEAR(sensor.correction.pitch, b.sensors.at(name).correction.pitch, 1e-12) << name;
         const auto& turned = b.sensors.at(name).panTilt;
         ASSERT_EQ(sensor.panTilt.has_value(), turned.has_value()) << name;
         if (!turned) continue;
@@ -179,6 +182,9 @@ public:
             robot.sensors[word()] = {word(), poseFrom({number(-9, 9), number(-9, 9), number(-9, 9)},
                                                       number(-3, 3), number(-1.5, 1.5), number(-3, 3))};
         }
+        if (below(2) == 0)
+            robot.sensors.begin()->second.correction = {number(-0.2, 0.2), degrees(number(-9, 9)),
+                                                        degrees(number(-9, 9))};
         robot.sensors.begin()->second.panTilt = {word(), degrees(number(0, 179)), degrees(number(0, 179)),
                                                  degrees(number(0, 179))};
         addStreams(robot);

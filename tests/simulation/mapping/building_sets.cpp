@@ -148,7 +148,12 @@ BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>&
     const auto begin = std::chrono::steady_clock::now();
     ScriptedDrive made = scriptedDrive(building.arena, DrivePath(corners), script);
     const double casting = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const MappedDrive result = mapped(made.drive, std::move(made.scans), mapping);
+    const auto corrected = [&](const ScannerCorrection& correction) {
+        ScriptSettings better = script;
+        better.correction = correction;
+        return scriptedDrive(building.arena, DrivePath(corners), better).scans;
+    };
+    const MappedDrive result = mapped(made.drive, std::move(made.scans), mapping, corrected);
     BuildingRow row = rowOf(building, made.drive, result);
     row.casting = casting;
     return row;
@@ -166,6 +171,8 @@ BuildingRow rowOf(const Building& building, const RecordedDrive& drive, const Ma
     row.longest = quantile(result.busy, 1.0);
     row.solves = result.solving.size();
     row.contradicted = result.contradicted;
+    row.correction = result.correction;
+    row.corrections = result.corrections;
     if (row.solves > 0) {
         row.solving = quantile(result.solving, 1.0);
         row.settling = quantile(result.settling, 1.0);

@@ -35,6 +35,8 @@ struct BuildingRow {
     BuildingResult final;                ///< key scans where the map has them at the end
     double median = 0.0, longest = 0.0;  ///< processor time of a scan [s]
     double casting = 0.0;                ///< time that making the scans took [s]
+    ScannerCorrection correction;        ///< MappedDrive::correction
+    int corrections = 0;                 ///< likewise
     std::size_t solves = 0;              ///< times that the map met itself
     int contradicted = 0;                ///< links of loops that others spoke against
     std::vector<double> finds;           ///< findErrors()
@@ -50,7 +52,7 @@ void tell(const char* how, const BuildingResult& result);
                                 const MappedDrive& mapped);
 
 /// Drives along @p corners in @p building, maps it as LiveMapper does with @p mapping, and compares with the
-/// truth.
+/// truth. What the map advises about the scanner is used.
 [[nodiscard]] BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>& corners,
                                  const ScriptSettings& script, const LiveSettings& mapping = {});
 

@@ -61,11 +61,13 @@ std::vector<LiveScan> cutScans(const RecordedDrive& drive, const ScanCutterSetti
     return scans;
 }
 
-MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, const LiveSettings& settings) {
+MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, const LiveSettings& settings,
+                   const CorrectedScans& corrected) {
     MappedDrive result;
     LiveMapper mapper("test", settings);
     mapper.setBody(drive.robot.name, {drive.robot.footprint, drive.robot.height});
-    for (const LiveScan& live : scans) {
+    for (std::size_t next = 0; next < scans.size(); ++next) {
+        const LiveScan live = scans[next];
         const double before = processorTime();
         const MapUpdate update = mapper.add(live, live.scan->end);
         result.busy.push_back(processorTime() - before);
@@ -101,6 +103,14 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
         result.odometry.truth.push_back(truth);
         result.localisations.push_back(here);
         result.longest = std::max(result.longest, here.seconds);
+        const auto advised = mapper.calibration(drive.robot.name).advised();
+        if (!corrected || !advised) continue;
+        result.correction = result.correction.with(*advised);
+        ++result.corrections;
+        mapper.recalibrate(drive.robot.name);
+        std::vector<LiveScan> better = corrected(result.correction);
+        std::move(better.begin() + static_cast<std::ptrdiff_t>(next) + 1, better.end(),
+                  scans.begin() + static_cast<std::ptrdiff_t>(next) + 1);
     }
     result.map = mapper.map();
     result.scans = std::move(scans);

@@ -17,8 +17,13 @@ namespace {
 class Listener {
 public:
     /// @p drifting: what is said; @p within: by which turns are put together, as often.
-    Listener(const RobotDescription& robot, const MotionSamples& drifting, const MotionSamples& within)
-        : m_robot(robot), m_drifting(drifting), m_within(within), m_cutter(robot.name) {}
+    Listener(const RobotDescription& robot, const ScannerCorrection& correction,
+             const MotionSamples& drifting, const MotionSamples& within)
+        : m_robot(robot),
+          m_correction(correction),
+          m_drifting(drifting),
+          m_within(within),
+          m_cutter(robot.name) {}
 
     void hear(CloudSample slice, std::vector<LiveScan>& scans) {
         // A slice comes when its last shot is over, and odometry that covers it is there.
@@ -31,7 +36,9 @@ public:
             m_drift.add(sample.header.stamp,
                         sample.baseInOdom * m_within.odometry[m_next].baseInOdom.inverse());
         }
-        m_cutter.add(std::move(slice), m_robot.sensors.at("scanner").sensorInBase, now);
+        m_correction.correct(slice);
+        m_cutter.add(std::move(slice), m_correction.corrected(m_robot.sensors.at("scanner").sensorInBase),
+                     now);
         keep(m_cutter.take(now), scans);
     }
     void finish(std::vector<LiveScan>& scans) { keep(m_cutter.finish(), scans); }
@@ -48,6 +55,7 @@ private:
         }
     }
     const RobotDescription& m_robot;
+    const ScannerCorrection m_correction;
     const MotionSamples &m_drifting, &m_within;
     PoseTrack m_drift;  ///< of odometry that drifts from one that does not
     std::size_t m_next = 0;
@@ -96,7 +104,7 @@ ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path, const Scr
     result.drive.way = motion.length();
     const MotionSamples drifting = motionSamples(motion, settings.odometry, settings.seed);
     const MotionSamples exact = motionSamples(motion, {0.0, 0.0, 0.0, 0.0}, settings.seed);
-    Listener listener(robot, drifting, settings.driftBendsTurns ? drifting : exact);
+    Listener listener(robot, settings.correction, drifting, settings.driftBendsTurns ? drifting : exact);
     ScriptedScanner scanner(arena, motion, robot.sensors.at("scanner").sensorInBase, settings);
     for (int first = 0; first < scanner.turns(); first += Batch) {
         for (auto& turn : scanner.slices(first, std::min(first + Batch, scanner.turns()))) {

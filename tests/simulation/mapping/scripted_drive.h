@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mapping/live/map/live_scan.h"
+#include "core/robot/scanner_correction.h"
 #include "robots/simulation/sensors/laser/laser_head.h"
 #include "tests/simulation/mapping/drive_path.h"
 #include "tests/simulation/mapping/recorded_drive.h"
@@ -45,6 +46,7 @@ struct ScriptSettings {
     double scanSpacing = 0.0;  ///< turns that begin nearer to the last one are not sent; 0: all are [m]
     double longest = std::numeric_limits<double>::infinity();  ///< the drive ends after that way [m]
     SensorErrors sensor;
+    ScannerCorrection correction;  ///< of what the scanner says
     OdometryErrors odometry;
     /// Whether points are moved within a turn by that odometry, so that its drift bends turns, as on a robot;
     /// otherwise by the truth, so that turns are bent as `sensor` says and no more.

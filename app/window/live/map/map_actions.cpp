@@ -4,6 +4,7 @@
 
 #include "app/window/live/map/decisions/decisions_feature.h"
 #include "app/window/live/map/decisions/loops_feature.h"
+#include "app/window/live/map/decisions/scanner_feature.h"
 #include "app/window/live/map/go_to.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/map/map_grant.h"
@@ -22,6 +23,8 @@ MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&m
     connect(placing, &PlaceRobot::told, this, &MapActions::told);
     auto* decisions = new DecisionsFeature(context, map.view(), map.gestures(), map.robots(), this);
     connect(decisions, &DecisionsFeature::told, this, &MapActions::told);
+    auto* scanners = new ScannerFeature(context, map.view(), this);
+    connect(scanners, &ScannerFeature::told, this, &MapActions::told);
     auto* loops = new LoopsFeature(context, map.view(), this);
     connect(loops, &LoopsFeature::told, this, &MapActions::told);
     auto* grant = new MapGrantFeature(context, this);

@@ -9,7 +9,7 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
 #include "core/mission/loops/moved_finds.h"
-#include "widgets/map_decisions/loop_question.h"
+#include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/numbers.h"
 
@@ -23,7 +23,7 @@ constexpr double NoticedOfFinds = 0.05;  ///< [m]
 LoopsFeature::LoopsFeature(const LiveContext& context, MapView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view) {
     addCommands();
-    m_question = new LoopQuestion(*m_close, *m_refuse, m_view);
+    m_question = new MapQuestion(QStringLiteral("loopQuestion"), *m_close, *m_refuse, m_view);
     connect(&context.bridge, &LiveBridge::ticked, this,
             [this](const LiveMoment& moment) { follow(*moment.mission); });
 }

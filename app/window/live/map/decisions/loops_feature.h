@@ -13,7 +13,7 @@ class QAction;
 
 namespace leitstand {
 
-class LoopQuestion;
+class MapQuestion;
 class MapView;
 struct MissionState;
 
@@ -38,7 +38,7 @@ private:
     LiveContext m_context;
     MapView& m_view;
     QAction *m_close = nullptr, *m_refuse = nullptr, *m_open = nullptr;
-    LoopQuestion* m_question = nullptr;
+    MapQuestion* m_question = nullptr;
     std::optional<OpenLoop> m_asked;
     LoopPreviewPtr m_preview;   ///< of it, that is shown; null: none yet
     std::uint64_t m_shown = 0;  ///< sequence of the newest decision of the mission that is shown

@@ -7,13 +7,13 @@ class QLabel;
 
 namespace leitstand {
 
-/// Asks over the map whether two places are one. It lies at the lower edge of what it is over, in the middle,
+/// Asks the operator something over the map. It lies at the lower edge of what it is over, in the middle,
 /// and takes no focus: driving goes on.
-class LoopQuestion final : public QFrame {
+class MapQuestion final : public QFrame {
     Q_OBJECT
 public:
-    /// @p yes, @p no: commands of its buttons.
-    LoopQuestion(QAction& yes, QAction& no, QWidget& over);
+    /// @p name: objectName(). @p yes, @p no: commands of its buttons.
+    MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget& over);
 
     /// Empty: nothing is asked.
     void ask(const QString& question);

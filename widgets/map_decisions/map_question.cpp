@@ -1,4 +1,4 @@
-#include "widgets/map_decisions/loop_question.h"
+#include "widgets/map_decisions/map_question.h"
 
 #include <algorithm>
 
@@ -11,9 +11,9 @@
 
 namespace leitstand {
 
-LoopQuestion::LoopQuestion(QAction& yes, QAction& no, QWidget& over)
+MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget& over)
     : QFrame(&over), m_text(new QLabel(this)) {
-    setObjectName(QStringLiteral("loopQuestion"));
+    setObjectName(name);
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     m_text->setTextFormat(Qt::PlainText);
@@ -37,19 +37,19 @@ LoopQuestion::LoopQuestion(QAction& yes, QAction& no, QWidget& over)
     hide();
 }
 
-void LoopQuestion::ask(const QString& question) {
+void MapQuestion::ask(const QString& question) {
     m_text->setText(question);
     setAccessibleName(question);
     setVisible(!question.isEmpty());
     if (!question.isEmpty()) place();
 }
 
-bool LoopQuestion::eventFilter(QObject* watched, QEvent* event) {
+bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
     if (watched == parent() && event->type() == QEvent::Resize && !isHidden()) place();
     return QFrame::eventFilter(watched, event);
 }
 
-void LoopQuestion::place() {
+void MapQuestion::place() {
     constexpr int Widest = 420, Margin = 12, AboveLegend = 48;
     const QSize room = parentWidget()->size();
     const int width = std::max(160, std::min(Widest, room.width() - 2 * Margin));

@@ -1,0 +1,104 @@
+#include "app/services/mapping/scanner_advice.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "app/services/log/mission_robots.h"
+#include "core/base/words.h"
+#include "core/io/detail/output_file.h"
+#include "core/io/robot/robot_correction.h"
+#include "core/io/robot/shipped_robots.h"
+
+namespace leitstand {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where the file of a robot that was read from @p file is written to: the user's own, never the program's.
+fs::path ownFile(const fs::path& file) {
+    const std::vector<fs::path> folders = robotFolders();
+    std::error_code problem;
+    const bool comes = std::any_of(folders.begin() + 1, folders.end(), [&](const fs::path& folder) {
+        return fs::equivalent(folder, file.parent_path(), problem);
+    });
+    return comes ? folders.front() / file.filename() : file;
+}
+
+Result<std::string> written(const fs::path& file, const std::string& sensor,
+                            const ScannerCorrection& correction) {
+    const fs::path own = ownFile(file);
+    std::error_code problem;
+    std::ifstream in(fs::exists(own, problem) ? own : file, std::ios::binary);
+    if (!in)
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a robot's file, found none that can be read"),
+            file.string())};
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const auto changed = withCorrection(text, own.string(), sensor, correction);
+    if (!changed) return changed.error();
+    fs::create_directories(own.parent_path(), problem);
+    if (const auto whole = detail::writeWhole(own, *changed); !whole) return whole.error();
+    return own.string();
+}
+
+}  // namespace
+
+std::string onlyScanner(const RobotDescription& robot) {
+    const auto isScanner = [](const StreamDescription& stream) { return stream.role == StreamRole::Points; };
+    if (std::count_if(robot.streams.begin(), robot.streams.end(), isScanner) != 1) return {};
+    return std::find_if(robot.streams.begin(), robot.streams.end(), isScanner)->sensor;
+}
+
+ScannerAdvice::ScannerAdvice(std::vector<RobotDescription> robots, fs::path mission)
+    : m_robots(std::move(robots)), m_mission(std::move(mission)) {}
+
+bool ScannerAdvice::follow(const std::string& robot, const std::optional<ScannerCorrection>& more) {
+    const std::lock_guard lock(m_mutex);
+    if (!more) {
+        m_advised.erase(robot);
+        return false;
+    }
+    const bool isNew = m_advised.insert_or_assign(robot, *more).second;
+    return isNew && !m_left.contains({robot, kindOf(*more)});
+}
+
+std::optional<ScannerQuestion> ScannerAdvice::question() const {
+    const std::lock_guard lock(m_mutex);
+    for (const auto& [robot, more] : m_advised) {
+        if (!m_left.contains({robot, kindOf(more)})) return ScannerQuestion{robot, more};
+    }
+    return std::nullopt;
+}
+
+void ScannerAdvice::leave(const ScannerQuestion& question) {
+    const std::lock_guard lock(m_mutex);
+    m_left.emplace(question.robot, kindOf(question.more));
+}
+
+ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
+    const std::lock_guard lock(m_mutex);
+    m_advised.erase(question.robot);
+    Used used;
+    const auto robot = std::find_if(m_robots.begin(), m_robots.end(),
+                                    [&](const RobotDescription& one) { return one.name == question.robot; });
+    if (robot == m_robots.end()) return used;
+    const std::string sensor = onlyScanner(*robot);
+    SensorDescription& described =
+        robot->sensors.try_emplace(sensor, SensorDescription{.frame = sensor}).first->second;
+    used.total = described.correction = described.correction.with(question.more);
+    if (!m_mission.empty()) {
+        if (const auto kept = keepRobots(m_mission, {*robot}); !kept) used.notWritten = kept.error().text;
+    }
+    if (robot->file.empty()) return used;
+    const auto file = written(robot->file, sensor, used.total);
+    if (file) {
+        used.file = *file;
+    } else {
+        used.notWritten = file.error().text;
+    }
+    return used;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,82 @@
+#include "app/window/live/map/decisions/scanner_feature.h"
+
+#include <QAction>
+
+#include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/live_bridge.h"
+#include "app/window/live/live_moment.h"
+#include "core/mission/loops/open_loops.h"
+#include "widgets/map_decisions/map_question.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/numbers.h"
+
+namespace leitstand {
+
+ScannerFeature::ScannerFeature(const LiveContext& context, MapView& view, QObject* parent)
+    : QObject(parent), m_context(context) {
+    const auto add = [this](const QString& id, const QString& text) {
+        QAction& action = m_context.commands.add(
+            {.id = id, .menu = CommandMenu::Map, .text = text, .hint = {}, .keys = {}});
+        action.setEnabled(false);
+        return &action;
+    };
+    m_use = add(QStringLiteral("scanner.use"), tr("Co&rrect the scanner as the map says"));
+    m_leave = add(QStringLiteral("scanner.leave"), tr("Leave the sca&nner as it is"));
+    m_use->setIconText(tr("Correct"));
+    m_leave->setIconText(tr("Leave"));
+    m_question = new MapQuestion(QStringLiteral("scannerQuestion"), *m_use, *m_leave, view);
+    connect(m_use, &QAction::triggered, this, [this] { answer(true); });
+    connect(m_leave, &QAction::triggered, this, [this] { answer(false); });
+    connect(&context.bridge, &LiveBridge::ticked, this, &ScannerFeature::follow);
+    const QString none = tr("The map finds no scanner to be off");
+    for (QAction* one : {m_use, m_leave}) m_context.commands.setHint(one->objectName(), none);
+}
+
+void ScannerFeature::answer(bool correct) {
+    if (!m_asked) return;
+    const auto done = m_context.bridge.station().mapping().answerScanner(*m_asked, correct);
+    if (!done) emit told(QString::fromStdString(done.error().text));
+}
+
+void ScannerFeature::follow(const LiveMoment& moment) {
+    auto asked = m_context.bridge.station().mapping().scannerQuestion();
+    if (openLoop(*moment.mission)) asked.reset();  // one question at a time
+    if (asked == m_asked) return;
+    m_asked = std::move(asked);
+    const bool open = m_asked.has_value();
+    for (QAction* one : {m_use, m_leave}) one->setEnabled(open);
+    const QString none = tr("The map finds no scanner to be off");
+    m_context.commands.setHint(m_use->objectName(),
+                               open ? tr("From its next scan on, and in the robot's file: also when it is "
+                                         "connected next time. What is in the map stays")
+                                    : none);
+    m_context.commands.setHint(m_leave->objectName(),
+                               open ? tr("Nothing changes, and it is not asked about again") : none);
+    m_question->ask(question());
+}
+
+QString ScannerFeature::question() const {
+    if (!m_asked) return {};
+    const ScannerCorrection& more = m_asked->more;
+    QString robot = QString::fromStdString(m_asked->robot);
+    for (const RobotDescription& one : m_context.bridge.station().robots()) {
+        if (one.name == m_asked->robot && !one.title.empty()) robot = QString::fromStdString(one.title);
+    }
+    if (more.range != 0.0) {
+        const QString off = numberText(100.0 * std::abs(more.range), 1) + QStringLiteral(" cm");
+        return (more.range < 0.0 ? tr("%1: its 3D scanner measures %2 too far. Correct that?")
+                                 : tr("%1: its 3D scanner measures %2 too short. Correct that?"))
+            .arg(robot, off);
+    }
+    const auto angle = [](double radians) {
+        return numberText(std::abs(inDegrees(radians)), 1) + QStringLiteral("°");
+    };
+    return tr("%1: its 3D scanner leans, %2 to the %3 and %4 %5, against where it is said to sit. Correct "
+              "that?")
+        .arg(robot, angle(more.roll), more.roll > 0.0 ? tr("right") : tr("left"), angle(more.pitch),
+             more.pitch > 0.0 ? tr("ahead") : tr("back"));
+}
+
+}  // namespace leitstand

@@ -1,0 +1,41 @@
+#include "core/robot/scanner_correction.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace leitstand::test {
+namespace {
+
+TEST(ScannerCorrection, MovesPointsAlongTheirRaysAndLeavesWhatIsNoEcho) {
+    constexpr float None = std::numeric_limits<float>::quiet_NaN();
+    CloudSample cloud;
+    cloud.points = {{3.0F, 4.0F, 0.0F}, {0.0F, 0.0F, 0.01F}, {0.0F, 0.0F, 0.0F}, {None, None, None}};
+    ScannerCorrection{-0.02, degrees(1), 0.0}.correct(cloud);
+    EXPECT_TRUE(cloud.points[0].isApprox(Eigen::Vector3f(2.988F, 3.984F, 0.0F), 1e-5F));
+    EXPECT_EQ(cloud.points[1], Eigen::Vector3f::Zero()) << "not behind the scanner";
+    EXPECT_EQ(cloud.points[2], Eigen::Vector3f::Zero());
+    EXPECT_FALSE(cloud.points[3].allFinite());
+}
+
+TEST(ScannerCorrection, TurnsTheMountInTheRobotsBase) {
+    const Pose said = poseFrom({0.1, 0.0, 0.5}, 0.0, 0.0, degrees(90));
+    const Pose is = ScannerCorrection{0.0, 0.0, degrees(2)}.corrected(said);
+    EXPECT_EQ(is.translation(), said.translation());
+    // Pitched: what the scanner sees to its right, which is ahead of the robot, lies lower.
+    EXPECT_NEAR((is.linear() * Eigen::Vector3d(0, -1, 0)).z(), -std::sin(degrees(2)), 1e-12);
+}
+
+TEST(ScannerCorrection, AddsUpWithinWhatAScannerCanBeOff) {
+    const ScannerCorrection sum =
+        ScannerCorrection{-0.02, degrees(0.3), 0.0}.with({0.005, degrees(0.1), 0.0});
+    EXPECT_NEAR(sum.range, -0.015, 1e-12);
+    EXPECT_NEAR(sum.roll, degrees(0.4), 1e-12);
+    EXPECT_FALSE(sum.isNone());
+    EXPECT_TRUE(ScannerCorrection().isNone());
+    EXPECT_EQ((ScannerCorrection{0.15, 0.0, 0.0}.with({0.15, 0.0, 0.0}).range), ScannerCorrection::MostRange);
+}
+
+}  // namespace
+}  // namespace leitstand::test
