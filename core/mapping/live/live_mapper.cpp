@@ -101,21 +101,19 @@ bool LiveMapper::State::canWait(const RobotTrack& robot, const Pose& scanInMap, 
            angleBetween(robot.keyInMap, scanInMap) < rule.waitsWithin && fresh < rule.newGround;
 }
 
-void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud,
-                                  std::span<const std::uint64_t> against) {
-    const LiveKeyScan* chosen = nullptr;
-    for (const std::uint64_t id : against) {
-        const LiveKeyScan* const other = find(id);
-        if (other == nullptr || !other->counts() || other->scan->robot != entered.scan->robot) continue;
-        const double distance = distanceBetween(other->pose.scanInMap, entered.pose.scanInMap);
-        if (distance < CompareFrom || distance > CompareTo || other->id <= robot.calibrated ||
-            other->odometryFrame < 0)
-            continue;  // what an earlier run made of it is not known
-        if (chosen == nullptr || other->id > chosen->id) chosen = other;
-    }
-    if (chosen == nullptr) return;
-    robot.rangeBias.add(cloud, chosen->reduced->unpacked(),
-                        chosen->pose.scanInMap.inverse() * entered.pose.scanInMap);
+void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud) {
+    const auto compares = [&](const LiveKeyScan& other) {
+        // What an earlier run of the station made of its scans is not known.
+        if (!other.counts() || other.odometryFrame < 0 || other.id <= robot.calibrated ||
+            other.scan->robot != entered.scan->robot)
+            return false;
+        const double distance = distanceBetween(other.pose.scanInMap, entered.pose.scanInMap);
+        return distance >= CompareFrom && distance <= CompareTo;
+    };
+    const auto other = std::find_if(map.scans.rbegin(), map.scans.rend(), compares);
+    if (other == map.scans.rend()) return;
+    robot.rangeBias.add(cloud, other->reduced->unpacked(),
+                        other->pose.scanInMap.inverse() * entered.pose.scanInMap);
 }
 
 ScannerCalibration LiveMapper::calibration(const std::string& name) const {
@@ -288,7 +286,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             KeyScanSample{key.entered, key.id, ready.scan, key.sensorInBase, match.scanInMap, nearest};
         update.poses = ScanPosesSample{now, state.station, ScanPosesSample::Cause::Registration, {key.pose}};
         if (key.counts()) state.localStale = true;
-        if (key.counts() && !first) state.calibrate(robot, key, ready.reduced, against);
+        if (key.counts() && !first) state.calibrate(robot, key, ready.reduced);
         state.map.scans.push_back(std::move(key));
         if (state.settings.loops.on) state.link(update, robot, against, match, now);
         robot.keyInMap = match.scanInMap;

@@ -72,9 +72,8 @@ struct LiveMapper::State {
     /// Whether the map can do without this scan, if the next one enters.
     [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
-    /// What @p entered, matched with the scans @p against, tells of its scanner.
-    void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud,
-                   std::span<const std::uint64_t> against);
+    /// What @p entered, of which @p cloud is matched, tells of its scanner.
+    void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud);
     /// Whether the newest scan of @p robot that is not set aside is uncertain.
     [[nodiscard]] bool awaitsDecision(const std::string& robot) const;
     /// When a scan enters that came to be registered @p now: scans of one batch differ in it.

@@ -26,7 +26,23 @@ namespace {
 struct WrongFile {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / "kurt3d.yaml";
+    /// A hall in which nothing keeps a robot from driving about.
+    const std::filesystem::path hall = folder / "hall.yaml";
     WrongFile() {
+        std::ofstream(hall) << R"(name: hall
+from: [-5, -3]
+to: [5, 3]
+starts:
+  kurt3d: {position: [-4, 1, 0]}
+  crawler: {position: [-4, -2, 0]}
+elements:
+  - {kind: floor, position: [0, 0, 0], size: [10, 6, 0.1]}
+  - {kind: wall, name: north, position: [0, 3, 0], size: [10, 0.05, 2.5]}
+  - {kind: wall, name: south, position: [0, -3, 0], size: [10, 0.05, 2.5]}
+  - {kind: wall, name: east, position: [5, 0, 0], turn: [0, 0, 90], size: [6, 0.05, 2.5]}
+  - {kind: wall, name: west, position: [-5, 0, 0], turn: [0, 0, 90], size: [6, 0.05, 2.5]}
+  - {kind: wall, name: middle, position: [0, -1.5, 0], turn: [0, 0, 60], size: [1, 0.3, 2.5]}
+)";
         std::ifstream shipped(sourceFolder() + "/resources/robots/kurt3d.yaml");
         const std::string text{std::istreambuf_iterator<char>(shipped), std::istreambuf_iterator<char>()};
         std::ofstream(path) << withCorrection(text, "kurt3d.yaml", "scanner", {0.05, 0.0, 0.0}).value();
@@ -39,7 +55,7 @@ protected:
     explicit ScannerQuestionOnScreen(std::unique_ptr<WrongFile> file)
         : LivePage(Robots::None, {readRobot(file->path).value(), shippedRobot("crawler")}),
           m_file(std::move(file)) {
-        startRobots();
+        startRobots(QString::fromStdString(m_file->hall.string()));
         m_window->layouts().use("map");
     }
     const std::unique_ptr<WrongFile> m_file;
