@@ -12,6 +12,8 @@ namespace {
 
 constexpr double SamePlace = 0.1;                     ///< so near the local map is the same [m]
 constexpr double CompareFrom = 0.8, CompareTo = 2.5;  ///< scans that tell of their scanner's ranges [m]
+constexpr std::size_t WellCompared = 24;              ///< pairs of scans; from then on ...
+constexpr std::uint64_t ComparedNext = 8;             ///< ... one key scan of so many is compared
 constexpr std::chrono::seconds ClockStep(1);          ///< a station's clock that goes back farther was set
 
 /// Whether @p live, which came to lie at @p found instead of at @p guess, was taken while something pushed or
@@ -102,6 +104,8 @@ bool LiveMapper::State::canWait(const RobotTrack& robot, const Pose& scanInMap, 
 }
 
 void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud) {
+    // Some milliseconds each: what is known well enough is looked at now and then.
+    if (robot.rangeBias.pairs() >= WellCompared && entered.id % ComparedNext != 0) return;
     const auto compares = [&](const LiveKeyScan& other) {
         // What an earlier run of the station made of its scans is not known.
         if (!other.counts() || other.odometryFrame < 0 || other.id <= robot.calibrated ||
