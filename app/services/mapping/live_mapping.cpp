@@ -53,6 +53,17 @@ MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
     return map;
 }
 
+namespace {
+
+/// Whether an operator would be asked the same.
+bool alike(const ScannerCorrection& a, const ScannerCorrection& b) {
+    constexpr double Range = 0.002, Lean = degrees(0.05);
+    return (a.range == 0.0) == (b.range == 0.0) && std::abs(a.range - b.range) < Range &&
+           std::abs(a.roll - b.roll) < Lean && std::abs(a.pitch - b.pitch) < Lean;
+}
+
+}  // namespace
+
 LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings) {
     for (const RobotDescription& robot : robots) {
         if (robot.refineTurns) settings.refined.insert(robot.name);
@@ -173,6 +184,7 @@ void LiveMapping::work(const Event& event) {
         robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
+        if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();
         CloudSample corrected = *cloud;
         robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
         cutterOf(robot, event).add(std::move(corrected), sensor, event.received);
@@ -217,16 +229,19 @@ void LiveMapping::registerDone(Time now) {
 
 void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
     if (robot.scanner.empty() || !m_listener.onScanner) return;
-    const auto more = m_mapper.calibration(name).advised();
-    if (std::exchange(robot.advised, more.has_value()) != more.has_value()) m_listener.onScanner(name, more);
+    const auto more = m_mapper.calibration(name).advised(robot.advised.has_value());
+    if (more.has_value() == robot.advised.has_value() && (!more || alike(*more, *robot.advised))) return;
+    robot.advised = more;
+    m_listener.onScanner(name, more);
 }
 
 void LiveMapping::correct(const std::string& name, const ScannerCorrection& correction) {
     post([this, name, correction](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);
         robot.poses.setCorrection(robot.scanner, robot.scanner, correction);
-        robot.advised = false;
+        robot.advised.reset();
         mapper.recalibrate(name);
+        if (m_listener.onScanner) m_listener.onScanner(name, std::nullopt);
     });
 }
 

@@ -41,7 +41,7 @@ struct LiveMappingListener {
     /// A robot was looked for in the whole map in vain: so many places look as what it sees, or none.
     std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
     /// The map advises to correct the scanner of a robot so, beyond what is corrected already; empty: not any
-    /// more. Told when that changes.
+    /// more. Told when that changes noticeably.
     std::function<void(const std::string& robot, const std::optional<ScannerCorrection>& more)> onScanner =
         {};
     std::function<bool()> makesMap = {};                ///< whether scans stand where we say; empty: they do
@@ -113,17 +113,17 @@ private:
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
         RobotTracker tracker;
-        LaserRobot laser;                        ///< corrects the tracker while no 3D scan of its own does
-        std::chrono::nanoseconds ahead{};        ///< its clock, of the station's
-        std::optional<Time> matched;             ///< RobotInMap::matched
-        std::optional<RobotFix> followed;        ///< that the tracker was corrected by last
-        std::shared_ptr<const SeenScan> newest;  ///< its newest scan
-        std::uint64_t put = 0;                   ///< how often somebody said where it stands
-        std::string scanner;                     ///< its only one; empty: it has several, or none
-        bool advised = false;                    ///< the map has an advice about it
-        bool certain = false;                    ///< its place is
-        std::optional<Time> wasSure;             ///< when it was last, station's clock; empty: never
-        std::optional<Pose> wasSureBy;           ///< where its odometry lay in the map then
+        LaserRobot laser;                          ///< corrects the tracker while no 3D scan of its own does
+        std::chrono::nanoseconds ahead{};          ///< its clock, of the station's
+        std::optional<Time> matched;               ///< RobotInMap::matched
+        std::optional<RobotFix> followed;          ///< that the tracker was corrected by last
+        std::shared_ptr<const SeenScan> newest;    ///< its newest scan
+        std::uint64_t put = 0;                     ///< how often somebody said where it stands
+        std::string scanner;                       ///< its only one; empty: it has several, or none
+        std::optional<ScannerCorrection> advised;  ///< that was told about it
+        bool certain = false;                      ///< its place is
+        std::optional<Time> wasSure;               ///< when it was last, station's clock; empty: never
+        std::optional<Pose> wasSureBy;             ///< where its odometry lay in the map then
     };
     using Task = std::function<void(LiveMapper&)>;
     /// Looks at the mapper, and changes nothing.

@@ -8,27 +8,32 @@
 #include "app/services/log/mission_robots.h"
 #include "core/base/words.h"
 #include "core/io/detail/output_file.h"
-#include "core/io/robot/robot_correction.h"
-#include "core/io/robot/shipped_robots.h"
+#include "core/io/robot/robot_file.h"
+#include "core/io/settings/folders.h"
 
 namespace leitstand {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the file of a robot that was read from @p file is written to: the user's own, never the program's.
+/// Where the file of a robot that was read from @p file is written to: the user's own, never the program's;
+/// empty: the user has no folder.
 fs::path ownFile(const fs::path& file) {
-    const std::vector<fs::path> folders = robotFolders();
     std::error_code problem;
-    const bool comes = std::any_of(folders.begin() + 1, folders.end(), [&](const fs::path& folder) {
-        return fs::equivalent(folder, file.parent_path(), problem);
-    });
-    return comes ? folders.front() / file.filename() : file;
+    const fs::path whole = fs::weakly_canonical(file, problem);
+    const bool comes = fs::equivalent(shippedFolder("robots"), whole.parent_path(), problem);
+    if (!comes) return whole;
+    const fs::path folder = userFolder("robots");
+    return folder.empty() ? folder : folder / whole.filename();
 }
 
 Result<std::string> written(const fs::path& file, const std::string& sensor,
                             const ScannerCorrection& correction) {
     const fs::path own = ownFile(file);
+    if (own.empty())
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: write this below sensors, {}, by hand: {}"),
+                            file.string(), sensor, correctionLine(correction))};
     std::error_code problem;
     std::ifstream in(fs::exists(own, problem) ? own : file, std::ios::binary);
     if (!in)
@@ -54,14 +59,22 @@ std::string onlyScanner(const RobotDescription& robot) {
 ScannerAdvice::ScannerAdvice(std::vector<RobotDescription> robots, fs::path mission)
     : m_robots(std::move(robots)), m_mission(std::move(mission)) {}
 
+std::vector<RobotDescription>::iterator ScannerAdvice::find(const std::string& robot) {
+    return std::find_if(m_robots.begin(), m_robots.end(),
+                        [&](const RobotDescription& one) { return one.name == robot; });
+}
+
 bool ScannerAdvice::follow(const std::string& robot, const std::optional<ScannerCorrection>& more) {
     const std::lock_guard lock(m_mutex);
-    if (!more) {
-        m_advised.erase(robot);
-        return false;
-    }
-    const bool isNew = m_advised.insert_or_assign(robot, *more).second;
-    return isNew && !m_left.contains({robot, kindOf(*more)});
+    m_advised.erase(robot);
+    const auto described = find(robot);
+    if (!more || described == m_robots.end()) return false;
+    const auto sensor = described->sensors.find(onlyScanner(*described));
+    const ScannerCorrection now =
+        sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
+    if (now.with(*more) == now) return false;  // no scanner is off by more
+    m_advised.emplace(robot, *more);
+    return !m_left.contains({robot, kindOf(*more)}) && m_told.emplace(robot, kindOf(*more)).second;
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {
@@ -78,21 +91,26 @@ void ScannerAdvice::leave(const ScannerQuestion& question) {
 }
 
 ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
-    const std::lock_guard lock(m_mutex);
-    m_advised.erase(question.robot);
     Used used;
-    const auto robot = std::find_if(m_robots.begin(), m_robots.end(),
-                                    [&](const RobotDescription& one) { return one.name == question.robot; });
-    if (robot == m_robots.end()) return used;
-    const std::string sensor = onlyScanner(*robot);
-    SensorDescription& described =
-        robot->sensors.try_emplace(sensor, SensorDescription{.frame = sensor}).first->second;
-    used.total = described.correction = described.correction.with(question.more);
-    if (!m_mission.empty()) {
-        if (const auto kept = keepRobots(m_mission, {*robot}); !kept) used.notWritten = kept.error().text;
+    RobotDescription corrected;
+    std::string sensor;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_advised.erase(question.robot);
+        m_told.erase({question.robot, kindOf(question.more)});
+        const auto robot = find(question.robot);
+        if (robot == m_robots.end()) return used;
+        sensor = onlyScanner(*robot);
+        SensorDescription& described =
+            robot->sensors.try_emplace(sensor, SensorDescription{.frame = sensor}).first->second;
+        used.total = described.correction = described.correction.with(question.more);
+        corrected = *robot;
     }
-    if (robot->file.empty()) return used;
-    const auto file = written(robot->file, sensor, used.total);
+    if (!m_mission.empty()) {
+        if (const auto kept = keepRobots(m_mission, {corrected}); !kept) used.notWritten = kept.error().text;
+    }
+    if (corrected.file.empty()) return used;
+    const auto file = written(corrected.file, sensor, used.total);
     if (file) {
         used.file = *file;
     } else {

@@ -26,7 +26,8 @@ public:
     /// @p mission: the folder that keeps the robots' files beside the log; empty: none.
     ScannerAdvice(std::vector<RobotDescription> robots, std::filesystem::path mission);
 
-    /// The map advises @p more for @p robot's scanner now, or nothing. Whether that is a new question.
+    /// The map advises @p more for @p robot's scanner now, or nothing. Whether the operator is to be told: of
+    /// a question of its kind for the first time.
     bool follow(const std::string& robot, const std::optional<ScannerCorrection>& more);
     /// The first one that is not answered.
     [[nodiscard]] std::optional<ScannerQuestion> question() const;
@@ -53,7 +54,8 @@ private:
     std::vector<RobotDescription> m_robots;
     const std::filesystem::path m_mission;
     std::map<std::string, ScannerCorrection> m_advised;  ///< by robot
-    std::set<std::pair<std::string, Kind>> m_left;
+    std::set<std::pair<std::string, Kind>> m_left, m_told;
+    [[nodiscard]] std::vector<RobotDescription>::iterator find(const std::string& robot);
 };
 
 /// The sensor of @p robot that the map is made with: of its only stream of points. Empty: there is none, or

@@ -38,7 +38,8 @@ std::optional<Pose> FrameTracks::inBase(const std::string& sensor, const std::st
     Pose pose = Pose::Identity();
     std::string at = frame;
     for (int i = 0; i < DeepestTree; ++i) {
-        if (at == m_base || bare(at) == bare(m_robot->baseFrame)) return pose;
+        if (at == m_base || bare(at) == bare(m_robot->baseFrame))
+            return m_fixed.correctionOf(sensor, frame).corrected(pose);
         const auto track = m_turning.find(at);
         if (track != m_turning.end()) {
             const auto then = track->second.poses.at(stamp);

@@ -61,7 +61,13 @@ void SensorPoses::setCorrection(const std::string& sensor, const std::string& fr
     m_corrections.insert_or_assign(name.empty() ? sensor : name, correction);
 }
 
+bool SensorPoses::isOfScanner(const std::string& frame) const {
+    const std::string_view bare = withoutPrefix(frame);
+    return bare != withoutPrefix(m_robot->baseFrame) && bare != withoutPrefix(m_robot->odomFrame);
+}
+
 ScannerCorrection SensorPoses::correctionOf(const std::string& sensor, const std::string& frame) const {
+    if (!isOfScanner(frame)) return {};
     const std::string name = nameOf(sensor, frame);
     const auto set = m_corrections.find(name.empty() ? sensor : name);
     if (set != m_corrections.end()) return set->second;

@@ -475,7 +475,7 @@ Result<void> StationMapping::lookFor(const std::string& robot) {
 }
 
 std::optional<ScannerQuestion> StationMapping::scannerQuestion() const {
-    return m_state->scanners.question();
+    return m_state->mayMap() ? m_state->scanners.question() : std::nullopt;
 }
 
 Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool correct) {

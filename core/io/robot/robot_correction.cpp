@@ -1,5 +1,3 @@
-#include "core/io/robot/robot_correction.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -60,12 +58,15 @@ Result<std::string> withCorrection(const std::string& text, const std::string& n
     } catch (const YAML::Exception&) {
         return byHand;
     }
-    const auto robot = parseRobot(result, name);
-    if (result.empty() || !robot) return byHand;
-    const auto read = robot->sensors.find(sensor);
-    const bool same =
-        read != robot->sensors.end() && correctionLine(read->second.correction) == correctionLine(correction);
-    if (!same) return byHand;
+    // Nothing else may have changed, whatever the file looks like.
+    const auto before = parseRobot(text, name), after = parseRobot(result, name);
+    if (result.empty() || !before || !after) return byHand;
+    RobotDescription wanted = *before;
+    const auto read = after->sensors.find(sensor);
+    if (read == after->sensors.end() || correctionLine(read->second.correction) != correctionLine(correction))
+        return byHand;
+    wanted.sensors.at(sensor).correction = read->second.correction;
+    if (writeRobot(wanted) != writeRobot(*after)) return byHand;
     return result;
 }
 

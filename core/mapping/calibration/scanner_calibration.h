@@ -17,7 +17,8 @@ struct ScannerCalibration {
 
     /// What is worth to be corrected and certain. Ranges come first: what is too long bends the floor, which
     /// looks like a lean.
-    [[nodiscard]] std::optional<ScannerCorrection> advised() const;
+    /// @p standing: it was advised before, and is while it is not much less.
+    [[nodiscard]] std::optional<ScannerCorrection> advised(bool standing = false) const;
 };
 
 }  // namespace leitstand

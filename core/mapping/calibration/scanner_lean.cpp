@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 namespace leitstand {
@@ -11,6 +12,11 @@ constexpr double MostTilt = degrees(3), MostLean = degrees(3);  ///< expected be
 constexpr double Drift = degrees(0.03);                         ///< of the map's tilt, a scan [rad] ...
 constexpr double DriftOfWay = degrees(0.06);                    ///< ... and a root of a metre [rad]
 constexpr double UnitDeviation = degrees(0.2);                  ///< of what the inertial unit says [rad]
+
+/// So much of what a scan is turned by when it enters shows in those after it, which are matched with a
+/// dozen.
+constexpr double Follows = 0.15;
+constexpr double Knocked = 5.0;  ///< deviations: the scanner was knocked, or the unit is wrong
 
 }  // namespace
 
@@ -33,14 +39,25 @@ void ScannerLean::add(const Pose& scanInMap, const Pose& sensorInBase, const Eig
         seen.col(2 + axis) = (baseInMap * Eigen::Vector3d::Unit(axis).cross(upInBase)).head<2>();
     const Eigen::Matrix2d expected =
         seen * m_covariance * seen.transpose() + UnitDeviation * UnitDeviation * Eigen::Matrix2d::Identity();
+    const Eigen::Vector2d unexpected = disagreement - seen * m_state;
+    if (unexpected.dot(expected.ldlt().solve(unexpected)) > Knocked * Knocked) {
+        *this = {};  // what was known is not true any more
+        return;
+    }
     const Eigen::Matrix<double, 4, 2> gain = m_covariance * seen.transpose() * expected.inverse();
-    m_state += gain * (disagreement - seen * m_state);
+    m_state += gain * unexpected;
     m_covariance = (Eigen::Matrix4d::Identity() - gain * seen) * m_covariance;
     m_covariance = 0.5 * (m_covariance + m_covariance.transpose()).eval();
 }
 
-void ScannerLean::levelled(const Pose& from, const Pose& scanInMap, const Eigen::Vector3d& up) {
-    m_state.head<2>() += ((scanInMap.linear() - from.linear()) * up).head<2>();
+void ScannerLean::entered(const Pose& from, const Pose& scanInMap, const Eigen::Vector3d& up) {
+    m_state.head<2>() += Follows * ((scanInMap.linear() - from.linear()) * up).head<2>();
+}
+
+void ScannerLean::mapMoved() {
+    m_covariance.topRightCorner<2, 2>().setZero();
+    m_covariance.bottomLeftCorner<2, 2>().setZero();
+    m_covariance.topLeftCorner<2, 2>() = first().topLeftCorner<2, 2>();
 }
 
 Eigen::Vector3d ScannerLean::corrected(const Eigen::Vector3d& up, const Pose& sensorInBase) const {

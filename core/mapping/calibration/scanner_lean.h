@@ -13,9 +13,11 @@ public:
     /// A scan was registered to @p scanInMap, where @p up, in its frame, is against gravity as the inertial
     /// unit says; @p way: since the last one [m].
     void add(const Pose& scanInMap, const Pose& sensorInBase, const Eigen::Vector3d& up, double way);
-    /// The newest scan was turned to @p scanInMap, so that the map goes on from there; @p from: where add()
-    /// had it.
-    void levelled(const Pose& from, const Pose& scanInMap, const Eigen::Vector3d& up);
+    /// The newest scan entered the map turned to @p scanInMap, as one of many that the next ones are matched
+    /// with; @p from: where add() had it.
+    void entered(const Pose& from, const Pose& scanInMap, const Eigen::Vector3d& up);
+    /// The robot goes on from elsewhere, or scans were moved under it: the map's tilt there is not known.
+    void mapMoved();
     /// What is against gravity by a unit that says @p up, in the scan's frame, as far as the lean is known.
     [[nodiscard]] Eigen::Vector3d corrected(const Eigen::Vector3d& up, const Pose& sensorInBase) const;
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double SamePlace = 0.1;                     ///< so near the local map is the same [m]
 constexpr double CompareFrom = 0.8, CompareTo = 2.5;  ///< scans that tell of their scanner's ranges [m]
-constexpr std::size_t WellCompared = 24;              ///< pairs of scans; from then on ...
-constexpr std::uint64_t ComparedNext = 8;             ///< ... one key scan of so many is compared
+constexpr int MostAgain = 3;                          ///< comparisons with one scan, one after another
+constexpr std::size_t WellCompared = 32;              ///< comparisons; from then on ...
+constexpr std::size_t ComparedNext = 8;               ///< ... one key scan of so many is compared
 constexpr std::chrono::seconds ClockStep(1);          ///< a station's clock that goes back farther was set
 
 /// Whether @p live, which came to lie at @p found instead of at @p guess, was taken while something pushed or
@@ -64,8 +65,7 @@ const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& 
 
 Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, const PointCloud& cloud,
                                  const Pose& guess, const Step& step) {
-    const auto up =
-        live.levelKnown ? std::optional(robot.lean.corrected(live.up, live.sensorInBase)) : std::nullopt;
+    const auto up = live.levelKnown ? std::optional(upOf(live, robot)) : std::nullopt;
     Match result = match(cloud, localAt(guess, robot), guess, step, up, settings.match, settings.fit);
     if (result.doubts == 0 || robot.odometryFrame >= 0 || robot.placedInMap) return result;
     // The odometry may have begun anew while the station was away.
@@ -103,19 +103,36 @@ bool LiveMapper::State::canWait(const RobotTrack& robot, const Pose& scanInMap, 
            angleBetween(robot.keyInMap, scanInMap) < rule.waitsWithin && fresh < rule.newGround;
 }
 
+Eigen::Vector3d LiveMapper::State::upOf(const LiveScan& live, const RobotTrack& robot) {
+    return live.levelByUnit ? robot.lean.corrected(live.up, live.sensorInBase) : live.up;
+}
+
+void LiveMapper::State::lean(RobotTrack& robot, const LiveScan& live, const Match& match, double way) const {
+    const bool goesOn = robot.known && !robot.placedInMap &&
+                        angleBetween(robot.leanAt, robot.sensorInMap) < 1e-6 && way > 0.0;
+    if (!goesOn) robot.lean.mapMoved();
+    robot.lean.add(match.icp.pose, live.sensorInBase, live.up, way);
+    robot.leanAt = match.scanInMap;
+}
+
 void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud) {
+    if (has(entered.pose.doubts, ScanDoubt::Guessed)) return;
     // Some milliseconds each: what is known well enough is looked at now and then.
-    if (robot.rangeBias.pairs() >= WellCompared && entered.id % ComparedNext != 0) return;
+    const std::size_t before = robot.comparisons++;
+    if (before >= WellCompared && before % ComparedNext != 0) return;
     const auto compares = [&](const LiveKeyScan& other) {
         // What an earlier run of the station made of its scans is not known.
         if (!other.counts() || other.odometryFrame < 0 || other.id <= robot.calibrated ||
-            other.scan->robot != entered.scan->robot)
+            other.scan->robot != entered.scan->robot || has(other.pose.doubts, ScanDoubt::Guessed))
             return false;
         const double distance = distanceBetween(other.pose.scanInMap, entered.pose.scanInMap);
         return distance >= CompareFrom && distance <= CompareTo;
     };
     const auto other = std::find_if(map.scans.rbegin(), map.scans.rend(), compares);
     if (other == map.scans.rend()) return;
+    robot.comparedAgain = robot.compared == other->id ? robot.comparedAgain + 1 : 0;
+    robot.compared = other->id;
+    if (robot.comparedAgain >= MostAgain) return;  // one that is bent is not to decide alone
     robot.rangeBias.add(cloud, other->reduced->unpacked(),
                         other->pose.scanInMap.inverse() * entered.pose.scanInMap);
 }
@@ -131,7 +148,8 @@ void LiveMapper::recalibrate(const std::string& name) {
     if (robot == m_state->robots.end()) return;
     robot->second.rangeBias = {};
     robot->second.lean = {};
-    robot->second.calibrated = m_state->nextId - 1;
+    robot->second.calibrated = m_state->nextId;  // the next one may be of a turn that was half over
+    robot->second.comparisons = 0;
 }
 
 bool LiveMapper::State::empty() const {
@@ -207,6 +225,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     Localisation& here = update.localisation;
     here.robot = scan.robot;
     here.stamp = scan.end;
+    // A robot with several scanners: what one is off by is not told from what the other is.
+    if (robot.known && !robot.sensorInBase.isApprox(live.sensorInBase, 1e-3)) recalibrate(scan.robot);
     const bool first = state.empty();
     const bool placed = robot.known || robot.placedInMap;
     Step step;
@@ -247,10 +267,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     // What a break left of a turn need not be enough, and says nothing then.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;
-    if (!first && match.doubts == 0 && live.levelKnown) {
-        robot.lean.add(match.icp.pose, live.sensorInBase, live.up, step.way);
-        robot.lean.levelled(match.icp.pose, match.scanInMap, live.up);
-    }
+    if (!first && match.doubts == 0 && live.levelByUnit) state.lean(robot, live, match, step.way);
     if (match.spun) {
         const Pose came = robot.sensorInMap.inverse() * match.scanInMap;
         robot.unspun = robot.unspun * robot.sensorInOdom * came * scan.sensorInOdom.inverse();
@@ -281,7 +298,9 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
         key.entered = state.entering(now);
-        if (live.levelKnown) key.up = robot.lean.corrected(live.up, live.sensorInBase);
+        if (live.levelKnown) key.up = state.upOf(live, robot);
+        if (match.doubts == 0 && live.levelByUnit && !first)
+            robot.lean.entered(match.icp.pose, match.scanInMap, live.up);
         key.odometryFrame = live.odometryFrame;
         key.unspun = robot.unspun;
         key.reduced = state.matchedOf(key, ready.reduced);

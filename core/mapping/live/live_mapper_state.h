@@ -41,6 +41,10 @@ struct RobotTrack {
     RangeBias rangeBias;
     ScannerLean lean;
     std::uint64_t calibrated = 0;      ///< the scanner is as it is now from the scan after this id on
+    std::size_t comparisons = 0;       ///< of key scans since, for RangeBias, whether they told or not
+    std::uint64_t compared = 0;        ///< id of the scan that key scans were compared with last ...
+    int comparedAgain = 0;             ///< ... and how often it was
+    Pose leanAt = Pose::Identity();    ///< the scan that told of the lean last, as it was then in the map
     Pose keyInMap = Pose::Identity();  ///< newest key scan
     std::uint64_t key = 0;             ///< its id; 0: none of this run
     Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
@@ -68,9 +72,13 @@ struct LiveMapper::State {
     /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
     void refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
+    /// What @p live says is against gravity, as far as its scanner's lean is known.
+    [[nodiscard]] static Eigen::Vector3d upOf(const LiveScan& live, const RobotTrack& robot);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     /// Whether the map can do without this scan, if the next one enters.
     [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
+    /// @p live, which fits as @p match says, tells how its scanner leans.
+    void lean(RobotTrack& robot, const LiveScan& live, const Match& match, double way) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
     /// What @p entered, of which @p cloud is matched, tells of its scanner.
     void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud);

@@ -144,7 +144,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     live.slices = parts.slices;
     if (const auto up = m_motion.up(scan->end)) {
         live.up = row.sensorInBase.linear().transpose() * *up;
-        live.levelKnown = true;
+        live.levelKnown = live.levelByUnit = true;
     } else if (scan->hasOdometry) {
         live.up = scan->sensorInOdom.linear().transpose() * Eigen::Vector3d::UnitZ();
         live.levelKnown = !m_motion.hasUnit();

@@ -1,5 +1,3 @@
-#include "core/io/robot/robot_correction.h"
-
 #include <string>
 
 #include <gtest/gtest.h>

@@ -122,7 +122,7 @@ TEST(RobotErrors, TellNumbersThatAreNoneOrOfAnotherUnit) {
         top("sensors:\n  scanner: {correction: {roll: .nan}}",
             "sensors.scanner.correction.roll: expected a number from -10 to 10 degrees, found \".nan\"", 5),
         top("sensors:\n  scanner: {correction: {lean: 1}}",
-            "sensors.scanner.correction: expected range, roll or pitch, found \"lean\"", 5),
+            "sensors.scanner.correction: expected one of the keys range, roll or pitch, found \"lean\"", 5),
         top("height: .nan", "height: expected a number from 0.01 to 10 m, found \".nan\""),
         top("height: nan", "height: expected a number from 0.01 to 10 m, found \"nan\""),
         top("height: 1e999", "height: expected a number from 0.01 to 10 m, found \"1e999\""),

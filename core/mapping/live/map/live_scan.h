@@ -16,6 +16,7 @@ struct LiveScan {
     Pose sensorInBase = Pose::Identity();
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< against gravity, in the scan's frame
     bool levelKnown = false;                        ///< whether an inertial unit or the odometry tells up
+    bool levelByUnit = false;                       ///< an inertial unit does
     TurnEnd end = TurnEnd::Turn;
     bool extrapolated = false;  ///< odometry was not there in time: the end of the scan's motion is guessed
     bool bridged = false;       ///< odometry is missing within the scan

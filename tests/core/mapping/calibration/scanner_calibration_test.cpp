@@ -21,6 +21,9 @@ TEST(ScannerCalibration, AdvisesWhatIsCertainAndMatters) {
     EXPECT_EQ(calibration(-0.02, 0.0).advised(), (ScannerCorrection{0.02, 0.0, 0.0}));
     EXPECT_EQ(calibration(0.002, degrees(0.5)).advised(), (ScannerCorrection{0.0, degrees(0.5), 0.0}));
     EXPECT_EQ(calibration(0.002, degrees(0.5), degrees(0.3)).advised(), std::nullopt) << "not sure yet";
+    EXPECT_EQ(calibration(0.008, 0.0).advised(), std::nullopt);
+    EXPECT_TRUE(calibration(0.008, 0.0).advised(true).has_value()) << "what was told does not come and go";
+    EXPECT_EQ(calibration(0.005, 0.0).advised(true), std::nullopt);
     ScannerCalibration scattered = calibration(0.02, degrees(0.5));
     scattered.range->deviation = 0.01;
     EXPECT_EQ(scattered.advised(), std::nullopt);

@@ -39,8 +39,9 @@ struct LeaningDrive {
                                     known, Eigen::Vector3d(0.9 * known.x(), 0.9 * known.y(), known.z()))
                                     .toRotationMatrix() *
                                 scanInMap.linear();
-            found.levelled(scanInMap, levelled, up);
-            tilt += 0.1 * Eigen::Vector2d(known.y(), -known.x());
+            found.entered(scanInMap, levelled, up);
+            // It is one of a dozen scans that the next one is matched with.
+            tilt += 0.1 / 6.5 * Eigen::Vector2d(known.y(), -known.x());
         }
     }
 };
@@ -76,6 +77,37 @@ TEST(ScannerLean, IsNoneOfOneThatSitsAsItIsSaid) {
     EXPECT_LT(drive.found.lean().norm(), degrees(0.08));
     const Eigen::Vector3d up(0.1, 0.0, 1.0);
     EXPECT_TRUE(ScannerLean().corrected(up.normalized(), Pose::Identity()).isApprox(up.normalized(), 1e-12));
+}
+
+TEST(ScannerLean, IsNotMadeUpWhereTheMapIsTiltedAndTheRobotStands) {
+    LeaningDrive drive;
+    drive.lean.setZero();
+    drive.tilt = {degrees(1), 0.0};
+    drive.drive(60, 0.0);
+    drive.drive(5, degrees(18));
+    drive.drive(60, 0.0);
+    EXPECT_LT(drive.found.lean().norm(), degrees(0.2));
+}
+
+TEST(ScannerLean, IsNotMadeUpWhereTheMapMovesUnderTheRobot) {
+    for (const int scans : {20, 50, 80}) {
+        LeaningDrive drive;
+        drive.lean.setZero();
+        drive.drive(scans, degrees(6));
+        drive.tilt += Eigen::Vector2d(degrees(1), degrees(-0.5));
+        drive.found.mapMoved();
+        drive.drive(scans, degrees(6));
+        EXPECT_LT(drive.found.lean().norm(), degrees(0.15)) << scans;
+    }
+}
+
+TEST(ScannerLean, OfAScannerThatWasKnockedIsLearntAnew) {
+    LeaningDrive drive;
+    drive.drive(150, degrees(6));
+    drive.lean = {degrees(-1.2), degrees(1.2)};
+    drive.drive(150, degrees(6));
+    EXPECT_NEAR(drive.found.lean().x(), drive.lean.x(), degrees(0.1));
+    EXPECT_NEAR(drive.found.lean().y(), drive.lean.y(), degrees(0.1));
 }
 
 }  // namespace
