@@ -12,7 +12,22 @@ namespace leitstand::test {
 namespace {
 
 using testing::HasSubstr;
-using ScannerAdviceTest = StationMappingTest;
+class ScannerAdviceTest : public StationMappingTest {
+protected:
+    /// Drives in a circle with a scanner that measures 4 cm too far until the map asks about it; the key scan
+    /// that made it.
+    std::uint64_t driveUntilAsked() {
+        m_tooFar = 0.04;
+        m_circles = true;
+        begin();
+        std::uint64_t newest = 0;
+        while (newest < 30 && !m_mapping->scannerQuestion()) {
+            scan();
+            if (!scans(++newest)) break;
+        }
+        return newest;
+    }
+};
 
 /// Of the points of the key scan @p id below the scanner, which is 0.9 m above the floor [m].
 double heightAboveFloor(const StationMapping& mapping, std::uint64_t id) {
@@ -33,14 +48,7 @@ TEST_F(ScannerAdviceTest, AScannerThatMeasuresTooFarIsAskedAboutAndCorrectedForG
     const std::string tail =
         "    position: [0, 0, 0.9]  # measured\nstreams: [{role: points, sensor: laser}]\n";
     std::ofstream(m_robotFile) << head << tail;
-    m_tooFar = 0.04;
-    m_circles = true;
-    begin();
-    std::uint64_t asked = 0;
-    while (asked < 30 && !m_mapping->scannerQuestion()) {
-        scan();
-        ASSERT_TRUE(scans(++asked)) << words();
-    }
+    const std::uint64_t asked = driveUntilAsked();
     const auto question = m_mapping->scannerQuestion();
     ASSERT_TRUE(question.has_value()) << words();
     EXPECT_THAT(words(), HasSubstr("what its 3D scanner measures does not fit together"));
@@ -71,14 +79,7 @@ TEST_F(ScannerAdviceTest, AScannerThatMeasuresTooFarIsAskedAboutAndCorrectedForG
 }
 
 TEST_F(ScannerAdviceTest, AScannerThatIsLeftAsItIsIsNotAskedAboutAgain) {
-    m_tooFar = 0.04;
-    m_circles = true;
-    begin();
-    std::uint64_t asked = 0;
-    while (asked < 30 && !m_mapping->scannerQuestion()) {
-        scan();
-        ASSERT_TRUE(scans(++asked)) << words();
-    }
+    const std::uint64_t asked = driveUntilAsked();
     const auto question = m_mapping->scannerQuestion();
     ASSERT_TRUE(question.has_value()) << words();
     m_granted = false;
