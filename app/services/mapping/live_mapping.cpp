@@ -1,13 +1,13 @@
 #include "app/services/mapping/live_mapping.h"
 
-#include "app/services/mapping/scanner_advice.h"
-
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <variant>
 
 #include "app/services/log/sequencer.h"
+#include "app/services/mapping/scanner_advice.h"
 #include "core/mapping/live/scan_doubts.h"
 #include "core/mapping/placement/placement_says.h"
 

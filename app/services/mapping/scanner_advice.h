@@ -17,6 +17,10 @@ namespace leitstand {
 struct ScannerQuestion {
     std::string robot;       ///< name
     ScannerCorrection more;  ///< beyond what its file says
+    /// Whether both ask about the same error of the same scanner, perhaps by other figures.
+    [[nodiscard]] bool asksAs(const ScannerQuestion& other) const {
+        return robot == other.robot && (more.range != 0.0) == (other.more.range != 0.0);
+    }
     friend bool operator==(const ScannerQuestion&, const ScannerQuestion&) = default;
 };
 

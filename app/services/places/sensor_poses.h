@@ -31,9 +31,10 @@ public:
     /// The correction of sensor @p sensor, or of the one of frame @p frame, is @p correction from now on.
     void setCorrection(const std::string& sensor, const std::string& frame,
                        const ScannerCorrection& correction);
-    /// That of its file, unless it was set since; its lean is in inBase(). None of what comes in the frame of
-    /// the base or of the odometry: nobody knows from where it was seen.
-    [[nodiscard]] bool isOfScanner(const std::string& frame) const;  ///< neither of those frames
+    /// Whether @p frame can be a sensor's own: what comes in the frame of the base or of the odometry was
+    /// seen from nobody knows where.
+    [[nodiscard]] bool isOfScanner(const std::string& frame) const;
+    /// That of its file, unless it was set since; its lean is in inBase(). None where isOfScanner() is false.
     [[nodiscard]] ScannerCorrection correctionOf(const std::string& sensor, const std::string& frame) const;
     /// What a frame hangs on by the transforms that came, and its pose in it; empty: nobody told.
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;

@@ -481,7 +481,7 @@ std::optional<ScannerQuestion> StationMapping::scannerQuestion() const {
 Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool correct) {
     if (auto may = m_state->granted(); !may) return may;
     const auto question = m_state->scanners.question();
-    if (!question || question->robot != asked.robot)
+    if (!question || !question->asksAs(asked))
         return Error{translate("leitstand::Station", "nothing is asked about the scanner any more")};
     if (!correct) {
         m_state->scanners.leave(asked);

@@ -82,6 +82,9 @@ TEST_F(ScannerAdviceTest, AScannerThatIsLeftAsItIsIsNotAskedAboutAgain) {
     const std::uint64_t asked = driveUntilAsked();
     const auto question = m_mapping->scannerQuestion();
     ASSERT_TRUE(question.has_value()) << words();
+    ScannerQuestion other = *question;
+    other.more = {0.0, degrees(1), 0.0};
+    EXPECT_FALSE(m_mapping->answerScanner(other, true).ok()) << "its lean is not asked about";
     m_granted = false;
     EXPECT_FALSE(m_mapping->answerScanner(*question, false).ok()) << "the map is another station's";
     m_granted = true;

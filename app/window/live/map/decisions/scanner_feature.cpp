@@ -1,5 +1,7 @@
 #include "app/window/live/map/decisions/scanner_feature.h"
 
+#include <cmath>
+
 #include <QAction>
 
 #include "app/services/station/station.h"
